@@ -1,0 +1,19 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_H
+
+/// \file
+/// Includes all public headers of the package. `laplace_spectrum.h` needs Spectra; without it the
+/// rest works, and `laplace_spectrum()` does not exist.
+
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+
+#if defined(__has_include)
+#if __has_include(<Spectra/SymGEigsShiftSolver.h>)
+#include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#endif
+#endif
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_H

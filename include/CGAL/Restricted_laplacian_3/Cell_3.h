@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_CELL_3_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_CELL_3_H
+
+#include <array>
+#include <cstdint>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// largest depth of an octree: coordinates of cells, shifted by one so that the elements centred
+/// one cell outside the grid are included, take 21 bits each, and three of them one 64-bit key
+constexpr int maximum_octree_depth = 20;
+
+namespace internal {
+
+/// spreads the low 21 bits of `x` to every third bit
+inline std::uint64_t spread_bits_by_three(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x001f00000000ffffull;
+  x = (x | x << 16) & 0x001f0000ff0000ffull;
+  x = (x | x << 8) & 0x100f00f00f00f00full;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+  x = (x | x << 2) & 0x1249249249249249ull;
+  return x;
+}
+
+/// inverse of `spread_bits_by_three()`
+inline std::uint64_t gather_every_third_bit(std::uint64_t x) {
+  x &= 0x1249249249249249ull;
+  x = (x | x >> 2) & 0x10c30c30c30c30c3ull;
+  x = (x | x >> 4) & 0x100f00f00f00f00full;
+  x = (x | x >> 8) & 0x001f0000ff0000ffull;
+  x = (x | x >> 16) & 0x001f00000000ffffull;
+  x = (x | x >> 32) & 0x00000000001fffffull;
+  return x;
+}
+
+} // namespace internal
+
+/// Morton key (z-order) of three coordinates in \f$[0, 2^{21})\f$: bit \f$3k + a\f$ of the key is
+/// bit \f$k\f$ of coordinate \f$a\f$. Keys of the 8 children of a cell are 8 consecutive numbers.
+inline std::uint64_t morton_key(const std::array<int, 3>& index) {
+  return internal::spread_bits_by_three(static_cast<std::uint64_t>(index[0])) |
+         internal::spread_bits_by_three(static_cast<std::uint64_t>(index[1])) << 1 |
+         internal::spread_bits_by_three(static_cast<std::uint64_t>(index[2])) << 2;
+}
+
+/// inverse of `morton_key()`
+inline std::array<int, 3> morton_index(std::uint64_t key) {
+  return {static_cast<int>(internal::gather_every_third_bit(key)),
+          static_cast<int>(internal::gather_every_third_bit(key >> 1)),
+          static_cast<int>(internal::gather_every_third_bit(key >> 2))};
+}
+
+/// A cell of the grid of \f$2^l \times 2^l \times 2^l\f$ cells at level \f$l\f$ of the octree.
+/// The coordinates may lie outside the grid: the element centred on such a cell can still meet the
+/// surface.
+struct Cell_3 {
+  int level = 0;
+  std::array<int, 3> index = {0, 0, 0};
+
+  static Cell_3 from_key(int level, std::uint64_t key) { return {level, morton_index(key)}; }
+
+  /// Morton key; requires `is_inside_grid()`
+  std::uint64_t key() const { return morton_key(index); }
+
+  bool is_inside_grid() const {
+    const int n = 1 << level;
+    return index[0] >= 0 && index[0] < n && index[1] >= 0 && index[1] < n && index[2] >= 0 &&
+           index[2] < n;
+  }
+
+  /// the cell of the next coarser level that contains this one
+  Cell_3 parent() const { return {level - 1, {index[0] >> 1, index[1] >> 1, index[2] >> 1}}; }
+
+  /// which of the 8 children of its parent this cell is; bit \f$a\f$ is the parity along axis
+  /// \f$a\f$
+  int octant() const { return (index[0] & 1) | (index[1] & 1) << 1 | (index[2] & 1) << 2; }
+
+  Cell_3 child(int octant) const {
+    return {level + 1,
+            {2 * index[0] + (octant & 1), 2 * index[1] + (octant >> 1 & 1),
+             2 * index[2] + (octant >> 2 & 1)}};
+  }
+
+  Cell_3 neighbor(int dx, int dy, int dz) const {
+    return {level, {index[0] + dx, index[1] + dy, index[2] + dz}};
+  }
+
+  friend bool operator==(const Cell_3& a, const Cell_3& b) {
+    return a.level == b.level && a.index == b.index;
+  }
+  friend bool operator!=(const Cell_3& a, const Cell_3& b) { return !(a == b); }
+};
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_CELL_3_H

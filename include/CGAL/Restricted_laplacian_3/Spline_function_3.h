@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINE_FUNCTION_3_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SPLINE_FUNCTION_3_H
+
+#include <CGAL/Restricted_laplacian_3/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
+
+#include <Eigen/Core>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The function \f$u = \sum_i \eta_i b_i\f$ on the surface of a spline space. It is \f$C^1\f$ along
+/// the surface as far as the surface is. An evaluation takes a binary search among the cells, plus
+/// 27 products.
+class Spline_function_3 {
+public:
+  /// \param space has to outlive this object
+  /// \param coefficients \f$\eta\f$, one for each element of `level`
+  /// \throws Parameter_error if the number of coefficients is not `space.dimension(level)`
+  Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients, int level)
+    : m_space(&space), m_level(level), m_coefficients(std::move(coefficients)) {
+    if(static_cast<std::size_t>(m_coefficients.size()) != space.dimension(level))
+      throw Parameter_error("coefficients", "has " + std::to_string(m_coefficients.size()) +
+                                                " entries, but the dimension of the space is " +
+                                                std::to_string(space.dimension(level)));
+  }
+  Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients)
+    : Spline_function_3(space, std::move(coefficients), space.depth()) {}
+
+  const Spline_space_3& space() const { return *m_space; }
+  int level() const { return m_level; }
+  const Eigen::VectorXd& coefficients() const { return m_coefficients; }
+
+  /// \f$u\f$ at a location
+  /// \throws Location_error if there is no such face, or if the location is not on the surface
+  double value(const Surface_location& location) const {
+    const auto [cell, t] = locate(location);
+    const auto x = B_spline_1::values(t[0]), y = B_spline_1::values(t[1]),
+               z = B_spline_1::values(t[2]);
+    return sum(cell, x, y, z);
+  }
+
+  /// The surface gradient \f$\nabla_{\mathcal M} u = (I - n n^T) \nabla u\f$ at a location, where
+  /// \f$n\f$ is the unit normal of its face; in units of \f$u\f$ over length.
+  /// \throws Location_error as `value()`, and if the face is degenerate
+  Vector_3 gradient(const Surface_location& location) const {
+    const auto [cell, t] = locate(location);
+    if(surface().is_degenerate(location.face))
+      throw Location_error("face " + std::to_string(location.face) +
+                           " is degenerate: it has no tangent plane");
+    std::array<std::array<double, 3>, 3> b, d;
+    for(int axis = 0; axis < 3; ++axis) {
+      b[axis] = B_spline_1::values(t[axis]);
+      d[axis] = B_spline_1::derivatives(t[axis]);
+    }
+    const Vector_3 in_space = Vector_3(sum(cell, d[0], b[1], b[2]), sum(cell, b[0], d[1], b[2]),
+                                       sum(cell, b[0], b[1], d[2])) /
+                              m_space->octree().cell_width(m_level);
+    const Vector_3& n = surface().normal(location.face);
+    return in_space - (in_space * n) * n;
+  }
+
+  /// Values at all vertices, in the order of `vertices(tm)`: NaN at those that have no face of
+  /// positive area, for they are not on the surface.
+  std::vector<double> values_at_vertices() const {
+    std::vector<double> values(surface().number_of_vertices(),
+                               std::numeric_limits<double>::quiet_NaN());
+    for(std::size_t f = 0; f < surface().number_of_faces(); ++f) {
+      if(surface().is_degenerate(f))
+        continue;
+      for(int corner = 0; corner < 3; ++corner) {
+        double& value = values[surface().triangle(f)[corner]];
+        if(std::isnan(value)) {
+          Surface_location location;
+          location.face = f;
+          location.barycentric = {corner == 0 ? 1. : 0., corner == 1 ? 1. : 0.,
+                                  corner == 2 ? 1. : 0.};
+          value = this->value(location);
+        }
+      }
+    }
+    return values;
+  }
+
+private:
+  const Triangulated_surface_3& surface() const { return m_space->surface(); }
+
+  std::pair<std::size_t, std::array<double, 3>> locate(const Surface_location& location) const {
+    if(location.face >= surface().number_of_faces())
+      throw Location_error("there is no face " + std::to_string(location.face));
+    const auto result = m_space->locate(
+        m_level, surface().surface_point(location).point, location.face);
+    if(result.first == m_space->octree().number_of_cells(m_level))
+      throw Location_error("a location with face " + std::to_string(location.face) +
+                           " is not on the surface");
+    return result;
+  }
+
+  double sum(std::size_t cell, const std::array<double, 3>& x, const std::array<double, 3>& y,
+             const std::array<double, 3>& z) const {
+    const Cell_elements& elements = m_space->elements(m_level, cell);
+    double result = 0;
+    for(int i = 0; i < 27; ++i)
+      if(elements[i] != Spline_space_3::no_element)
+        result += m_coefficients[elements[i]] * x[i % 3] * y[i / 3 % 3] * z[i / 9];
+    return result;
+  }
+
+  const Spline_space_3* m_space;
+  int m_level;
+  Eigen::VectorXd m_coefficients;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Writes the values of a function at all vertices into a property map: NaN at vertices that have
+/// no face of positive area.
+/// \param tm the mesh that the space of `u` was made from
+/// \param map a model of `WritablePropertyMap` with the vertex descriptor as key and a number type as
+/// value
+template <class FaceGraph, class VertexMap>
+void evaluate_at_vertices(const Spline_function_3& u, const FaceGraph& tm, VertexMap map) {
+  using Value = typename boost::property_traits<VertexMap>::value_type;
+  const std::vector<double> values = u.values_at_vertices();
+  std::size_t i = 0;
+  for(auto v : vertices(tm)) {
+    if(i == values.size())
+      throw Parameter_error("tm", "is not the mesh that the space was made from");
+    put(map, v, static_cast<Value>(values[i++]));
+  }
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SPLINE_FUNCTION_3_H

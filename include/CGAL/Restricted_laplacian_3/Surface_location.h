@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_LOCATION_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_LOCATION_H
+
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// The kernel in which this package computes. Points of other kernels are converted with
+/// `CGAL::to_double()`.
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Vector_3 = Kernel::Vector_3;
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// A location on the surface: a face and barycentric coordinates in it.
+struct Surface_location {
+  /// position of the face in the iteration over `faces(tm)`, counted from 0
+  std::size_t face = 0;
+  /// coordinates with respect to the vertices `source(h)`, `target(h)`, `target(next(h))`, where
+  /// `h = halfedge(f, tm)`: the convention of \cgal's `PMP::Barycentric_coordinates`
+  std::array<double, 3> barycentric = {1, 0, 0};
+};
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// A location on the surface with what a function of it may need. Functions and vector fields are
+/// given to the package as function objects on `const Surface_point&`.
+struct Surface_point : Surface_location {
+  /// positions of the face's vertices in the iteration over `vertices(tm)`
+  std::array<std::uint32_t, 3> vertices = {0, 0, 0};
+  Point_3 point;
+  /// unit normal of the face, by the right-hand rule
+  Vector_3 normal;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Converts locations of \cgal (face descriptor and barycentric coordinates) to `Surface_location`.
+/// Construction is linear in the number of faces, conversion takes constant time.
+template <class FaceGraph> class Surface_location_converter {
+  using Face = typename boost::graph_traits<FaceGraph>::face_descriptor;
+  using Index_map =
+      typename boost::property_map<FaceGraph, CGAL::dynamic_face_property_t<std::size_t>>::const_type;
+
+public:
+  explicit Surface_location_converter(const FaceGraph& tm)
+    : m_index(get(CGAL::dynamic_face_property_t<std::size_t>(), tm)) {
+    std::size_t i = 0;
+    for(Face f : faces(tm))
+      put(m_index, f, i++);
+  }
+
+  Surface_location operator()(Face f, const std::array<double, 3>& barycentric) const {
+    Surface_location location;
+    location.face = get(m_index, f);
+    location.barycentric = barycentric;
+    return location;
+  }
+
+  template <class FT>
+  Surface_location operator()(const std::pair<Face, std::array<FT, 3>>& location) const {
+    return (*this)(location.first, {CGAL::to_double(location.second[0]),
+                                    CGAL::to_double(location.second[1]),
+                                    CGAL::to_double(location.second[2])});
+  }
+
+private:
+  Index_map m_index;
+};
+
+/// A function object on `Surface_point` that interpolates values at the vertices linearly in each
+/// triangle. `T` is `double` or a vector type.
+template <class T> class Linear_surface_function {
+public:
+  explicit Linear_surface_function(std::vector<T> values) : m_values(std::move(values)) {}
+
+  T operator()(const Surface_point& p) const {
+    return m_values[p.vertices[0]] * p.barycentric[0] +
+           m_values[p.vertices[1]] * p.barycentric[1] + m_values[p.vertices[2]] * p.barycentric[2];
+  }
+
+private:
+  std::vector<T> m_values;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The function that is linear in each triangle and takes the values of a vertex property map, as a
+/// function object on `Surface_point`. The values are copied.
+/// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a number type
+/// as value
+template <class FaceGraph, class VertexMap>
+Linear_surface_function<double> vertex_function(const FaceGraph& tm, VertexMap map) {
+  std::vector<double> values;
+  values.reserve(num_vertices(tm));
+  for(auto v : vertices(tm))
+    values.push_back(CGAL::to_double(get(map, v)));
+  return Linear_surface_function<double>(std::move(values));
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The vector field that is linear in each triangle and takes the values of a vertex property map,
+/// as a function object on `Surface_point`.
+/// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D vector
+/// type of a \cgal kernel as value
+template <class FaceGraph, class VertexMap>
+Linear_surface_function<Vector_3> vertex_vector_field(const FaceGraph& tm, VertexMap map) {
+  std::vector<Vector_3> values;
+  values.reserve(num_vertices(tm));
+  for(auto v : vertices(tm)) {
+    const auto value = get(map, v);
+    values.emplace_back(CGAL::to_double(value.x()), CGAL::to_double(value.y()),
+                        CGAL::to_double(value.z()));
+  }
+  return Linear_surface_function<Vector_3>(std::move(values));
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_LOCATION_H

@@ -1,0 +1,198 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_TRIANGULATED_SURFACE_3_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_TRIANGULATED_SURFACE_3_H
+
+#include <CGAL/Restricted_laplacian_3/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// The surface as the floors above see it: points, index triples, unit normals and areas in double
+/// precision, independent of the type of the mesh that it was read from.
+class Triangulated_surface_3 {
+public:
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  /// A triangle whose height over its longest side is below this fraction of that side is
+  /// degenerate: the position of its third corner relative to the side is then rounding error of
+  /// the coordinates (16 units in the last place of the side), and so is its normal.
+  static constexpr double degenerate_height_tolerance = 3.6e-15;
+
+  /// Longest side of the bounding box that is accepted: squares (areas) must neither overflow nor
+  /// become subnormal.
+  static constexpr double largest_extent = 1e140;
+  static constexpr double smallest_extent = 1e-140;
+
+  /// \throws Empty_surface_error, Invalid_vertex_error (a vertex of a face is not finite),
+  /// Zero_area_error, Parameter_error (extent outside of `smallest_extent` .. `largest_extent`)
+  Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles)
+    : m_points(std::move(points)), m_triangles(std::move(triangles)) {
+    if(m_triangles.empty())
+      throw Empty_surface_error();
+    compute_bounding_box();
+    compute_normals_and_areas();
+  }
+
+  std::size_t number_of_vertices() const { return m_points.size(); }
+  std::size_t number_of_faces() const { return m_triangles.size(); }
+
+  /// number of faces of area zero, up to `degenerate_height_tolerance`. They are left out of all
+  /// integrals.
+  std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
+
+  const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  const Point_3& point(std::size_t face, int corner) const {
+    return m_points[m_triangles[face][corner]];
+  }
+  const Triangle& triangle(std::size_t face) const { return m_triangles[face]; }
+
+  /// unit normal by the right-hand rule; the zero vector if the face is degenerate
+  const Vector_3& normal(std::size_t face) const { return m_normals[face]; }
+  bool is_degenerate(std::size_t face) const { return m_normals[face] == CGAL::NULL_VECTOR; }
+
+  /// area of a face; 0 if it is degenerate
+  double area(std::size_t face) const { return m_areas[face]; }
+  /// area of the surface
+  double area() const { return m_area; }
+
+  /// corners and centre of the bounding box of the vertices that have a face
+  const Point_3& bounding_box_min() const { return m_min; }
+  const Point_3& bounding_box_max() const { return m_max; }
+  Point_3 center() const {
+    return {m_min.x() / 2 + m_max.x() / 2, m_min.y() / 2 + m_max.y() / 2,
+            m_min.z() / 2 + m_max.z() / 2};
+  }
+  /// longest side of the bounding box
+  double extent() const { return m_extent; }
+
+  /// the point at a location, with all that a `Surface_point` holds
+  Surface_point surface_point(const Surface_location& location) const {
+    Surface_point p;
+    static_cast<Surface_location&>(p) = location;
+    p.vertices = m_triangles[location.face];
+    p.normal = m_normals[location.face];
+    const Point_3 &a = m_points[p.vertices[0]], &b = m_points[p.vertices[1]],
+                  &c = m_points[p.vertices[2]];
+    const auto& l = location.barycentric;
+    p.point = Point_3(l[0] * a.x() + l[1] * b.x() + l[2] * c.x(),
+                      l[0] * a.y() + l[1] * b.y() + l[2] * c.y(),
+                      l[0] * a.z() + l[1] * b.z() + l[2] * c.z());
+    return p;
+  }
+
+private:
+  void compute_bounding_box() {
+    const double infinity = std::numeric_limits<double>::infinity();
+    std::array<double, 3> low = {infinity, infinity, infinity}, high = {-infinity, -infinity,
+                                                                        -infinity};
+    for(const Triangle& triangle : m_triangles)
+      for(std::uint32_t v : triangle)
+        for(int axis = 0; axis < 3; ++axis) {
+          const double x = m_points[v][axis];
+          if(!std::isfinite(x))
+            throw Invalid_vertex_error(v, "has a coordinate that is not a finite number");
+          low[axis] = (std::min)(low[axis], x);
+          high[axis] = (std::max)(high[axis], x);
+        }
+    m_min = Point_3(low[0], low[1], low[2]);
+    m_max = Point_3(high[0], high[1], high[2]);
+    m_extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    if(m_extent == 0)
+      throw Zero_area_error(m_triangles.size());
+    if(!(m_extent >= smallest_extent && m_extent <= largest_extent))
+      throw Parameter_error("extent", "of the bounding box is outside of 1e-140 .. 1e140");
+  }
+
+  void compute_normals_and_areas() {
+    m_normals.assign(m_triangles.size(), Vector_3(0, 0, 0));
+    m_areas.assign(m_triangles.size(), 0);
+    const double scale = 1 / m_extent;
+    for(std::size_t f = 0; f < m_triangles.size(); ++f) {
+      // The cross product is most accurate from the corner opposite to the longest side.
+      std::array<Vector_3, 3> side;
+      std::array<double, 3> squared;
+      for(int i = 0; i < 3; ++i) {
+        side[i] = (point(f, (i + 2) % 3) - point(f, (i + 1) % 3)) * scale;
+        squared[i] = side[i].squared_length();
+      }
+      const int corner = static_cast<int>(std::max_element(squared.begin(), squared.end()) -
+                                          squared.begin());
+      const Vector_3 product = CGAL::cross_product(side[(corner + 2) % 3], -side[(corner + 1) % 3]);
+      const double length = std::sqrt(product.squared_length());
+      // length = longest side x height over it
+      if(!(length > degenerate_height_tolerance * squared[corner])) {
+        ++m_number_of_degenerate_faces;
+        continue;
+      }
+      m_normals[f] = product / length;
+      m_areas[f] = length / 2 * m_extent * m_extent;
+      m_area += m_areas[f];
+    }
+    if(!(m_area > 0))
+      throw Zero_area_error(m_triangles.size());
+  }
+
+  std::vector<Point_3> m_points;
+  std::vector<Triangle> m_triangles;
+  std::vector<Vector_3> m_normals;
+  std::vector<double> m_areas;
+  Point_3 m_min, m_max;
+  double m_extent = 0;
+  double m_area = 0;
+  std::size_t m_number_of_degenerate_faces = 0;
+};
+
+/// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \param np `vertex_point_map`: a model of `ReadablePropertyMap` with a 3D point of any \cgal
+/// kernel as value; default `get_const_property_map(CGAL::vertex_point, tm)`
+/// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
+/// `Triangulated_surface_3` throws
+template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
+Triangulated_surface_3 read_surface(const FaceGraph& tm,
+                                    const NamedParameters& np = parameters::default_values()) {
+  using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
+  auto point_map =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(CGAL::vertex_point, tm));
+  auto index_map = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), tm);
+
+  std::vector<Point_3> points;
+  points.reserve(num_vertices(tm));
+  for(Vertex v : vertices(tm)) {
+    put(index_map, v, static_cast<std::uint32_t>(points.size()));
+    const auto& p = get(point_map, v);
+    points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  std::vector<Triangulated_surface_3::Triangle> triangles;
+  triangles.reserve(num_faces(tm));
+  for(auto f : faces(tm)) {
+    const auto h = halfedge(f, tm);
+    if(next(next(next(h, tm), tm), tm) != h || next(h, tm) == h || next(next(h, tm), tm) == h)
+      throw Invalid_face_error(triangles.size(), "is not a triangle");
+    triangles.push_back({get(index_map, source(h, tm)), get(index_map, target(h, tm)),
+                         get(index_map, target(next(h, tm), tm))});
+  }
+  return Triangulated_surface_3(std::move(points), std::move(triangles));
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_TRIANGULATED_SURFACE_3_H

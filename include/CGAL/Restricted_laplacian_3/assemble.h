@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLE_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLE_H
+
+#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/Element_matrix_pattern.h>
+#include <CGAL/Restricted_laplacian_3/surface_integration.h>
+
+#include <Eigen/SparseCore>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Type of all sparse matrices. Those of operators are symmetric and stored in full, so their
+/// columns are their rows.
+using Sparse_matrix = Eigen::SparseMatrix<double>;
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Stiffness and mass matrix of one level. They have the same pattern.
+struct Operators {
+  /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j\rangle
+  /// \f$: symmetric positive semi-definite, minus the matrix \f$L\f$ of the paper (equation 5);
+  /// without unit
+  Sparse_matrix stiffness;
+  /// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$: symmetric positive semi-definite, in units of area
+  Sparse_matrix mass;
+};
+
+namespace internal {
+
+inline int checked_level(const Spline_space_3& space, int level) {
+  if(level < 0 || level > space.depth())
+    throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +
+                                       std::to_string(space.depth()));
+  return level;
+}
+
+/// Computes the moments of all cells of the levels `coarsest` .. `finest`, those of a cell after
+/// those of its children, and keeps only one cell per level at a time.
+template <class SurfaceIntegration, class Visitor> class Moment_traversal {
+public:
+  Moment_traversal(const Octree_3& octree, const SurfaceIntegration& integration, int coarsest,
+                   int finest, Visitor& visit)
+    : m_octree(octree), m_integration(integration), m_finest(finest), m_visit(visit),
+      m_moments(octree.depth() + 1) {
+    for(std::size_t i = 0; i < octree.number_of_cells(coarsest); ++i)
+      compute(coarsest, i);
+  }
+
+private:
+  void compute(int level, std::size_t i) {
+    Cell_moments& moments = m_moments[level];
+    moments.clear();
+    if(level == m_octree.depth())
+      m_integration.add_moments(i, moments);
+    else {
+      const auto [first, last] = m_octree.children(level, i);
+      for(std::size_t child = first; child < last; ++child) {
+        compute(level + 1, child);
+        add_child_moments(m_moments[level + 1], m_octree.cell(level + 1, child).octant(), moments);
+      }
+    }
+    if(level <= m_finest)
+      m_visit(level, i, moments);
+  }
+
+  const Octree_3& m_octree;
+  const SurfaceIntegration& m_integration;
+  int m_finest;
+  Visitor& m_visit;
+  std::vector<Cell_moments> m_moments;
+};
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Assembles stiffness and mass matrices of the levels `coarsest` .. `finest`, in this order, in one
+/// pass over the surface.
+///
+/// The surface is integrated on the finest level of the octree only; the coarser levels follow from
+/// the moments of the cells, at a cost that does not depend on the number of triangles. Up to
+/// rounding they are the Galerkin products \f$P^T A P\f$ of the finer ones, if the space is not that
+/// of the paper.
+///
+/// Takes time proportional to the number of fragments of triangles in cells, plus the number of
+/// cells; holds the matrices (about 75 entries in a row) and little else.
+/// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or `Monte_carlo`
+/// \throws Parameter_error if a level is not in 0 .. depth
+template <class SurfaceIntegration>
+std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
+                                          const SurfaceIntegration& integration) {
+  internal::checked_level(space, coarsest);
+  internal::checked_level(space, finest);
+  std::vector<Operators> operators;
+  std::vector<internal::Element_matrix_pattern> patterns;
+  for(int level = coarsest; level <= finest; ++level) {
+    patterns.emplace_back(space, level);
+    operators.push_back({patterns.back().zero_matrix(), patterns.back().zero_matrix()});
+  }
+  Cell_block stiffness, mass;
+  const auto add_cell = [&](int level, std::size_t i, const Cell_moments& moments) {
+    const double h = space.octree().cell_width(level);
+    stiffness_block(moments, stiffness);
+    mass_block(moments, mass);
+    Operators& to = operators[level - coarsest];
+    internal::add_cell_blocks(space.elements(level, i), stiffness, mass, h * h, to.stiffness,
+                              to.mass);
+  };
+  if(coarsest <= finest)
+    internal::Moment_traversal<SurfaceIntegration, decltype(add_cell)>(
+        space.octree(), integration, coarsest, finest, add_cell);
+  return operators;
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Stiffness and mass matrix of one level, at the cost of one of them.
+template <class SurfaceIntegration>
+Operators assemble_operators(const Spline_space_3& space, int level,
+                             const SurfaceIntegration& integration) {
+  return std::move(assemble_operators(space, level, level, integration).front());
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+inline Operators assemble_operators(const Spline_space_3& space, int level) {
+  return assemble_operators(space, level, Cubature(space));
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+inline Operators assemble_operators(const Spline_space_3& space) {
+  return assemble_operators(space, space.depth());
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j \rangle
+/// \f$, positive semi-definite (minus the matrix \f$L\f$ of the paper, equation 5), `dimension(level)`
+/// rows. Constants are in its kernel (not in the space of the paper, where the surface comes within
+/// a cell of the boundary of the domain cube).
+inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level) {
+  return std::move(assemble_operators(space, level).stiffness);
+}
+/// \ingroup PkgRestrictedLaplacian3Ref
+inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space) {
+  return assemble_stiffness_matrix(space, space.depth());
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$, `dimension(level)` rows. Its entries sum to the area.
+inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level) {
+  return std::move(assemble_operators(space, level).mass);
+}
+/// \ingroup PkgRestrictedLaplacian3Ref
+inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
+  return assemble_mass_matrix(space, space.depth());
+}
+
+namespace internal {
+
+/// Visits the cells of the finest level in Morton order, collects the nodes of each cell of `level`
+/// through `add(t, point, weight)` (local coordinate in that cell; weight in units of the squared
+/// width of the finest cells), and calls `finish(cell)` after the last one.
+template <class SurfaceIntegration, class Add, class Finish>
+void for_each_cell_and_node(const Spline_space_3& space, int level,
+                            const SurfaceIntegration& integration, Add&& add, Finish&& finish) {
+  const Octree_3& octree = space.octree();
+  const int depth = octree.depth();
+  std::size_t current = 0;
+  for(std::size_t i = 0; i < octree.number_of_cells(depth); ++i) {
+    const Cell_3 fine = octree.cell(depth, i);
+    std::size_t coarse = i;
+    for(int l = depth; l > level; --l)
+      coarse = octree.parent(l, coarse);
+    if(coarse != current) {
+      finish(current);
+      current = coarse;
+    }
+    // local coordinate in the coarse cell: scale (t + offset)
+    const double scale = std::ldexp(1., level - depth);
+    std::array<double, 3> offset;
+    for(int axis = 0; axis < 3; ++axis)
+      offset[axis] = fine.index[axis] - (fine.index[axis] >> (depth - level) << (depth - level));
+    integration.for_each_node(
+        i, [&](const std::array<double, 3>& t, const Surface_location& location, double weight) {
+          add(std::array<double, 3>{scale * (t[0] + offset[0]), scale * (t[1] + offset[1]),
+                                    scale * (t[2] + offset[2])},
+              octree.surface().surface_point(location), weight);
+        });
+  }
+  finish(current);
+}
+
+inline void add_cell_load(const Cell_elements& elements, const Cell_load::Load& values,
+                          double factor, Eigen::VectorXd& load) {
+  for(int i = 0; i < 27; ++i)
+    if(elements[i] != Spline_space_3::no_element)
+      load[elements[i]] += factor * values[i];
+}
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// \f$ \phi_i = \int_{\mathcal M} f\, b_i \f$ (paper, equation 4), `dimension(level)` entries.
+///
+/// The Poisson problem \f$\Delta_{\mathcal M} u = f\f$ is \f$S \eta = -\phi\f$.
+/// \param f a function object that takes a `const Surface_point&` and returns a number. Exact up to
+/// rounding if it is a polynomial of degree at most 6 on each triangle, as `vertex_function()` is.
+/// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
+template <class Function, class SurfaceIntegration>
+Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level,
+                              const SurfaceIntegration& integration) {
+  internal::checked_level(space, level);
+  const double h = space.octree().cell_width(space.depth());
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
+  Cell_load cell_load;
+  internal::for_each_cell_and_node(
+      space, level, integration,
+      [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
+        cell_load.add(t, weight * static_cast<double>(f(p)));
+      },
+      [&](std::size_t cell) {
+        Cell_load::Load values = {};
+        cell_load.add_values_to(values);
+        internal::add_cell_load(space.elements(level, cell), values, h * h, load);
+        cell_load = Cell_load();
+      });
+  return load;
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+template <class Function>
+Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level) {
+  return assemble_load(space, f, level, Cubature(space));
+}
+/// \ingroup PkgRestrictedLaplacian3Ref
+template <class Function>
+Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
+  return assemble_load(space, f, space.depth());
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// \f$ \gamma_i = \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i \rangle \f$,
+/// `dimension(level)` entries.
+///
+/// The function whose gradient is closest to \f$v\f$ solves \f$S \eta = \gamma\f$.
+/// \param v a function object that takes a `const Surface_point&` and returns a `Vector_3`; only its
+/// part tangential to the face counts
+/// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
+template <class VectorField, class SurfaceIntegration>
+Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v, int level,
+                                       const SurfaceIntegration& integration) {
+  internal::checked_level(space, level);
+  const double h = space.octree().cell_width(space.depth());
+  const double coarse_h = space.octree().cell_width(level);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
+  std::array<Cell_load, 3> components;
+  internal::for_each_cell_and_node(
+      space, level, integration,
+      [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
+        const Vector_3 value = v(p);
+        const Vector_3 tangential = value - (value * p.normal) * p.normal;
+        for(int axis = 0; axis < 3; ++axis)
+          components[axis].add(t, weight * tangential[axis]);
+      },
+      [&](std::size_t cell) {
+        Cell_load::Load values = {};
+        for(int axis = 0; axis < 3; ++axis)
+          components[axis].add_derivatives_to(axis, values);
+        internal::add_cell_load(space.elements(level, cell), values, h * h / coarse_h, load);
+        components.fill(Cell_load());
+      });
+  return load;
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+template <class VectorField>
+Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v,
+                                       int level) {
+  return assemble_gradient_load(space, v, level, Cubature(space));
+}
+/// \ingroup PkgRestrictedLaplacian3Ref
+template <class VectorField>
+Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v) {
+  return assemble_gradient_load(space, v, space.depth());
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// \f$ \int_{\mathcal M} b_i \f$, `dimension(level)` entries: the load of the constant 1. The surface
+/// integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
+inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, int level) {
+  return assemble_load(space, [](const Surface_point&) { return 1.; }, level);
+}
+/// \ingroup PkgRestrictedLaplacian3Ref
+inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space) {
+  return assemble_element_integrals(space, space.depth());
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLE_H

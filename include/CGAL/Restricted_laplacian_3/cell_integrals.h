@@ -1,0 +1,387 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_CELL_INTEGRALS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_CELL_INTEGRALS_H
+
+#include <CGAL/Restricted_laplacian_3/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/triangle_quadrature.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// Moments of the surface in one cell.
+///
+/// On a cell all products of two elements or of their derivatives are polynomials of degree at most
+/// 4 in each coordinate. So the 27 x 27 mass and stiffness blocks are linear functions of
+/// \f[ m_{abc} = \int B_a(t_x) B_b(t_y) B_c(t_z), \qquad
+///     T^{kl}_{abc} = \int (I - n n^T)_{kl}\, B_a(t_x) B_b(t_y) B_c(t_z), \quad
+///     0 \le a, b, c \le 4, \f]
+/// where \f$B_a\f$ are the Bernstein polynomials of degree 4 and \f$t\f$ is the local coordinate;
+/// areas are in units of the squared cell width. A node of a cubature rule costs 125
+/// multiplications instead of 2 x 27 x 27, the blocks are formed once per cell, and the moments of a
+/// parent follow from those of its children.
+///
+/// Why Bernstein polynomials and not powers: an element whose support hardly reaches the surface
+/// has entries many orders below those of its neighbours. In the Bernstein basis the spline pieces
+/// have non-negative coefficients, so such entries are sums without cancellation and keep their
+/// relative accuracy. With powers they would be the rounding errors of large numbers: the matrix
+/// would no longer be positive semi-definite after scaling, and no smoother would converge.
+struct Cell_moments {
+  static constexpr int size = 125;
+  /// number \f$a + 5 b + 25 c\f$
+  using Moments = std::array<double, size>;
+
+  Moments mass;
+  /// tensor components xx, yy, zz, xy, xz, yz
+  std::array<Moments, 6> tensor;
+
+  void clear() {
+    mass.fill(0);
+    for(Moments& t : tensor)
+      t.fill(0);
+  }
+};
+
+namespace internal {
+
+/// Components of \f$I - n n^T\f$ in the order of `Cell_moments::tensor`. The diagonal is written
+/// without cancellation: \f$1 - n_x^2 = n_y^2 + n_z^2\f$.
+inline std::array<double, 6> tangent_projector(const Vector_3& n) {
+  const double xx = n.x() * n.x(), yy = n.y() * n.y(), zz = n.z() * n.z();
+  return {yy + zz, xx + zz, xx + yy, -n.x() * n.y(), -n.x() * n.z(), -n.y() * n.z()};
+}
+
+/// Bernstein polynomials of degree 4 at \f$t\f$
+inline std::array<double, 5> bernstein_4(double t) {
+  const double u = 1 - t, t2 = t * t, u2 = u * u, tu = t * u;
+  return {u2 * u2, 4 * tu * u2, 6 * tu * tu, 4 * tu * t2, t2 * t2};
+}
+
+/// Bernstein polynomials of degree 2 at \f$t\f$
+inline std::array<double, 3> bernstein_2(double t) {
+  const double u = 1 - t;
+  return {u * u, 2 * t * u, t * t};
+}
+
+/// adds `weight` \f$B_a(t_x) B_b(t_y) B_c(t_z)\f$
+inline void add_node(const std::array<double, 3>& t, double weight,
+                     Cell_moments::Moments& moments) {
+  const auto x = bernstein_4(t[0]), y = bernstein_4(t[1]), z = bernstein_4(t[2]);
+  std::array<double, 25> xy;
+  for(int b = 0; b < 5; ++b)
+    for(int a = 0; a < 5; ++a)
+      xy[a + 5 * b] = x[a] * y[b];
+  for(int c = 0; c < 5; ++c) {
+    const double factor = weight * z[c];
+    double* row = moments.data() + 25 * c;
+    for(int i = 0; i < 25; ++i)
+      row[i] += factor * xy[i];
+  }
+}
+
+inline void add_scaled(const Cell_moments::Moments& from, double factor,
+                       Cell_moments::Moments& to) {
+  for(int i = 0; i < Cell_moments::size; ++i)
+    to[i] += factor * from[i];
+}
+
+/// Calls `visit(t, barycentric, weight)` for the nodes of a cubature rule on the triangles of a
+/// fragment, fanned out from its first corner; `t` is the local coordinate in the cell, weights are
+/// in units of the squared cell width.
+template <class Visitor>
+void for_each_node(const Fragment& fragment, const std::array<int, 3>& cell,
+                   const std::vector<Triangle_quadrature_node>& rule, Visitor&& visit) {
+  if(fragment.size < 3)
+    return;
+  const auto local = [&](std::size_t corner) {
+    std::array<double, 3> t;
+    for(int axis = 0; axis < 3; ++axis)
+      t[axis] = fragment.corners[corner].position[axis] - cell[axis];
+    return t;
+  };
+  std::array<std::array<double, 3>, 3> t;
+  t[0] = local(0);
+  t[2] = local(1);
+  const auto& l0 = fragment.corners[0].barycentric;
+  for(std::size_t i = 2; i < fragment.size; ++i) {
+    t[1] = t[2];
+    t[2] = local(i);
+    std::array<double, 3> u, v;
+    for(int axis = 0; axis < 3; ++axis) {
+      u[axis] = t[1][axis] - t[0][axis];
+      v[axis] = t[2][axis] - t[0][axis];
+    }
+    const double cx = u[1] * v[2] - u[2] * v[1], cy = u[2] * v[0] - u[0] * v[2],
+                 cz = u[0] * v[1] - u[1] * v[0];
+    const double area = std::sqrt(cx * cx + cy * cy + cz * cz) / 2;
+    const auto &l1 = fragment.corners[i - 1].barycentric, &l2 = fragment.corners[i].barycentric;
+    for(const Triangle_quadrature_node& node : rule) {
+      std::array<double, 3> p, l;
+      for(int axis = 0; axis < 3; ++axis) {
+        p[axis] = node.b0 * t[0][axis] + node.b1 * t[1][axis] + node.b2 * t[2][axis];
+        l[axis] = node.b0 * l0[axis] + node.b1 * l1[axis] + node.b2 * l2[axis];
+      }
+      visit(p, l, node.weight * area);
+    }
+  }
+}
+
+/// Contracts moments with one factor per axis:
+/// \f$ r_{ijk} = \sum_{abc} X_{ia} Y_{jb} Z_{kc}\, m_{abc} \f$, number \f$i + N_x (j + N_y k)\f$.
+template <std::size_t NX, std::size_t NY, std::size_t NZ>
+void contract(const std::array<std::array<double, 5>, NX>& x,
+              const std::array<std::array<double, 5>, NY>& y,
+              const std::array<std::array<double, 5>, NZ>& z, const Cell_moments::Moments& moments,
+              std::array<double, NX * NY * NZ>& result) {
+  for(std::size_t k = 0; k < NZ; ++k) {
+    std::array<double, 25> plane = {};
+    for(int c = 0; c < 5; ++c)
+      for(int i = 0; i < 25; ++i)
+        plane[i] += z[k][c] * moments[i + 25 * c];
+    for(std::size_t j = 0; j < NY; ++j) {
+      std::array<double, 5> line = {};
+      for(int b = 0; b < 5; ++b)
+        for(int a = 0; a < 5; ++a)
+          line[a] += y[j][b] * plane[a + 5 * b];
+      for(std::size_t i = 0; i < NX; ++i) {
+        double sum = 0;
+        for(int a = 0; a < 5; ++a)
+          sum += x[i][a] * line[a];
+        result[i + NX * (j + NY * k)] = sum;
+      }
+    }
+  }
+}
+
+using Pair_polynomials = std::array<std::array<double, 5>, 6>;
+using Ordered_pair_polynomials = std::array<std::array<double, 5>, 9>;
+
+/// number of the unordered pair (i, j) of pieces of `B_spline_1`
+constexpr int pair_number(int i, int j) {
+  return i <= j ? i * (5 - i) / 2 + j : j * (5 - j) / 2 + i;
+}
+
+/// Bernstein coefficients, of degree 4, of the product of two polynomials given by their Bernstein
+/// coefficients of degree 2: \f$ r_k = \sum_{i + j = k} \binom{2}{i} \binom{2}{j} / \binom{4}{k}\,
+/// p_i q_j \f$
+inline std::array<double, 5> product(const std::array<double, 3>& p,
+                                     const std::array<double, 3>& q) {
+  constexpr double two[3] = {1, 2, 1}, four[5] = {1, 4, 6, 4, 1};
+  std::array<double, 5> result = {};
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      result[i + j] += two[i] * two[j] / four[i + j] * p[i] * q[j];
+  return result;
+}
+
+/// Bernstein coefficients of the products of two pieces, of two derivatives, and of a derivative (first index
+/// of the ordered pair) with a piece
+struct Spline_products {
+  Pair_polynomials values, derivatives;
+  Ordered_pair_polynomials mixed;
+
+  Spline_products() {
+    const auto b = B_spline_1::bernstein_coefficients(),
+               d = B_spline_1::derivative_bernstein_coefficients();
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j) {
+        values[pair_number(i, j)] = product(b[i], b[j]);
+        derivatives[pair_number(i, j)] = product(d[i], d[j]);
+        mixed[i + 3 * j] = product(d[i], b[j]);
+      }
+  }
+
+  static const Spline_products& get() {
+    static const Spline_products products;
+    return products;
+  }
+
+  /// the same with the indices of the ordered pair exchanged
+  static Ordered_pair_polynomials transposed(const Ordered_pair_polynomials& p) {
+    return {p[0], p[3], p[6], p[1], p[4], p[7], p[2], p[5], p[8]};
+  }
+};
+
+} // namespace internal
+
+/// Adds the moments of a fragment of a triangle.
+/// \param cell the cell that owns the fragment
+/// \param normal unit normal of the triangle; only \f$n n^T\f$ is used, so its sign does not matter
+inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
+                         const Vector_3& normal, Cell_moments& moments) {
+  Cell_moments::Moments own;
+  own.fill(0);
+  internal::for_each_node(fragment, cell, triangle_quadrature(12),
+                          [&own](const std::array<double, 3>& t, const std::array<double, 3>&,
+                                 double weight) { internal::add_node(t, weight, own); });
+  const auto projector = internal::tangent_projector(normal);
+  internal::add_scaled(own, 1, moments.mass);
+  for(int k = 0; k < 6; ++k)
+    internal::add_scaled(own, projector[k], moments.tensor[k]);
+}
+
+/// Adds one sample of the surface: local coordinate in the cell; unit normal; weight in units of the
+/// squared cell width.
+inline void add_sample(const std::array<double, 3>& t, const Vector_3& normal, double weight,
+                       Cell_moments& moments) {
+  Cell_moments::Moments own;
+  own.fill(0);
+  internal::add_node(t, weight, own);
+  const auto projector = internal::tangent_projector(normal);
+  internal::add_scaled(own, 1, moments.mass);
+  for(int k = 0; k < 6; ++k)
+    internal::add_scaled(own, projector[k], moments.tensor[k]);
+}
+
+/// Adds the moments of a child to those of its parent. Along an axis, for a child of parity 0
+/// \f$t_{parent} = t/2\f$ and \f$ B_n(t/2) = 2^{-k} \sum_{k \ge n} \binom{k}{n} B_k(t) \f$ (de
+/// Casteljau subdivision, again without cancellation); parity 1 is its mirror image. The area unit of
+/// the parent is four times that of the child.
+inline void add_child_moments(const Cell_moments& child, int octant, Cell_moments& parent) {
+  using Change = std::array<std::array<double, 5>, 5>;
+  static constexpr Change lower = {{{1, 1. / 2, 1. / 4, 1. / 8, 1. / 16},
+                                    {0, 1. / 2, 2. / 4, 3. / 8, 4. / 16},
+                                    {0, 0, 1. / 4, 3. / 8, 6. / 16},
+                                    {0, 0, 0, 1. / 8, 4. / 16},
+                                    {0, 0, 0, 0, 1. / 16}}};
+  static constexpr Change upper = {{{1. / 16, 0, 0, 0, 0},
+                                    {4. / 16, 1. / 8, 0, 0, 0},
+                                    {6. / 16, 3. / 8, 1. / 4, 0, 0},
+                                    {4. / 16, 3. / 8, 2. / 4, 1. / 2, 0},
+                                    {1. / 16, 1. / 8, 1. / 4, 1. / 2, 1}}};
+  const Change& x = octant & 1 ? upper : lower;
+  const Change& y = octant >> 1 & 1 ? upper : lower;
+  const Change& z = octant >> 2 & 1 ? upper : lower;
+  Cell_moments::Moments shifted;
+  internal::contract(x, y, z, child.mass, shifted);
+  internal::add_scaled(shifted, 0.25, parent.mass);
+  for(int k = 0; k < 6; ++k) {
+    internal::contract(x, y, z, child.tensor[k], shifted);
+    internal::add_scaled(shifted, 0.25, parent.tensor[k]);
+  }
+}
+
+/// A symmetric 27 x 27 block: entry \f$27 i + j\f$, elements numbered as in `Cell_elements`.
+using Cell_block = std::array<double, 27 * 27>;
+
+/// \f$\int b_i b_j\f$ over the surface in one cell, in units of the squared cell width.
+inline void mass_block(const Cell_moments& moments, Cell_block& block) {
+  const auto& products = internal::Spline_products::get();
+  std::array<double, 216> values;
+  internal::contract(products.values, products.values, products.values, moments.mass, values);
+  std::size_t entry = 0;
+  for(int iz = 0; iz < 3; ++iz)
+    for(int iy = 0; iy < 3; ++iy)
+      for(int ix = 0; ix < 3; ++ix)
+        for(int jz = 0; jz < 3; ++jz)
+          for(int jy = 0; jy < 3; ++jy) {
+            const int row =
+                6 * (internal::pair_number(iy, jy) + 6 * internal::pair_number(iz, jz));
+            for(int jx = 0; jx < 3; ++jx)
+              block[entry++] = values[internal::pair_number(ix, jx) + row];
+          }
+}
+
+/// \f$\int \nabla b_i^T (I - n n^T) \nabla b_j\f$ over the surface in one cell; it has no unit.
+inline void stiffness_block(const Cell_moments& moments, Cell_block& block) {
+  const auto& products = internal::Spline_products::get();
+  const auto& v = products.values;
+  const auto& d = products.derivatives;
+  const auto& m = products.mixed;
+  static const auto mt = internal::Spline_products::transposed(m);
+  std::array<double, 216> xx, yy, zz;
+  std::array<double, 486> xy, xz, yz;
+  internal::contract(d, v, v, moments.tensor[0], xx);
+  internal::contract(v, d, v, moments.tensor[1], yy);
+  internal::contract(v, v, d, moments.tensor[2], zz);
+  // d_x b_i d_y b_j and so on; its transpose is the entry with i and j exchanged
+  internal::contract(m, mt, v, moments.tensor[3], xy);
+  internal::contract(m, v, mt, moments.tensor[4], xz);
+  internal::contract(v, m, mt, moments.tensor[5], yz);
+
+  std::size_t entry = 0;
+  for(int iz = 0; iz < 3; ++iz)
+    for(int iy = 0; iy < 3; ++iy)
+      for(int ix = 0; ix < 3; ++ix)
+        for(int jz = 0; jz < 3; ++jz)
+          for(int jy = 0; jy < 3; ++jy) {
+            const int py = internal::pair_number(iy, jy), pz = internal::pair_number(iz, jz);
+            const int y = iy + 3 * jy, yt = jy + 3 * iy, z = iz + 3 * jz, zt = jz + 3 * iz;
+            for(int jx = 0; jx < 3; ++jx) {
+              const int px = internal::pair_number(ix, jx), x = ix + 3 * jx, xt = jx + 3 * ix;
+              const int p = px + 6 * (py + 6 * pz);
+              // Sums of an entry with its transpose first: the block is symmetric to the last bit.
+              block[entry++] = xx[p] + yy[p] + zz[p] +
+                               (xy[x + 9 * (y + 9 * pz)] + xy[xt + 9 * (yt + 9 * pz)]) +
+                               (xz[x + 9 * (py + 6 * z)] + xz[xt + 9 * (py + 6 * zt)]) +
+                               (yz[px + 6 * (y + 9 * z)] + yz[px + 6 * (yt + 9 * zt)]);
+            }
+          }
+}
+
+/// Values of a function against the 27 elements of a cell: \f$\int f b_i\f$ over the surface in the
+/// cell, from the moments of \f$f\f$ with the Bernstein polynomials of degree 2.
+class Cell_load {
+public:
+  using Load = std::array<double, 27>;
+
+  Cell_load() { m_moments.fill(0); }
+
+  /// adds a node: local coordinate, value times weight
+  void add(const std::array<double, 3>& t, double value) {
+    const auto x = internal::bernstein_2(t[0]), y = internal::bernstein_2(t[1]),
+               z = internal::bernstein_2(t[2]);
+    for(int c = 0; c < 3; ++c)
+      for(int b = 0; b < 3; ++b) {
+        const double yz = value * y[b] * z[c];
+        for(int a = 0; a < 3; ++a)
+          m_moments[a + 3 * (b + 3 * c)] += x[a] * yz;
+      }
+  }
+
+  /// adds \f$\int f b_i\f$
+  void add_values_to(Load& load) const {
+    const auto b = B_spline_1::bernstein_coefficients();
+    add_contraction_to(b, b, b, load);
+  }
+
+  /// adds \f$\int f \partial_k b_i\f$, times the cell width
+  void add_derivatives_to(int axis, Load& load) const {
+    const auto b = B_spline_1::bernstein_coefficients(),
+               d = B_spline_1::derivative_bernstein_coefficients();
+    add_contraction_to(axis == 0 ? d : b, axis == 1 ? d : b, axis == 2 ? d : b, load);
+  }
+
+private:
+  using Factor = std::array<std::array<double, 3>, 3>;
+
+  void add_contraction_to(const Factor& x, const Factor& y, const Factor& z, Load& load) const {
+    for(int k = 0; k < 3; ++k) {
+      std::array<double, 9> plane = {};
+      for(int c = 0; c < 3; ++c)
+        for(int i = 0; i < 9; ++i)
+          plane[i] += z[k][c] * m_moments[i + 9 * c];
+      for(int j = 0; j < 3; ++j) {
+        std::array<double, 3> line = {};
+        for(int b = 0; b < 3; ++b)
+          for(int a = 0; a < 3; ++a)
+            line[a] += y[j][b] * plane[a + 3 * b];
+        for(int i = 0; i < 3; ++i)
+          load[i + 3 * (j + 3 * k)] += x[i][0] * line[0] + x[i][1] * line[1] + x[i][2] * line[2];
+      }
+    }
+  }
+
+  std::array<double, 27> m_moments;
+};
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_CELL_INTEGRALS_H

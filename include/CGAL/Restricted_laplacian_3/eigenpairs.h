@@ -1,0 +1,243 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_EIGENPAIRS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_EIGENPAIRS_H
+
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
+#include <Eigen/CholmodSupport>
+#endif
+
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymGEigsShiftSolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Some eigenpairs \f$S x = \lambda M x\f$.
+struct Eigenpairs {
+  /// ascending
+  Eigen::VectorXd values;
+  /// one column for each value, \f$x^T M x = 1\f$; of the two signs the one that makes the entry of
+  /// largest absolute value positive
+  Eigen::MatrixXd vectors;
+  /// \f$ \|S x - \lambda M x\|_2 / \|(S - \sigma M) x\|_2 \f$ for each pair
+  Eigen::VectorXd residuals;
+  /// whether all requested pairs were found to the tolerance; if not, `values` holds those that were
+  bool converged = false;
+  /// restarts of the Lanczos iteration; 0 if the problem was solved densely
+  int iterations = 0;
+  /// \f$\sigma\f$, see `smallest_eigenpairs()`
+  double shift = 0;
+  /// \f$\tau\f$, see `smallest_eigenpairs()`
+  double regularization = 0;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// What `smallest_eigenpairs()` does unless told otherwise.
+struct Eigenpairs_options {
+  /// of the eigenvalues, relative
+  double tolerance = 1e-10;
+  int maximum_iterations = 1000;
+  /// \f$\tau\f$ of the first attempt
+  double regularization = 1e-12;
+};
+
+namespace internal {
+
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
+using Sparse_cholesky = Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower>;
+#else
+using Sparse_cholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
+#endif
+
+/// The factorization of \f$K = S - \sigma M + \tau D\f$, \f$D = \mathrm{diag}(S - \sigma M)\f$, in
+/// the form that Spectra takes: `perform_op()` computes \f$y = K^{-1} x\f$.
+class Shift_invert {
+public:
+  using Scalar = double;
+
+  /// largest \f$\tau\f$ that is tried; beyond, eigenvalues would lose more than half of their digits
+  static constexpr double largest_regularization = 1e-8;
+
+  Shift_invert(const Eigen::SparseMatrix<double>& s, const Eigen::SparseMatrix<double>& m,
+               double sigma, double tau)
+    : m_regularization(tau) {
+    Eigen::SparseMatrix<double> k = s - sigma * m;
+    m_scale = k.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
+    // Scaled to a unit diagonal, so that tau is relative to each entry; an empty row gets a 1.
+    for(int j = 0; j < k.cols(); ++j)
+      for(Eigen::SparseMatrix<double>::InnerIterator i(k, j); i; ++i)
+        i.valueRef() *= m_scale[i.row()] * m_scale[j];
+    Eigen::SparseMatrix<double> identity(k.rows(), k.cols());
+    identity.setIdentity();
+    Eigen::SparseMatrix<double> empty_rows = identity;
+    for(int j = 0; j < k.cols(); ++j)
+      empty_rows.valuePtr()[j] = m_scale[j] == 0 ? 1 : 0;
+    k += empty_rows;
+    for(;; m_regularization *= 100) {
+      if(m_regularization > largest_regularization)
+        throw Numerical_error("the shifted stiffness matrix cannot be factorized: it is not "
+                              "positive semi-definite");
+      m_cholesky.compute(k + m_regularization * identity);
+      if(m_cholesky.info() == Eigen::Success)
+        break;
+    }
+  }
+
+  Eigen::Index rows() const { return m_scale.size(); }
+  Eigen::Index cols() const { return m_scale.size(); }
+  double regularization() const { return m_regularization; }
+
+  /// the shift was fixed at construction
+  void set_shift(double) {}
+
+  void perform_op(const double* x_in, double* y_out) const {
+    const Eigen::Map<const Eigen::VectorXd> x(x_in, rows());
+    Eigen::Map<Eigen::VectorXd> y(y_out, rows());
+    const Eigen::VectorXd scaled = m_scale.cwiseProduct(x);
+    y = m_scale.cwiseProduct(m_cholesky.solve(scaled));
+  }
+
+private:
+  Eigen::VectorXd m_scale;
+  double m_regularization;
+  Sparse_cholesky m_cholesky;
+};
+
+/// Normalizes the vectors, replaces each value by the Rayleigh quotient
+/// \f$x^T S x / x^T M x\f$ of its vector, in which the regularization appears squared only, and
+/// sorts.
+inline void finish_eigenpairs(const Eigen::SparseMatrix<double>& s,
+                              const Eigen::SparseMatrix<double>& m, Eigen::MatrixXd vectors,
+                              Eigenpairs& pairs) {
+  const Eigen::Index k = vectors.cols();
+  Eigen::VectorXd values(k), residuals(k);
+  for(Eigen::Index i = 0; i < k; ++i) {
+    Eigen::VectorXd x = vectors.col(i);
+    Eigen::Index largest;
+    x.cwiseAbs().maxCoeff(&largest);
+    const double norm = std::sqrt(x.dot(m * x));
+    x /= x[largest] < 0 ? -norm : norm;
+    const Eigen::VectorXd sx = s * x, mx = m * x;
+    values[i] = x.dot(sx);
+    residuals[i] = (sx - values[i] * mx).norm() / (sx - pairs.shift * mx).norm();
+    vectors.col(i) = x;
+  }
+  std::vector<int> order(k);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&values](int i, int j) { return values[i] < values[j]; });
+  pairs.values.resize(k);
+  pairs.residuals.resize(k);
+  pairs.vectors.resize(s.rows(), k);
+  for(Eigen::Index i = 0; i < k; ++i) {
+    pairs.values[i] = values[order[i]];
+    pairs.residuals[i] = residuals[order[i]];
+    pairs.vectors.col(i) = vectors.col(order[i]);
+  }
+}
+
+/// For problems that are too small for an iteration: the span of the eigenvectors of the scaled mass
+/// matrix above a relative cut-off, and the dense problem on it.
+inline void dense_eigenpairs(const Eigen::SparseMatrix<double>& s,
+                             const Eigen::SparseMatrix<double>& m, int k, Eigenpairs& pairs) {
+  constexpr double relative_cutoff = 1e-12;
+  const Eigen::VectorXd scale =
+      m.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
+  const Eigen::MatrixXd dense_m = scale.asDiagonal() * Eigen::MatrixXd(m) * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of_mass(dense_m);
+  const double cutoff = relative_cutoff * of_mass.eigenvalues().maxCoeff();
+  const Eigen::Index rank = (of_mass.eigenvalues().array() > cutoff).count();
+  if(k > rank)
+    throw Parameter_error("k", "is " + std::to_string(k) + ", but the space has only " +
+                                   std::to_string(rank) +
+                                   " independent functions on the surface");
+  const Eigen::MatrixXd basis =
+      scale.asDiagonal() * of_mass.eigenvectors().rightCols(rank) *
+      of_mass.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd reduced = basis.transpose() * (s * basis);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((reduced + reduced.transpose()) / 2);
+  pairs.converged = true;
+  finish_eigenpairs(s, m, basis * solver.eigenvectors().leftCols(k), pairs);
+}
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
+/// for symmetric positive semi-definite matrices.
+///
+/// By Spectra, a restarted Lanczos iteration for \f$K^{-1} M\f$ in the scalar product of \f$M\f$,
+/// where \f$ K = S - \sigma M + \tau\, \mathrm{diag}(S - \sigma M) \f$ is factorized once, by CHOLMOD
+/// if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is defined, else by Eigen.
+///
+/// *Shift.* \f$\sigma = -4 \pi / \sum_{ij} M_{ij}\f$: below the spectrum by about the mean distance
+/// of two eigenvalues of a surface of this area (Weyl's law), so \f$K\f$ is positive semi-definite
+/// although \f$S\f$ has the constants in its kernel, and all eigenvalues near 0 are well separated.
+///
+/// *Common near-kernel.* Combinations of elements that nearly vanish on the surface are nearly in the
+/// kernel of \f$S\f$ and of \f$M\f$; rounding may make their pivots negative. They are made regular by
+/// \f$\tau = 10^{-12}\f$, relative to each diagonal entry. For them \f$K\f$ is then dominated by
+/// \f$\tau\f$ while \f$M\f$ is zero to rounding, so \f$K^{-1} M\f$ sends them to 0, the far end of the
+/// spectrum. The values returned are Rayleigh quotients with \f$S\f$ itself, in which \f$\tau\f$ enters
+/// squared only. Should a factorization fail, \f$\tau\f$ is multiplied by 100, up to \f$10^{-8}\f$;
+/// the result reports the value used.
+///
+/// Problems with fewer than 100 unknowns, or with `k` more than a third of them, are solved densely.
+///
+/// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
+/// \throws Parameter_error if `k` is not positive or exceeds the number of independent functions
+/// \throws Numerical_error if no factorization succeeds
+inline Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& s,
+                                      const Eigen::SparseMatrix<double>& m, int k,
+                                      const Eigenpairs_options& options = Eigenpairs_options()) {
+  if(s.rows() != s.cols() || m.rows() != m.cols() || s.rows() != m.rows())
+    throw Parameter_error("m", "does not have the size of s, or they are not square");
+  if(k < 1)
+    throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
+  const double mass = m.coeffs().sum();
+  if(!(mass > 0))
+    throw Parameter_error("m", "does not have a positive sum of entries");
+  Eigenpairs pairs;
+  pairs.shift = -4 * 3.14159265358979323846 / mass;
+  const Eigen::Index n = s.rows();
+  if(n < 100 || k > n / 3) {
+    if(n > 10000)
+      throw Parameter_error("k", "is more than a third of the " + std::to_string(n) +
+                                     " unknowns; that calls for a dense solver");
+    internal::dense_eigenpairs(s, m, k, pairs);
+    return pairs;
+  }
+  internal::Shift_invert inverse(s, m, pairs.shift, options.regularization);
+  pairs.regularization = inverse.regularization();
+  Spectra::SparseSymMatProd<double> product(m);
+  const Eigen::Index subspace = (std::min)(n, (std::max)(Eigen::Index(2 * k + 1), Eigen::Index(20)));
+  Spectra::SymGEigsShiftSolver<internal::Shift_invert, Spectra::SparseSymMatProd<double>,
+                               Spectra::GEigsMode::ShiftInvert>
+      solver(inverse, product, k, subspace, pairs.shift);
+  solver.init();
+  const Eigen::Index found = solver.compute(Spectra::SortRule::LargestMagn,
+                                            options.maximum_iterations, options.tolerance);
+  pairs.converged = solver.info() == Spectra::CompInfo::Successful && found == k;
+  pairs.iterations = static_cast<int>(solver.num_iterations());
+  internal::finish_eigenpairs(s, m, solver.eigenvectors(), pairs);
+  return pairs;
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_EIGENPAIRS_H

@@ -1,0 +1,46 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+/// \file
+/// The named parameters of this package, beside those of \cgal. They are created by free
+/// functions and chained through their second argument:
+/// `CGAL::parameters::octree_depth(7, CGAL::parameters::cube_scale(1.2))`.
+
+// CGAL's own parameters come out of one list that a package outside of CGAL's tree cannot extend,
+// hence a tag and two free functions for each parameter here.
+#define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(NAME)                                                \
+  namespace CGAL {                                                                                 \
+  namespace internal_np {                                                                          \
+  enum NAME##_t { NAME };                                                                          \
+  }                                                                                                \
+  namespace parameters {                                                                           \
+  template <typename T> Named_function_parameters<T, internal_np::NAME##_t> NAME(const T& value) { \
+    return Named_function_parameters<T, internal_np::NAME##_t>(value);                             \
+  }                                                                                                \
+  template <typename T, typename NP_T, typename NP_Tag, typename NP_Base>                          \
+  Named_function_parameters<T, internal_np::NAME##_t,                                              \
+                            Named_function_parameters<NP_T, NP_Tag, NP_Base>>                      \
+  NAME(const T& value, const Named_function_parameters<NP_T, NP_Tag, NP_Base>& np) {               \
+    return Named_function_parameters<T, internal_np::NAME##_t,                                     \
+                                     Named_function_parameters<NP_T, NP_Tag, NP_Base>>(value, np); \
+  }                                                                                                \
+  }                                                                                                \
+  }
+
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(octree_depth)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(cube_scale)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(paper_space)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(relative_tolerance)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(cycle)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(smoothing_steps)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(stand_alone_multigrid)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(lumped_mass)
+
+#undef CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTEGRATION_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTEGRATION_H
+
+#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/sample_surface.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Integration over the surface, exact for all that a matrix needs: triangles are cut along the
+/// walls of the cells, and Taylor's rule of degree 12 is applied to the fragments.
+///
+/// \cgalModels `SurfaceIntegration_3`
+class Cubature {
+public:
+  /// The space must outlive this object.
+  explicit Cubature(const Spline_space_3& space) : m_octree(&space.octree()) {}
+
+  /// adds the moments of cell `i` of the finest level
+  void add_moments(std::size_t i, Cell_moments& moments) const {
+    const Cell_3 cell = m_octree->cell(m_octree->depth(), i);
+    for(std::uint32_t face : m_octree->faces(i))
+      add_fragment(m_octree->fragment(cell, face), cell.index, m_octree->surface().normal(face),
+                   moments);
+  }
+
+  /// Calls `visit(t, location, weight)` for the nodes in cell `i` of the finest level: local coordinate
+  /// in the cell, as `std::array<double, 3>`; `Surface_location`; weight in units of the
+  /// squared cell width.
+  template <class Visitor> void for_each_node(std::size_t i, Visitor&& visit) const {
+    const Cell_3 cell = m_octree->cell(m_octree->depth(), i);
+    Surface_location location;
+    for(std::uint32_t face : m_octree->faces(i)) {
+      location.face = face;
+      internal::for_each_node(m_octree->fragment(cell, face), cell.index, triangle_quadrature(12),
+                              [&](const std::array<double, 3>& t,
+                                  const std::array<double, 3>& barycentric, double weight) {
+                                location.barycentric = barycentric;
+                                visit(t, static_cast<const Surface_location&>(location), weight);
+                              });
+    }
+  }
+
+private:
+  const Octree_3* m_octree;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Integration over the surface by samples that are uniformly distributed by area, each of weight
+/// area / number of samples (paper, section 4.3). The error of an integral falls with the square
+/// root of the number of samples. Elements that no sample meets have zero rows.
+///
+/// \cgalModels `SurfaceIntegration_3`
+class Monte_carlo {
+public:
+  /// The space must outlive this object.
+  Monte_carlo(const Spline_space_3& space, std::size_t number_of_samples, std::uint64_t seed)
+    : Monte_carlo(space, sample_surface(space.surface(), number_of_samples, seed)) {}
+
+  Monte_carlo(const Spline_space_3& space, const std::vector<Surface_location>& samples)
+    : m_octree(&space.octree()) {
+    const int depth = m_octree->depth();
+    const double h = m_octree->cell_width(depth);
+    m_weight = m_octree->surface().area() / samples.size() / (h * h);
+    const std::size_t number_of_cells = m_octree->number_of_cells(depth);
+
+    // counting sort by cell
+    std::vector<std::size_t> cell_of_sample;
+    std::vector<std::array<double, 3>> positions;
+    m_first.assign(number_of_cells + 1, 0);
+    for(const Surface_location& sample : samples) {
+      const auto [cell, t] =
+          space.locate(depth, m_octree->surface().surface_point(sample).point, sample.face);
+      if(cell == number_of_cells)
+        throw Location_error("a sample is not on the surface");
+      cell_of_sample.push_back(cell);
+      positions.push_back(t);
+      ++m_first[cell + 1];
+    }
+    for(std::size_t i = 0; i < number_of_cells; ++i)
+      m_first[i + 1] += m_first[i];
+    m_samples.resize(samples.size());
+    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
+    for(std::size_t k = 0; k < samples.size(); ++k)
+      m_samples[next[cell_of_sample[k]]++] = {positions[k], samples[k]};
+  }
+
+  /// adds the moments of cell `i` of the finest level
+  void add_moments(std::size_t i, Cell_moments& moments) const {
+    for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+      add_sample(m_samples[k].position, m_octree->surface().normal(m_samples[k].location.face),
+                 m_weight, moments);
+  }
+
+  /// as in `Cubature`
+  template <class Visitor> void for_each_node(std::size_t i, Visitor&& visit) const {
+    for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+      visit(m_samples[k].position, m_samples[k].location, m_weight);
+  }
+
+private:
+  struct Sample {
+    std::array<double, 3> position;
+    Surface_location location;
+  };
+
+  const Octree_3* m_octree;
+  double m_weight;
+  std::vector<std::size_t> m_first;
+  std::vector<Sample> m_samples;
+};
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTEGRATION_H
