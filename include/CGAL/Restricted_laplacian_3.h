@@ -11,7 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #if defined(__has_include)
-#if __has_include(<Spectra/SymGEigsShiftSolver.h>)
+#if __has_include(<Spectra/SymEigsSolver.h>)
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #endif
 #endif

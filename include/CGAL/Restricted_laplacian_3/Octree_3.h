@@ -38,13 +38,15 @@ public:
   /// taken to lie on it: some units in the last place of the sums that lead to them.
   static constexpr double relative_wall_tolerance = 1.5e-14;
 
-  /// Number of (cell, face) pairs beyond which an octree is refused instead of filling the memory.
-  /// 27 entries per cell are numbered with 32 bits above this floor.
-  static constexpr std::size_t maximum_number_of_fragments =
-      (std::numeric_limits<std::uint32_t>::max)() / 27;
+  /// Number of cells and number of fragments beyond which an octree is refused instead of filling the
+  /// memory. About 3 elements belong to a cell and 75 entries to a row, so more cells would give
+  /// matrices of more than \f$2^{31}\f$ entries. A fragment takes 16 bytes while the octree is built.
+  static constexpr std::size_t maximum_number_of_cells = std::size_t(1) << 23;
+  static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 28;
 
   /// \throws Parameter_error if `depth` is not in 1 .. 20, if `cube_scale` is not in 1 .. 1e6, or
-  /// if the octree would have more than `maximum_number_of_fragments` cells
+  /// if the octree would have more than `maximum_number_of_cells` cells or
+  /// `maximum_number_of_fragments` fragments
   Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale)
     : m_surface(std::move(surface)), m_depth(depth) {
     if(depth < 1 || depth > maximum_octree_depth)
@@ -64,6 +66,9 @@ public:
         (std::max)(relative_wall_tolerance,
                    4 * std::numeric_limits<double>::epsilon() * (largest / m_side));
     m_levels.resize(depth + 1);
+    // A plane section of a cube has at most the area sqrt(2) h^2: refuse before any work.
+    const double h = cell_width(depth);
+    refuse_if(m_surface.area() / (h * h) > 1.4143 * maximum_number_of_fragments);
     build_finest_level();
     for(int level = depth - 1; level >= 0; --level)
       build_coarser_level(level);
@@ -110,9 +115,15 @@ public:
     return m_levels[level].element_masks[i] >> mask_bit(dx, dy, dz) & 1;
   }
 
-  /// the faces that have a fragment in cell `i` of the finest level
+  /// the faces that have a fragment in cell `i` of the finest level, in ascending order
   boost::iterator_range<const std::uint32_t*> faces(std::size_t i) const {
     return {m_faces.data() + m_first_faces[i], m_faces.data() + m_first_faces[i + 1]};
+  }
+
+  /// whether a face has a fragment in cell `i` of the finest level
+  bool has_face(std::size_t i, std::size_t face) const {
+    const auto range = faces(i);
+    return std::binary_search(range.begin(), range.end(), face);
   }
 
   /// number of fragments of the finest level
@@ -195,6 +206,14 @@ private:
     return mask;
   }
 
+  void refuse_if(bool is_too_large) const {
+    if(is_too_large)
+      throw Parameter_error("octree_depth", "is " + std::to_string(m_depth) +
+                                                ", which gives this surface more than " +
+                                                std::to_string(maximum_number_of_cells) +
+                                                " cells or too many fragments of triangles");
+  }
+
   void build_finest_level() {
     std::vector<Key_and_face> pairs;
     pairs.reserve(2 * m_surface.number_of_faces());
@@ -203,14 +222,10 @@ private:
       if(m_surface.is_degenerate(face))
         continue;
       clip(grid_triangle(face), [&](const std::array<int, 3>& cell, const Fragment& fragment) {
+        refuse_if(pairs.size() == maximum_number_of_fragments);
         pairs.push_back({morton_key(cell), static_cast<std::uint32_t>(face),
                          element_mask(fragment, cell)});
       });
-      if(pairs.size() > maximum_number_of_fragments)
-        throw Parameter_error("octree_depth", "is " + std::to_string(m_depth) +
-                                                  ", which gives this surface more than " +
-                                                  std::to_string(maximum_number_of_fragments) +
-                                                  " cells");
     }
     if(pairs.empty())
       throw Zero_area_error(m_surface.number_of_faces());
@@ -222,6 +237,7 @@ private:
     m_faces.reserve(pairs.size());
     for(const Key_and_face& p : pairs) {
       if(finest.keys.empty() || finest.keys.back() != p.key) {
+        refuse_if(finest.keys.size() == maximum_number_of_cells);
         finest.keys.push_back(p.key);
         finest.element_masks.push_back(0);
         m_first_faces.push_back(m_faces.size());

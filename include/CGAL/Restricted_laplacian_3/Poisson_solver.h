@@ -65,70 +65,86 @@ connected_components(const Eigen::SparseMatrix<double>& a) {
   return {std::move(component), number};
 }
 
-/// The part of the kernel of a matrix that is known beforehand: functions that are constant on one
-/// connected component and 0 on the others, as far as the matrix annihilates them.
-class Constant_kernel {
+/// The functions that are constant on one connected component of the graph of a matrix \f$A\f$ and 0
+/// on the others, as far as \f$A 1_c = \alpha m_c\f$ with the integrals \f$m_c\f$ of the elements of
+/// the component. This holds for \f$A = S + \alpha M\f$ if constants are in the space. For
+/// \f$\alpha = 0\f$ they are the kernel; otherwise the mean of a solution on the component is known
+/// beforehand, \f$1_c^T b / (\alpha\, 1_c^T m_c)\f$, and both are split off in the same way.
+class Constants {
 public:
-  /// Constants count as annihilated if no entry of \f$A 1_c\f$ exceeds this fraction of the largest
+  /// The relation counts as satisfied if no entry is off by more than this fraction of the largest
   /// diagonal entry of the component: a thousand times the rounding error of a row sum.
   static constexpr double relative_tolerance = 1e-13;
 
-  /// \param integrals integral of each element: weights of the mean
-  Constant_kernel(const Eigen::SparseMatrix<double>& a, Eigen::VectorXd integrals)
-    : m_integrals(std::move(integrals)) {
+  Constants(const Eigen::SparseMatrix<double>& a, Eigen::VectorXd integrals, double alpha)
+    : m_integrals(std::move(integrals)), m_alpha(alpha) {
     int number = 0;
     std::tie(m_component, number) = connected_components(a);
-    const Eigen::VectorXd sums = a * Eigen::VectorXd::Ones(a.cols());
+    const Eigen::VectorXd defect =
+        a * Eigen::VectorXd::Ones(a.cols()) - alpha * m_integrals;
     const Eigen::VectorXd diagonal = a.diagonal();
-    std::vector<double> largest_sum(number, 0.), largest_diagonal(number, 0.);
+    std::vector<double> largest_defect(number, 0.), largest_diagonal(number, 0.);
     m_areas.assign(number, 0.);
     for(std::size_t i = 0; i < m_component.size(); ++i) {
       const int c = m_component[i];
-      largest_sum[c] = (std::max)(largest_sum[c], std::abs(sums[i]));
+      largest_defect[c] = (std::max)(largest_defect[c], std::abs(defect[i]));
       largest_diagonal[c] = (std::max)(largest_diagonal[c], std::abs(diagonal[i]));
       m_areas[c] += m_integrals[i];
     }
-    m_is_annihilated.resize(number);
+    m_is_split_off.resize(number);
     for(int c = 0; c < number; ++c) {
-      m_is_annihilated[c] = largest_diagonal[c] > 0 && m_areas[c] > 0 &&
-                            largest_sum[c] <= relative_tolerance * largest_diagonal[c];
-      m_dimension += m_is_annihilated[c];
+      m_is_split_off[c] = largest_diagonal[c] > 0 && m_areas[c] > 0 &&
+                          largest_defect[c] <= relative_tolerance * largest_diagonal[c];
+      m_number += m_is_split_off[c];
     }
   }
 
-  int dimension() const { return m_dimension; }
+  /// number of components whose constants are in the kernel
+  int kernel_dimension() const { return m_alpha == 0 ? m_number : 0; }
 
   /// Subtracts the load of a constant on each component, so that the loads of the component sum to
   /// 0: the right-hand side of \f$f\f$ becomes that of \f$f\f$ minus its mean.
   template <int K> void project_load(Block_vector<K>& b) const {
-    subtract_means<K>(b, [](double) { return 1.; }, [this](std::size_t i) { return m_integrals[i]; });
+    const auto means = this->means<K>(b, [](double) { return 1.; });
+    for(std::size_t i = 0; i < m_component.size() && m_number > 0; ++i)
+      row<K>(b, i) -= m_integrals[i] * means[m_component[i]];
   }
 
-  /// Subtracts a constant on each component, so that the mean over the component is 0.
-  template <int K> void project_function(Block_vector<K>& x) const {
-    subtract_means<K>(x, [](double integral) { return integral; }, [](std::size_t) { return 1.; });
+  /// Shifts a solution on each component by a constant: to mean 0 if \f$\alpha = 0\f$, else to the
+  /// mean that solves the equation with the right-hand side \f$b\f$ before its projection.
+  template <int K> void shift_solution(const Block_vector<K>& b, Block_vector<K>& x) const {
+    if(m_number == 0)
+      return;
+    auto shifts = this->means<K>(x, [](double integral) { return -integral; });
+    if(m_alpha > 0) {
+      const auto loads = this->means<K>(b, [this](double) { return 1 / m_alpha; });
+      for(std::size_t c = 0; c < shifts.size(); ++c)
+        shifts[c] += loads[c];
+    }
+    for(std::size_t i = 0; i < m_component.size(); ++i)
+      row<K>(x, i) += shifts[m_component[i]];
   }
 
 private:
-  template <int K, class Weight, class Shift>
-  void subtract_means(Block_vector<K>& v, Weight&& weight, Shift&& shift) const {
-    if(m_dimension == 0)
-      return;
-    std::vector<Block_row<K>, Eigen::aligned_allocator<Block_row<K>>> means(m_areas.size(),
-                                                                            Block_row<K>::Zero());
-    for(std::size_t i = 0; i < m_component.size(); ++i)
-      means[m_component[i]] += weight(m_integrals[i]) * row<K>(v, i);
-    for(std::size_t c = 0; c < means.size(); ++c)
-      means[c] *= m_is_annihilated[c] ? 1 / m_areas[c] : 0.;
-    for(std::size_t i = 0; i < m_component.size(); ++i)
-      row<K>(v, i) -= shift(i) * means[m_component[i]];
+  /// weighted sums over each component that is split off, over its area; 0 for the others
+  template <int K, class Weight>
+  std::vector<Block_row<K>, Eigen::aligned_allocator<Block_row<K>>> means(const Block_vector<K>& v,
+                                                                          Weight&& weight) const {
+    std::vector<Block_row<K>, Eigen::aligned_allocator<Block_row<K>>> result(m_areas.size(),
+                                                                             Block_row<K>::Zero());
+    for(std::size_t i = 0; i < m_component.size() && m_number > 0; ++i)
+      result[m_component[i]] += weight(m_integrals[i]) * row<K>(v, i);
+    for(std::size_t c = 0; c < result.size(); ++c)
+      result[c] *= m_is_split_off[c] ? 1 / m_areas[c] : 0.;
+    return result;
   }
 
   Eigen::VectorXd m_integrals;
+  double m_alpha;
   std::vector<int> m_component;
   std::vector<double> m_areas;
-  std::vector<char> m_is_annihilated;
-  int m_dimension = 0;
+  std::vector<char> m_is_split_off;
+  int m_number = 0;
 };
 
 } // namespace internal
@@ -143,7 +159,9 @@ private:
 /// component (of the graph of the matrix), the system has a solution only for right-hand sides whose
 /// entries sum to 0 on the component. The load of a constant is subtracted from \f$b\f$ to achieve
 /// this, which turns the load of \f$f\f$ into that of \f$f\f$ minus its mean on the component, and
-/// of all solutions the one with mean 0 on the component is returned. Near-kernel (combinations of
+/// of all solutions the one with mean 0 on the component is returned. With screening, \f$A\f$ maps
+/// the constant 1 to \f$\alpha\f$ times its load, and the mean of the solution is computed exactly,
+/// however small \f$\alpha\f$ is. Near-kernel (combinations of
 /// elements that nearly vanish on the surface) is left alone: its coefficients carry no information,
 /// and do not change the function on the surface.
 class Poisson_solver {
@@ -154,12 +172,14 @@ public:
   /// \param a the matrix
   /// \param prolongations from each level to the next finer one, coarsest first
   /// \param element_integrals \f$\int b_i\f$ for each unknown
+  /// \param alpha the screening weight that `a` contains, if any
   /// \throws Parameter_error if sizes do not fit or an option is outside its domain
   Poisson_solver(Sparse_matrix a, std::vector<Sparse_matrix> prolongations,
-                 Eigen::VectorXd element_integrals, const Options& options = Options())
+                 Eigen::VectorXd element_integrals, double alpha = 0,
+                 const Options& options = Options())
     : m_options(checked(a, element_integrals, options)), m_timer(started_timer()),
       m_multigrid(std::move(a), std::move(prolongations)),
-      m_kernel(m_multigrid.matrix(), reordered(element_integrals)) {
+      m_constants(m_multigrid.matrix(), reordered(element_integrals), alpha) {
     m_setup_seconds = m_timer.time();
   }
 
@@ -167,7 +187,7 @@ public:
   /// the hierarchy; it has a numbering of its own
   const Multigrid<>& multigrid() const { return m_multigrid; }
   /// number of connected components whose constants are in the kernel of the matrix
-  int kernel_dimension() const { return m_kernel.dimension(); }
+  int kernel_dimension() const { return m_constants.kernel_dimension(); }
   /// wall-clock seconds that the construction took
   double setup_seconds() const { return m_setup_seconds; }
 
@@ -237,11 +257,19 @@ private:
                   Solve_report& report) const {
     using Block = internal::Block_vector<K>;
     using Row = internal::Block_row<K>;
-    Block b(b_all.rows(), K), x, r;
-    for(Eigen::Index i = 0; i < b.rows(); ++i)
-      b.row(i) = b_all.row(m_multigrid.order()[i]).template segment<K>(column);
-    m_kernel.project_load<K>(b);
-    const Row norm = internal::dot<K>(b, b).sqrt();
+    Block load(b_all.rows(), K), b, x, r;
+    for(Eigen::Index i = 0; i < load.rows(); ++i)
+      load.row(i) = b_all.row(m_multigrid.order()[i]).template segment<K>(column);
+    // Squares of very small or large loads would leave the range of numbers.
+    const Row scale = load.cwiseAbs().colwise().maxCoeff().array().unaryExpr(
+        [](double largest) { return largest > 0 ? largest : 1.; });
+    load = load * scale.inverse().matrix().asDiagonal();
+    b = load;
+    m_constants.project_load<K>(b);
+    Row norm = internal::dot<K>(b, b).sqrt();
+    // What the projection leaves of the load of a constant is rounding error.
+    norm = (norm > projection_tolerance * internal::dot<K>(load, load).sqrt()).select(norm, 0.);
+    b = b * (norm > 0).select(Row::Ones(), Row::Zero()).matrix().asDiagonal();
     const Row target = m_options.relative_tolerance * norm;
 
     Multigrid<>::Workspace<K> workspace;
@@ -251,7 +279,7 @@ private:
     const auto precondition = [&](const Block& p, Block& q) {
       m_multigrid.apply<K>(p, q, m_options.cycle, m_options.smoothing_steps, workspace);
     };
-    const auto project = [this](Block& p) { m_kernel.project_load<K>(p); };
+    const auto project = [this](Block& p) { m_constants.project_load<K>(p); };
 
     m_multigrid.nested_iteration<K>(b, x, m_options.cycle, m_options.smoothing_steps, workspace);
     internal::residual<K>(matrix(), b, x, r);
@@ -277,7 +305,8 @@ private:
         break;
     }
 
-    m_kernel.project_function<K>(x);
+    m_constants.shift_solution<K>(load, x);
+    x = x * scale.matrix().asDiagonal();
     for(Eigen::Index i = 0; i < x.rows(); ++i)
       x_all.row(m_multigrid.order()[i]).template segment<K>(column) = x.row(i);
     report.iterations = (std::max)(report.iterations, iterations);
@@ -292,11 +321,13 @@ private:
 
   /// a restart has to reduce a residual by this factor at least, else the iteration ends
   static constexpr double restart_gain = 0.9;
+  /// a right-hand side that the projection reduces to this fraction is a constant
+  static constexpr double projection_tolerance = 1e-13;
 
   Options m_options;
   CGAL::Real_timer m_timer;
   Multigrid<> m_multigrid;
-  internal::Constant_kernel m_kernel;
+  internal::Constants m_constants;
   double m_setup_seconds;
 };
 

@@ -31,9 +31,11 @@ class Spline_function_3 {
 public:
   /// \param space has to outlive this object
   /// \param coefficients \f$\eta\f$, one for each element of `level`
-  /// \throws Parameter_error if the number of coefficients is not `space.dimension(level)`
+  /// \throws Parameter_error if the number of coefficients is not `space.dimension(level)`, or if
+  /// `level` is not in 0 .. depth
   Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients, int level)
-    : m_space(&space), m_level(level), m_coefficients(std::move(coefficients)) {
+    : m_space(&space), m_level(space.checked_level(level)),
+      m_coefficients(std::move(coefficients)) {
     if(static_cast<std::size_t>(m_coefficients.size()) != space.dimension(level))
       throw Parameter_error("coefficients", "has " + std::to_string(m_coefficients.size()) +
                                                 " entries, but the dimension of the space is " +
@@ -50,9 +52,7 @@ public:
   /// \throws Location_error if there is no such face, or if the location is not on the surface
   double value(const Surface_location& location) const {
     const auto [cell, t] = locate(location);
-    const auto x = B_spline_1::values(t[0]), y = B_spline_1::values(t[1]),
-               z = B_spline_1::values(t[2]);
-    return sum(cell, x, y, z);
+    return value_in_cell(cell, t);
   }
 
   /// The surface gradient \f$\nabla_{\mathcal M} u = (I - n n^T) \nabla u\f$ at a location, where
@@ -78,6 +78,7 @@ public:
   /// Values at all vertices, in the order of `vertices(tm)`: NaN at those that have no face of
   /// positive area, for they are not on the surface.
   std::vector<double> values_at_vertices() const {
+    const std::size_t not_on_surface = m_space->octree().number_of_cells(m_level);
     std::vector<double> values(surface().number_of_vertices(),
                                std::numeric_limits<double>::quiet_NaN());
     for(std::size_t f = 0; f < surface().number_of_faces(); ++f) {
@@ -85,13 +86,12 @@ public:
         continue;
       for(int corner = 0; corner < 3; ++corner) {
         double& value = values[surface().triangle(f)[corner]];
-        if(std::isnan(value)) {
-          Surface_location location;
-          location.face = f;
-          location.barycentric = {corner == 0 ? 1. : 0., corner == 1 ? 1. : 0.,
-                                  corner == 2 ? 1. : 0.};
-          value = this->value(location);
-        }
+        if(!std::isnan(value))
+          continue;
+        // The tip of a needle may have lost its fragment to rounding; then another face serves.
+        const auto [cell, t] = m_space->locate(m_level, surface().point(f, corner), f);
+        if(cell != not_on_surface)
+          value = value_in_cell(cell, t);
       }
     }
     return values;
@@ -109,6 +109,10 @@ private:
       throw Location_error("a location with face " + std::to_string(location.face) +
                            " is not on the surface");
     return result;
+  }
+
+  double value_in_cell(std::size_t cell, const std::array<double, 3>& t) const {
+    return sum(cell, B_spline_1::values(t[0]), B_spline_1::values(t[1]), B_spline_1::values(t[2]));
   }
 
   double sum(std::size_t cell, const std::array<double, 3>& x, const std::array<double, 3>& y,

@@ -5,15 +5,18 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINE_SPACE_3_H
 
 #include <CGAL/Restricted_laplacian_3/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -81,6 +84,15 @@ public:
   const Triangulated_surface_3& surface() const { return m_octree.surface(); }
   bool is_paper_space() const { return m_is_paper_space; }
 
+  /// `level`
+  /// \throws Parameter_error if it is not in 0 .. depth
+  int checked_level(int level) const {
+    if(level < 0 || level > depth())
+      throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +
+                                         std::to_string(depth()));
+    return level;
+  }
+
   /// number of elements of a level
   std::size_t dimension(int level) const { return m_levels[level].first_slots.size(); }
   /// number of elements of the finest level
@@ -106,42 +118,41 @@ public:
         .neighbor(position % 3 - 1, position / 3 % 3 - 1, position / 9 - 1);
   }
 
-  /// The cell of a level in which a point of the surface lies, and its local coordinates in
-  /// \f$[0,1]^3\f$. A point on a wall may belong to any of the cells that touch it, up to the
-  /// rounding error of its coordinates: of these, the first that meets the surface is taken; the
-  /// elements are \f$C^1\f$, so it does not matter which.
-  /// \param face the face that the point lies on
-  /// \return the number of cells of the level as cell if the point is not on the surface
+  /// The cell of a level in which a point of a face lies, and its local coordinates there, in
+  /// \f$[0,1]^3\f$ up to rounding. A point on a wall may belong to any of the cells that touch it: the
+  /// one that is taken owns a fragment of the face, or is an ancestor of one that does. It has to,
+  /// because an element that vanishes on the surface in a cell is not listed there, but need not
+  /// vanish on another face that touches the cell.
+  /// \return the number of cells of the level as cell if the point is not on the face
   std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,
-                                                       std::size_t /* face */) const {
-    // Points come from barycentric coordinates or single-precision meshes: some digits may be gone.
-    constexpr double location_tolerance = 1e-7;
-    const std::array<double, 3> x = m_octree.grid_coordinates(level, point);
-    const int n = 1 << level;
-    std::array<std::array<int, 2>, 3> candidates;
+                                                       std::size_t face) const {
+    const int depth = this->depth();
+    const std::array<double, 3> x = m_octree.grid_coordinates(depth, point);
+    // Points come from barycentric coordinates: some digits more than those of a corner are gone.
+    const double tolerance = (std::max)(1e-7, 8 * m_octree.wall_tolerance(depth));
+    std::array<std::array<int, 2>, 3> range;
     for(int axis = 0; axis < 3; ++axis) {
-      if(!(x[axis] > -1 && x[axis] < n + 1))
+      const double n = std::ldexp(1., depth);
+      if(!(x[axis] >= -tolerance && x[axis] <= n + tolerance))
         return {m_octree.number_of_cells(level), {0, 0, 0}};
-      const int upper = static_cast<int>(std::floor(x[axis]));
-      const double t = x[axis] - upper;
-      candidates[axis] = {upper, t < location_tolerance       ? upper - 1
-                                 : t > 1 - location_tolerance ? upper + 1
-                                                              : upper};
+      range[axis] = {static_cast<int>(std::floor(x[axis] - tolerance)),
+                     static_cast<int>(std::floor(x[axis] + tolerance))};
     }
-    for(int i = 0; i < 8; ++i) {
-      Cell_3 cell{level, {}};
-      bool repeated = false;
-      for(int axis = 0; axis < 3; ++axis) {
-        const int choice = i >> axis & 1;
-        cell.index[axis] = candidates[axis][choice];
-        repeated = repeated || (choice == 1 && candidates[axis][0] == candidates[axis][1]);
-      }
-      if(repeated)
-        continue;
-      const std::size_t number = m_octree.find(cell);
-      if(number != m_octree.number_of_cells(level))
-        return {number, {x[0] - cell.index[0], x[1] - cell.index[1], x[2] - cell.index[2]}};
-    }
+    Cell_3 cell{depth, {}};
+    for(cell.index[2] = range[2][1]; cell.index[2] >= range[2][0]; --cell.index[2])
+      for(cell.index[1] = range[1][1]; cell.index[1] >= range[1][0]; --cell.index[1])
+        for(cell.index[0] = range[0][1]; cell.index[0] >= range[0][0]; --cell.index[0]) {
+          std::size_t number = m_octree.find(cell);
+          if(number == m_octree.number_of_cells(depth) || !m_octree.has_face(number, face))
+            continue;
+          for(int l = depth; l > level; --l)
+            number = m_octree.parent(l, number);
+          const Cell_3 ancestor = m_octree.cell(level, number);
+          std::array<double, 3> t;
+          for(int axis = 0; axis < 3; ++axis)
+            t[axis] = std::ldexp(x[axis], level - depth) - ancestor.index[axis];
+          return {number, t};
+        }
     return {m_octree.number_of_cells(level), {0, 0, 0}};
   }
 

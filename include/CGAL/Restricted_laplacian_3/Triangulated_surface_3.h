@@ -34,8 +34,8 @@ public:
 
   /// Longest side of the bounding box that is accepted: squares (areas) must neither overflow nor
   /// become subnormal.
-  static constexpr double largest_extent = 1e140;
-  static constexpr double smallest_extent = 1e-140;
+  static constexpr double largest_extent = 1e100;
+  static constexpr double smallest_extent = 1e-100;
 
   /// \throws Empty_surface_error, Invalid_vertex_error (a vertex of a face is not finite),
   /// Zero_area_error, Parameter_error (extent outside of `smallest_extent` .. `largest_extent`)
@@ -114,7 +114,7 @@ private:
     if(m_extent == 0)
       throw Zero_area_error(m_triangles.size());
     if(!(m_extent >= smallest_extent && m_extent <= largest_extent))
-      throw Parameter_error("extent", "of the bounding box is outside of 1e-140 .. 1e140");
+      throw Parameter_error("extent", "of the bounding box is outside of 1e-100 .. 1e100");
   }
 
   void compute_normals_and_areas() {

@@ -38,13 +38,6 @@ struct Operators {
 
 namespace internal {
 
-inline int checked_level(const Spline_space_3& space, int level) {
-  if(level < 0 || level > space.depth())
-    throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +
-                                       std::to_string(space.depth()));
-  return level;
-}
-
 /// Computes the moments of all cells of the levels `coarsest` .. `finest`, those of a cell after
 /// those of its children, and keeps only one cell per level at a time.
 template <class SurfaceIntegration, class Visitor> class Moment_traversal {
@@ -99,8 +92,8 @@ private:
 template <class SurfaceIntegration>
 std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
                                           const SurfaceIntegration& integration) {
-  internal::checked_level(space, coarsest);
-  internal::checked_level(space, finest);
+  space.checked_level(coarsest);
+  space.checked_level(finest);
   std::vector<Operators> operators;
   std::vector<internal::Element_matrix_pattern> patterns;
   for(int level = coarsest; level <= finest; ++level) {
@@ -217,7 +210,7 @@ inline void add_cell_load(const Cell_elements& elements, const Cell_load::Load& 
 template <class Function, class SurfaceIntegration>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level,
                               const SurfaceIntegration& integration) {
-  internal::checked_level(space, level);
+  space.checked_level(level);
   const double h = space.octree().cell_width(space.depth());
   Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
   Cell_load cell_load;
@@ -257,7 +250,7 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
 template <class VectorField, class SurfaceIntegration>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v, int level,
                                        const SurfaceIntegration& integration) {
-  internal::checked_level(space, level);
+  space.checked_level(level);
   const double h = space.octree().cell_width(space.depth());
   const double coarse_h = space.octree().cell_width(level);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));

@@ -128,7 +128,8 @@ public:
     split(snapped_triangle(corners), 0, cell, sink);
   }
 
-  /// the fragment of a triangle that one cell owns; empty if there is none
+  /// The fragment of a triangle that a cell owns. The cell must be one for which `operator()` reported a
+  /// fragment: what lies in a wall would be found from both sides.
   Fragment fragment(const std::array<std::array<double, 3>, 3>& corners,
                     const std::array<int, 3>& cell) const {
     Fragment polygon = snapped_triangle(corners);

@@ -13,13 +13,15 @@
 #include <Eigen/CholmodSupport>
 #endif
 
-#include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/SymGEigsShiftSolver.h>
+#include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,23 +60,64 @@ struct Eigenpairs_options {
 namespace internal {
 
 #ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
-using Sparse_cholesky = Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower>;
+/// \f$P K P^T = L L^T\f$ by CHOLMOD. Eigen's interface offers the whole solve only.
+class Sparse_cholesky : public Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> {
+public:
+  /// \f$L^{-1} P b\f$
+  Eigen::VectorXd solve_lower(const Eigen::VectorXd& b) const {
+    return step(CHOLMOD_L, step(CHOLMOD_P, b));
+  }
+  /// \f$P^T L^{-T} b\f$
+  Eigen::VectorXd solve_upper(const Eigen::VectorXd& b) const {
+    return step(CHOLMOD_Pt, step(CHOLMOD_Lt, b));
+  }
+
+private:
+  Eigen::VectorXd step(int system, Eigen::VectorXd b) const {
+    // a solve changes only statistics and work space in there
+    cholmod_common& common = const_cast<Sparse_cholesky*>(this)->cholmod();
+    cholmod_dense view = Eigen::viewAsCholmod(b);
+    cholmod_dense* x = cholmod_solve(system, this->m_cholmodFactor, &view, &common);
+    if(!x)
+      throw Numerical_error("CHOLMOD could not solve a triangular system");
+    const Eigen::VectorXd result =
+        Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(x->x), b.size());
+    cholmod_free_dense(&x, &common);
+    return result;
+  }
+};
 #else
-using Sparse_cholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
+/// \f$P K P^T = L L^T\f$ by Eigen
+class Sparse_cholesky : public Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> {
+public:
+  /// \f$L^{-1} P b\f$
+  Eigen::VectorXd solve_lower(const Eigen::VectorXd& b) const {
+    return this->matrixL().solve(this->permutationP() * b);
+  }
+  /// \f$P^T L^{-T} b\f$
+  Eigen::VectorXd solve_upper(const Eigen::VectorXd& b) const {
+    return this->permutationPinv() * Eigen::VectorXd(this->matrixU().solve(b));
+  }
+};
 #endif
 
-/// The factorization of \f$K = S - \sigma M + \tau D\f$, \f$D = \mathrm{diag}(S - \sigma M)\f$, in
-/// the form that Spectra takes: `perform_op()` computes \f$y = K^{-1} x\f$.
-class Shift_invert {
+/// The operator \f$C = R^{-T} M R^{-1}\f$ in the form that Spectra takes, where
+/// \f$R^T R = K = S - \sigma M + \tau D\f$, \f$D = \mathrm{diag}(S - \sigma M)\f$, is factorized.
+///
+/// The eigenvalues \f$\nu = 1 / (\lambda - \sigma)\f$ of \f$C\f$ are those of \f$K^{-1} M\f$, the
+/// eigenvectors \f$y = R x\f$ are orthogonal in the plain scalar product. An iteration with
+/// \f$K^{-1} M\f$ in the scalar product of \f$M\f$ would break down, because \f$M\f$ is singular to
+/// rounding: squared norms of near-kernel functions come out negative.
+class Inverted_pencil {
 public:
   using Scalar = double;
 
   /// largest \f$\tau\f$ that is tried; beyond, eigenvalues would lose more than half of their digits
   static constexpr double largest_regularization = 1e-8;
 
-  Shift_invert(const Eigen::SparseMatrix<double>& s, const Eigen::SparseMatrix<double>& m,
-               double sigma, double tau)
-    : m_regularization(tau) {
+  Inverted_pencil(const Eigen::SparseMatrix<double>& s, const Eigen::SparseMatrix<double>& m,
+                  double sigma, double tau)
+    : m_mass(m), m_regularization(tau) {
     Eigen::SparseMatrix<double> k = s - sigma * m;
     m_scale = k.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
     // Scaled to a unit diagonal, so that tau is relative to each entry; an empty row gets a 1.
@@ -101,20 +144,36 @@ public:
   Eigen::Index cols() const { return m_scale.size(); }
   double regularization() const { return m_regularization; }
 
-  /// the shift was fixed at construction
-  void set_shift(double) {}
+  /// \f$x = R^{-1} y\f$
+  Eigen::VectorXd vector(const Eigen::VectorXd& y) const {
+    return m_scale.cwiseProduct(m_cholesky.solve_upper(y));
+  }
 
-  void perform_op(const double* x_in, double* y_out) const {
-    const Eigen::Map<const Eigen::VectorXd> x(x_in, rows());
-    Eigen::Map<Eigen::VectorXd> y(y_out, rows());
-    const Eigen::VectorXd scaled = m_scale.cwiseProduct(x);
-    y = m_scale.cwiseProduct(m_cholesky.solve(scaled));
+  /// \f$ (C - Y \mathrm{diag}(\nu) Y^T)\, y \f$ with the deflated pairs \f$Y, \nu\f$
+  void perform_op(const double* in, double* out) const {
+    const Eigen::Map<const Eigen::VectorXd> y(in, rows());
+    Eigen::Map<Eigen::VectorXd> result(out, rows());
+    const Eigen::VectorXd mx = m_mass * vector(y);
+    result = m_cholesky.solve_lower(m_scale.cwiseProduct(mx));
+    if(m_deflated.cols() > 0)
+      result -= m_deflated * m_deflated_values.cwiseProduct(m_deflated.transpose() * y);
+  }
+
+  /// from now on moves further pairs to the far end of the spectrum
+  void deflate(const Eigen::MatrixXd& y, const Eigen::VectorXd& nu) {
+    m_deflated.conservativeResize(rows(), m_deflated.cols() + y.cols());
+    m_deflated.rightCols(y.cols()) = y;
+    m_deflated_values.conservativeResize(m_deflated.cols());
+    m_deflated_values.tail(y.cols()) = nu;
   }
 
 private:
+  const Eigen::SparseMatrix<double>& m_mass;
   Eigen::VectorXd m_scale;
   double m_regularization;
   Sparse_cholesky m_cholesky;
+  Eigen::MatrixXd m_deflated;
+  Eigen::VectorXd m_deflated_values;
 };
 
 /// Normalizes the vectors, replaces each value by the Rayleigh quotient
@@ -174,15 +233,67 @@ inline void dense_eigenpairs(const Eigen::SparseMatrix<double>& s,
   finish_eigenpairs(s, m, basis * solver.eigenvectors().leftCols(k), pairs);
 }
 
+/// A Lanczos iteration of Spectra for the `k` largest eigenvalues \f$\nu\f$, from a random vector.
+/// Deflates what it found, and returns the vectors \f$x = R^{-1} y\f$ and the values \f$\nu\f$.
+inline std::pair<Eigen::MatrixXd, Eigen::VectorXd> lanczos(Inverted_pencil& pencil, int k,
+                                                           std::uint64_t seed,
+                                                           const Eigenpairs_options& options,
+                                                           Eigenpairs& pairs) {
+  const Eigen::Index n = pencil.rows();
+  std::mt19937_64 generator(seed);
+  Eigen::VectorXd start(n);
+  for(double& v : start)
+    v = std::ldexp(double(generator() >> 11), -52) - 1;
+  const Eigen::Index subspace =
+      (std::min)(n, (std::max)(Eigen::Index(2 * k + 1), Eigen::Index(20)));
+  Spectra::SymEigsSolver<Inverted_pencil> solver(pencil, k, subspace);
+  solver.init(start.data());
+  const Eigen::Index found = solver.compute(Spectra::SortRule::LargestAlge,
+                                            options.maximum_iterations, options.tolerance);
+  pairs.iterations += static_cast<int>(solver.num_iterations());
+  pairs.converged =
+      pairs.converged && solver.info() == Spectra::CompInfo::Successful && found == k;
+  const Eigen::MatrixXd y = solver.eigenvectors();
+  pencil.deflate(y, solver.eigenvalues());
+  Eigen::MatrixXd x(n, y.cols());
+  for(Eigen::Index i = 0; i < y.cols(); ++i)
+    x.col(i) = pencil.vector(y.col(i));
+  return {std::move(x), solver.eigenvalues()};
+}
+
+/// The `k` largest \f$\nu\f$ with all copies of multiple eigenvalues.
+///
+/// A Krylov space holds one vector of each eigenspace; other copies enter it by rounding only, and
+/// on symmetric surfaces some may still be missing when the iteration has converged. So iterate
+/// again, from another vector and with all known pairs deflated: if that finds a value above the
+/// smallest known one, it was missed. Repeated until it finds none.
+inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, int k, const Eigenpairs_options& options,
+                                  Eigenpairs& pairs) {
+  // what is above by less is a copy of the smallest value, of which any number may be cut off
+  constexpr double relative_gap = 1e-8;
+  auto [vectors, values] = lanczos(pencil, k, 1, options, pairs);
+  for(int pass = 2; pass < k + 3 && pairs.converged; ++pass) {
+    const auto [vector, value] = lanczos(pencil, 1, pass, options, pairs);
+    Eigen::Index smallest;
+    const double smallest_value = values.minCoeff(&smallest);
+    if(!pairs.converged || !(value[0] > smallest_value * (1 + relative_gap)))
+      break;
+    vectors.col(smallest) = vector;
+    values[smallest] = value[0];
+  }
+  return std::move(vectors);
+}
+
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
 /// for symmetric positive semi-definite matrices.
 ///
-/// By Spectra, a restarted Lanczos iteration for \f$K^{-1} M\f$ in the scalar product of \f$M\f$,
-/// where \f$ K = S - \sigma M + \tau\, \mathrm{diag}(S - \sigma M) \f$ is factorized once, by CHOLMOD
-/// if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is defined, else by Eigen.
+/// By Spectra, a restarted Lanczos iteration for \f$K^{-1} M\f$, in the symmetric form
+/// \f$R^{-T} M R^{-1}\f$, where \f$ R^T R = K = S - \sigma M + \tau\, \mathrm{diag}(S - \sigma M) \f$
+/// is factorized once, by CHOLMOD if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is defined,
+/// else by Eigen.
 ///
 /// *Shift.* \f$\sigma = -4 \pi / \sum_{ij} M_{ij}\f$: below the spectrum by about the mean distance
 /// of two eigenvalues of a surface of this area (Weyl's law), so \f$K\f$ is positive semi-definite
@@ -195,6 +306,9 @@ inline void dense_eigenpairs(const Eigen::SparseMatrix<double>& s,
 /// spectrum. The values returned are Rayleigh quotients with \f$S\f$ itself, in which \f$\tau\f$ enters
 /// squared only. Should a factorization fail, \f$\tau\f$ is multiplied by 100, up to \f$10^{-8}\f$;
 /// the result reports the value used.
+///
+/// *Multiplicity.* A second iteration, with all pairs found so far deflated, looks for copies of a
+/// multiple eigenvalue that the first one missed, and is repeated until it finds none.
 ///
 /// Problems with fewer than 100 unknowns, or with `k` more than a third of them, are solved densely.
 ///
@@ -221,19 +335,15 @@ inline Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& s,
     internal::dense_eigenpairs(s, m, k, pairs);
     return pairs;
   }
-  internal::Shift_invert inverse(s, m, pairs.shift, options.regularization);
-  pairs.regularization = inverse.regularization();
-  Spectra::SparseSymMatProd<double> product(m);
-  const Eigen::Index subspace = (std::min)(n, (std::max)(Eigen::Index(2 * k + 1), Eigen::Index(20)));
-  Spectra::SymGEigsShiftSolver<internal::Shift_invert, Spectra::SparseSymMatProd<double>,
-                               Spectra::GEigsMode::ShiftInvert>
-      solver(inverse, product, k, subspace, pairs.shift);
-  solver.init();
-  const Eigen::Index found = solver.compute(Spectra::SortRule::LargestMagn,
-                                            options.maximum_iterations, options.tolerance);
-  pairs.converged = solver.info() == Spectra::CompInfo::Successful && found == k;
-  pairs.iterations = static_cast<int>(solver.num_iterations());
-  internal::finish_eigenpairs(s, m, solver.eigenvectors(), pairs);
+  // Spectra compares with absolute numbers: solve for a surface of area 1.
+  const Eigen::SparseMatrix<double> unit_mass = m / mass;
+  internal::Inverted_pencil pencil(s, unit_mass, pairs.shift * mass, options.regularization);
+  pairs.regularization = pencil.regularization();
+  pairs.converged = true;
+  Eigen::MatrixXd vectors = internal::all_copies(pencil, k, options, pairs);
+  internal::finish_eigenpairs(s, m, std::move(vectors), pairs);
+  constexpr double largest_residual = 1e-3;
+  pairs.converged = pairs.converged && (pairs.residuals.array() <= largest_residual).all();
   return pairs;
 }
 

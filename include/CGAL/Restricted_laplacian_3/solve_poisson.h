@@ -93,7 +93,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
     a.coeffs() += alpha * operators.mass.coeffs();
   return Poisson_solver(std::move(a),
                         prolongation_matrices(space, internal::coarsest_multigrid_level(space)),
-                        integrals, internal::poisson_solver_options(np));
+                        integrals, alpha, internal::poisson_solver_options(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref

@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The octree against plain searches, and its levels against each other.
+
+#include "catch.h"
+#include "special_shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/sample_surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+
+/// Calls `check(octree)` for surfaces in general position, and for some all of whose faces, edges or
+/// vertices lie in walls.
+template <class Check> void for_each_octree(Check&& check) {
+  const auto run = [&check](const std::string& name, const shapes::Triangles& t, int depth,
+                            double cube_scale) {
+    INFO(name << ", depth " << depth << ", cube scale " << cube_scale);
+    check(RL::Octree_3(RL::Triangulated_surface_3(t.points, t.faces), depth, cube_scale));
+  };
+  run("sphere", shapes::sphere(3), 5, 1.1);
+  run("octahedron", shapes::sphere(0), 6, 1);
+  for(double cube_scale : {1., 1.1, 2.}) {
+    run("box", shapes::box(1, 1, 1, 3, 1), 4, cube_scale);
+    run("flat box", shapes::box(1, 0.5, 0.25, 4, 1), 5, cube_scale);
+    run("stairs", shapes::stairs(8, 0.1), 3, cube_scale);
+    run("stairs", shapes::stairs(8, 0.1), 6, cube_scale);
+    run("square", shapes::rectangle(1, 1), 5, cube_scale);
+  }
+  run("triangle", {{{0, 0, 0}, {1, 0.3, 0.2}, {0.1, 1, 0.4}}, {{0, 1, 2}}}, 6, 1.1);
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  shapes::Triangles soup, needles;
+  for(std::uint32_t i = 0; i < 60; ++i) {
+    for(int corner = 0; corner < 3; ++corner) {
+      soup.points.emplace_back(uniform(generator), uniform(generator), uniform(generator));
+      needles.points.push_back(corner < 2 ? soup.points.back()
+                                          : needles.points.back() + RL::Vector_3(0, 0, 1e-7));
+    }
+    soup.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  needles.faces = soup.faces;
+  run("soup", soup, 5, 1.1);
+  run("needles", needles, 6, 1.2);
+}
+
+std::array<std::array<double, 3>, 3> grid_triangle(const RL::Octree_3& octree, std::size_t face) {
+  std::array<std::array<double, 3>, 3> corners;
+  for(int i = 0; i < 3; ++i)
+    corners[i] = octree.grid_coordinates(octree.depth(), octree.surface().point(face, i));
+  return corners;
+}
+
+/// The mean of the corners of a fragment, in the local coordinate of the cell of `level` that
+/// contains it. A convex polygon lies in a wall if and only if this point does.
+std::array<double, 3> center(const RL::Fragment& fragment, const RL::Cell_3& cell, int depth) {
+  std::array<double, 3> t = {0, 0, 0};
+  for(std::size_t i = 0; i < fragment.size; ++i)
+    for(int axis = 0; axis < 3; ++axis)
+      t[axis] +=
+          std::ldexp(fragment.corners[i].position[axis], cell.level - depth) - cell.index[axis];
+  for(double& x : t)
+    x /= fragment.size;
+  return t;
+}
+
+} // namespace
+
+TEST_CASE("domain_cube_is_centred_on_the_bounding_box", "[octree]") {
+  for_each_octree([](const RL::Octree_3& octree) {
+    const RL::Triangulated_surface_3& surface = octree.surface();
+    CHECK(octree.cell_width(0) == octree.side());
+    for(int level = 0; level <= octree.depth(); ++level) {
+      CHECK(octree.cell_width(level) == octree.side() / (1 << level));
+      double least = 1 << level, largest = 0;
+      for(int axis = 0; axis < 3; ++axis) {
+        const double low = octree.grid_coordinates(level, surface.bounding_box_min())[axis],
+                     high = octree.grid_coordinates(level, surface.bounding_box_max())[axis];
+        CHECK(low + high == Approx(1 << level).epsilon(1e-15));
+        least = (std::min)(least, low);
+        largest = (std::max)(largest, high);
+      }
+      const double cube_scale = octree.side() / surface.extent();
+      CHECK(largest - least == Approx((1 << level) / cube_scale).epsilon(1e-14));
+    }
+    // coordinates of a level are exactly twice those of the next coarser one
+    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+      for(int axis = 0; axis < 3; ++axis)
+        REQUIRE(octree.grid_coordinates(octree.depth(), surface.point(v))[axis] ==
+                std::ldexp(octree.grid_coordinates(0, surface.point(v))[axis], octree.depth()));
+  });
+}
+
+TEST_CASE("cells_and_their_faces_are_those_of_the_fragments", "[octree]") {
+  for_each_octree([](const RL::Octree_3& octree) {
+    const int depth = octree.depth();
+    const RL::Cell_clipper clipper(1 << depth, octree.wall_tolerance(depth));
+    std::map<std::uint64_t, std::vector<std::uint32_t>> expected;
+    for(std::size_t face = 0; face < octree.surface().number_of_faces(); ++face)
+      if(!octree.surface().is_degenerate(face))
+        clipper(grid_triangle(octree, face),
+                [&](const std::array<int, 3>& cell, const RL::Fragment&) {
+                  expected[RL::morton_key(cell)].push_back(static_cast<std::uint32_t>(face));
+                });
+    REQUIRE(octree.number_of_cells(depth) == expected.size());
+    std::size_t i = 0, number_of_fragments = 0;
+    double area = 0;
+    for(const auto& [key, faces] : expected) {
+      const RL::Cell_3 cell = octree.cell(depth, i);
+      REQUIRE(cell.level == depth);
+      REQUIRE(cell.key() == key);
+      REQUIRE(std::vector<std::uint32_t>(octree.faces(i).begin(), octree.faces(i).end()) == faces);
+      for(std::uint32_t face : faces)
+        area += octree.fragment(cell, face).double_area() / 2;
+      number_of_fragments += faces.size();
+      ++i;
+    }
+    CHECK(octree.number_of_fragments() == number_of_fragments);
+    const double h = octree.cell_width(depth);
+    CHECK(area * h * h == Approx(octree.surface().area()).epsilon(1e-12).margin(1e-14));
+  });
+}
+
+TEST_CASE("points_of_the_surface_lie_in_cells", "[octree]") {
+  for_each_octree([](const RL::Octree_3& octree) {
+    const int depth = octree.depth();
+    for(const RL::Surface_location& location : RL::sample_surface(octree.surface(), 2000, 1)) {
+      const auto x = octree.grid_coordinates(depth, octree.surface().surface_point(location).point);
+      // of the cells that touch the point, one has a fragment of its face
+      bool is_found = false;
+      for(int i = 0; i < 8; ++i) {
+        RL::Cell_3 cell{depth, {}};
+        for(int axis = 0; axis < 3; ++axis)
+          cell.index[axis] = static_cast<int>(std::floor(x[axis] + (i >> axis & 1 ? 1e-9 : -1e-9)));
+        const std::size_t number = octree.find(cell);
+        if(number == octree.number_of_cells(depth))
+          continue;
+        const auto faces = octree.faces(number);
+        is_found = is_found || std::find(faces.begin(), faces.end(), location.face) != faces.end();
+      }
+      REQUIRE(is_found);
+    }
+  });
+}
+
+TEST_CASE("find_agrees_with_a_linear_search", "[octree]") {
+  for_each_octree([](const RL::Octree_3& octree) {
+    for(int level = 0; level <= octree.depth(); ++level) {
+      const std::size_t number = octree.number_of_cells(level);
+      for(std::size_t i = 0; i < number; ++i)
+        REQUIRE(octree.find(octree.cell(level, i)) == i);
+      std::set<std::array<int, 3>> indices;
+      for(std::size_t i = 0; i < number; ++i)
+        indices.insert(octree.cell(level, i).index);
+      REQUIRE(indices.size() == number);
+      if(level > 3)
+        continue;
+      RL::Cell_3 cell{level, {}};
+      const int n = 1 << level;
+      for(cell.index[0] = -2; cell.index[0] < n + 2; ++cell.index[0])
+        for(cell.index[1] = -2; cell.index[1] < n + 2; ++cell.index[1])
+          for(cell.index[2] = -2; cell.index[2] < n + 2; ++cell.index[2])
+            REQUIRE((octree.find(cell) != number) == (indices.count(cell.index) == 1));
+    }
+  });
+}
+
+TEST_CASE("parents_and_children_are_inverse", "[octree]") {
+  for_each_octree([](const RL::Octree_3& octree) {
+    REQUIRE(octree.number_of_cells(0) == 1);
+    for(int level = 0; level < octree.depth(); ++level) {
+      std::size_t next_child = 0;
+      for(std::size_t i = 0; i < octree.number_of_cells(level); ++i) {
+        const auto [first, last] = octree.children(level, i);
+        REQUIRE(first == next_child);
+        REQUIRE(last > first);
+        REQUIRE(last <= first + 8);
+        next_child = last;
+        for(std::size_t child = first; child < last; ++child) {
+          REQUIRE(octree.parent(level + 1, child) == i);
+          REQUIRE(octree.cell(level + 1, child).parent() == octree.cell(level, i));
+        }
+      }
+      REQUIRE(next_child == octree.number_of_cells(level + 1));
+    }
+  });
+}
+
+TEST_CASE("element_masks_agree_with_values_of_the_splines", "[octree]") {
+  for_each_octree([](const RL::Octree_3& octree) {
+    const int depth = octree.depth();
+    std::vector<std::vector<std::array<bool, 27>>> meets(depth + 1);
+    for(int level = 0; level <= depth; ++level)
+      meets[level].resize(octree.number_of_cells(level), std::array<bool, 27>());
+    for(std::size_t fine = 0; fine < octree.number_of_cells(depth); ++fine)
+      for(std::uint32_t face : octree.faces(fine)) {
+        const RL::Fragment fragment = octree.fragment(octree.cell(depth, fine), face);
+        std::size_t i = fine;
+        for(int level = depth; level >= 0; --level) {
+          const auto t = center(fragment, octree.cell(level, i), depth);
+          const auto x = RL::B_spline_1::values(t[0]), y = RL::B_spline_1::values(t[1]),
+                     z = RL::B_spline_1::values(t[2]);
+          for(int e = 0; e < 27; ++e)
+            if(x[e % 3] > 0 && y[e / 3 % 3] > 0 && z[e / 9] > 0)
+              meets[level][i][e] = true;
+          if(level > 0)
+            i = octree.parent(level, i);
+        }
+      }
+    for(int level = 0; level <= depth; ++level)
+      for(std::size_t i = 0; i < octree.number_of_cells(level); ++i)
+        for(int e = 0; e < 27; ++e)
+          REQUIRE(octree.meets_element(level, i, e % 3 - 1, e / 3 % 3 - 1, e / 9 - 1) ==
+                  meets[level][i][e]);
+  });
+}
+
+TEST_CASE("coarse_levels_equal_octrees_of_that_depth", "[octree]") {
+  for_each_octree([](const RL::Octree_3& deep) {
+    for(int depth = 1; depth < deep.depth(); ++depth) {
+      INFO("level " << depth);
+      const RL::Octree_3 shallow(deep.surface(), depth, deep.side() / deep.surface().extent());
+      for(int level = 0; level <= depth; ++level) {
+        REQUIRE(shallow.number_of_cells(level) == deep.number_of_cells(level));
+        for(std::size_t i = 0; i < shallow.number_of_cells(level); ++i) {
+          REQUIRE(shallow.cell(level, i) == deep.cell(level, i));
+          for(int e = 0; e < 27; ++e)
+            REQUIRE(shallow.meets_element(level, i, e % 3 - 1, e / 3 % 3 - 1, e / 9 - 1) ==
+                    deep.meets_element(level, i, e % 3 - 1, e / 3 % 3 - 1, e / 9 - 1));
+        }
+      }
+    }
+  });
+}
+
+TEST_CASE("surface_in_a_wall_is_stored_once", "[octree]") {
+  // With an even number of cells a side the middle plane is a wall; the upper cells own it, and the
+  // elements one cell above those vanish on it.
+  const shapes::Triangles square = shapes::rectangle(1, 1);
+  for(int depth = 1; depth <= 4; ++depth) {
+    const RL::Octree_3 octree(RL::Triangulated_surface_3(square.points, square.faces), depth, 1);
+    const int n = 1 << depth;
+    REQUIRE(octree.number_of_cells(depth) == static_cast<std::size_t>(n) * n);
+    for(std::size_t i = 0; i < octree.number_of_cells(depth); ++i) {
+      REQUIRE(octree.cell(depth, i).index[2] == n / 2);
+      REQUIRE(octree.meets_element(depth, i, 0, 0, -1));
+      REQUIRE(octree.meets_element(depth, i, 0, 0, 0));
+      REQUIRE_FALSE(octree.meets_element(depth, i, 0, 0, 1));
+    }
+  }
+}

@@ -1,0 +1,368 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Identities that the matrices and loads satisfy to rounding, whatever the surface.
+
+#include "catch.h"
+#include "shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/prolongation.h>
+
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = CGAL::parameters;
+using shapes::Mesh;
+
+struct Named_mesh {
+  std::string name;
+  Mesh mesh;
+  int depth;
+};
+
+/// sphere, cow, bunny, fandisk and an open mesh; those that cannot be read are reported
+std::vector<Named_mesh> surfaces() {
+  std::vector<Named_mesh> result;
+  result.push_back({"sphere", shapes::mesh(shapes::sphere(4)), 4});
+  result.push_back({"box", shapes::mesh(shapes::box(1, 1, 1, 3, 1)), 4});
+  for(const auto& [file, depth] : std::vector<std::pair<std::string, int>>{
+          {"cow.off", 5}, {"bunny00.off", 5}, {"fandisk.off", 5}, {"lion-head.off", 5}}) {
+    Mesh mesh = shapes::read(cgal_mesh(file));
+    if(mesh.is_empty())
+      WARN("left out, no such file: " << file);
+    else
+      result.push_back({file, std::move(mesh), depth});
+  }
+  return result;
+}
+
+double relative_difference(const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
+  return RL::Sparse_matrix(a - b).coeffs().abs().maxCoeff() / b.coeffs().abs().maxCoeff();
+}
+
+/// largest |a_ij - b_ij| / sqrt(b_ii b_jj): also small entries have to agree
+double scaled_difference(const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
+  const Eigen::VectorXd d = b.diagonal();
+  const RL::Sparse_matrix c = a - b;
+  double result = 0;
+  for(int j = 0; j < c.cols(); ++j)
+    for(RL::Sparse_matrix::InnerIterator i(c, j); i; ++i)
+      result = (std::max)(result, std::abs(i.value()) / std::sqrt(d[i.row()] * d[j]));
+  return result;
+}
+
+double integral(const RL::Triangulated_surface_3& surface,
+                const std::function<double(const RL::Surface_point&)>& f) {
+  double sum = 0;
+  for(std::size_t face = 0; face < surface.number_of_faces(); ++face)
+    for(const RL::Triangle_quadrature_node& node : RL::triangle_quadrature(12)) {
+      RL::Surface_location location;
+      location.face = face;
+      location.barycentric = {node.b0, node.b1, node.b2};
+      sum += surface.area(face) * node.weight * f(surface.surface_point(location));
+    }
+  return sum;
+}
+
+/// A triquadratic polynomial on the domain cube, p(x) = product over axes of x_a^2 + c_a x_a, in
+/// units of the cube around its centre, and its coefficients in the splines: those of 1D splines are
+/// the values of the blossom at the two inner knots, at half a cell on both sides of the centre.
+struct Triquadratic {
+  const RL::Octree_3& octree;
+  std::array<double, 3> c;
+
+  std::array<double, 3> unit(const RL::Point_3& p) const {
+    std::array<double, 3> x = octree.grid_coordinates(0, p);
+    for(double& v : x)
+      v -= 0.5;
+    return x;
+  }
+  double operator()(const RL::Point_3& p) const {
+    const auto x = unit(p);
+    double result = 1;
+    for(int a = 0; a < 3; ++a)
+      result *= x[a] * x[a] + c[a] * x[a];
+    return result;
+  }
+  RL::Vector_3 gradient(const RL::Point_3& p) const {
+    const auto x = unit(p);
+    std::array<double, 3> g;
+    for(int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, d = (a + 2) % 3;
+      g[a] = (2 * x[a] + c[a]) * (x[b] * x[b] + c[b] * x[b]) * (x[d] * x[d] + c[d] * x[d]) /
+             octree.side();
+    }
+    return {g[0], g[1], g[2]};
+  }
+  Eigen::VectorXd coefficients(const RL::Spline_space_3& space, int level) const {
+    Eigen::VectorXd result(space.dimension(level));
+    const double h = std::ldexp(1., -level);
+    for(std::size_t i = 0; i < space.dimension(level); ++i) {
+      result[i] = 1;
+      for(int a = 0; a < 3; ++a) {
+        const double x = (space.center(level, i).index[a] + 0.5) * h - 0.5;
+        result[i] *= (x - h / 2) * (x + h / 2) + c[a] * x;
+      }
+    }
+    return result;
+  }
+};
+
+} // namespace
+
+TEST_CASE("mass_sums_to_area", "[operators]") {
+  for(const Named_mesh& s : surfaces()) {
+    INFO(s.name);
+    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());
+    const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
+    CHECK(ones.dot(mass * ones) == Approx(space.surface().area()).epsilon(1e-12));
+    const Eigen::VectorXd integrals = RL::assemble_element_integrals(space);
+    CHECK((mass * ones - integrals).cwiseAbs().maxCoeff() <= 1e-13 * integrals.maxCoeff());
+    CHECK(integrals.minCoeff() > 0);
+  }
+}
+
+TEST_CASE("stiffness_annihilates_constants", "[operators]") {
+  for(const Named_mesh& s : surfaces()) {
+    INFO(s.name);
+    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Sparse_matrix stiffness = RL::assemble_stiffness_matrix(space);
+    const Eigen::VectorXd sums = stiffness * Eigen::VectorXd::Ones(space.dimension());
+    CHECK(sums.cwiseAbs().maxCoeff() <= 1e-13 * stiffness.coeffs().maxCoeff());
+  }
+}
+
+TEST_CASE("matrices_are_symmetric_and_positive_after_scaling", "[operators]") {
+  std::mt19937 generator(5);
+  std::normal_distribution<double> normal;
+  for(const Named_mesh& s : surfaces()) {
+    INFO(s.name);
+    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Operators operators = RL::assemble_operators(space);
+    for(const RL::Sparse_matrix* a : {&operators.stiffness, &operators.mass}) {
+      CHECK(RL::Sparse_matrix(*a - RL::Sparse_matrix(a->transpose())).coeffs().abs().maxCoeff() ==
+            0);
+      // Elements that hardly reach the surface have entries many orders below the others; scaling
+      // brings out whether those are accurate.
+      const Eigen::VectorXd diagonal = a->diagonal();
+      REQUIRE(diagonal.minCoeff() > 0);
+      const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
+      for(int k = 0; k < 20; ++k) {
+        Eigen::VectorXd x(a->cols());
+        for(double& v : x)
+          v = normal(generator);
+        const Eigen::VectorXd y = scale.cwiseProduct(x);
+        CHECK(y.dot(*a * y) > 0);
+      }
+      double largest_cosine = 0;
+      for(int j = 0; j < a->cols(); ++j)
+        for(RL::Sparse_matrix::InnerIterator i(*a, j); i; ++i)
+          largest_cosine =
+              (std::max)(largest_cosine, std::abs(i.value()) * scale[i.row()] * scale[j]);
+      CHECK(largest_cosine <= 1 + 1e-9); // Cauchy-Schwarz
+    }
+  }
+}
+
+TEST_CASE("quadratic_forms_of_polynomials_are_exact", "[operators]") {
+  // An independent path to the same numbers: the polynomial itself, integrated over whole triangles.
+  for(const Named_mesh& s : surfaces()) {
+    INFO(s.name);
+    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    for(int level : {s.depth - 1, s.depth}) {
+      INFO("level " << level);
+      const Triquadratic p{space.octree(), {0.3, -0.2, 0.5}}, q{space.octree(), {-0.1, 0.4, 0.2}};
+      const Eigen::VectorXd x = p.coefficients(space, level), y = q.coefficients(space, level);
+      const RL::Operators operators = RL::assemble_operators(space, level);
+      const auto& surface = space.surface();
+      const auto scalar_product = [&](const RL::Surface_point& at) {
+        return p(at.point) * q(at.point);
+      };
+      CHECK(x.dot(operators.mass * y) ==
+            Approx(integral(surface, scalar_product)).epsilon(1e-10));
+      const auto dirichlet = [&](const RL::Surface_point& at) {
+        const RL::Vector_3 a = p.gradient(at.point), b = q.gradient(at.point);
+        return a * b - (a * at.normal) * (b * at.normal);
+      };
+      CHECK(x.dot(operators.stiffness * y) == Approx(integral(surface, dirichlet)).epsilon(1e-10));
+      CHECK(RL::assemble_load(space, [&](const RL::Surface_point& at) { return q(at.point); }, level)
+                .dot(x) == Approx(integral(surface, scalar_product)).epsilon(1e-10));
+      CHECK(RL::assemble_gradient_load(
+                space, [&](const RL::Surface_point& at) { return q.gradient(at.point); }, level)
+                .dot(x) == Approx(integral(surface, dirichlet)).epsilon(1e-10));
+    }
+  }
+}
+
+TEST_CASE("load_sums_to_integral", "[operators]") {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(1, 2);
+  for(Named_mesh& s : surfaces()) {
+    INFO(s.name);
+    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    auto values = s.mesh.add_property_map<Mesh::Vertex_index, double>("v:values").first;
+    for(Mesh::Vertex_index v : s.mesh.vertices())
+      values[v] = uniform(generator);
+    // exact: a linear function times the area, at the centroid
+    double expected = 0;
+    for(std::size_t f = 0; f < space.surface().number_of_faces(); ++f)
+      for(std::uint32_t v : space.surface().triangle(f))
+        expected += space.surface().area(f) * values[Mesh::Vertex_index(v)] / 3;
+    for(int level : {2, s.depth})
+      CHECK(RL::assemble_load(space, RL::vertex_function(s.mesh, values), level).sum() ==
+            Approx(expected).epsilon(1e-12));
+    // the load of a gradient sums to 0, because the gradient of the sum of all elements is 0
+    const RL::Vector_3 constant(1, 2, 3);
+    const Eigen::VectorXd g =
+        RL::assemble_gradient_load(space, [&](const RL::Surface_point&) { return constant; });
+    CHECK(std::abs(g.sum()) <= 1e-12 * g.cwiseAbs().sum());
+  }
+}
+
+TEST_CASE("galerkin_product_equals_direct_assembly", "[operators]") {
+  for(const Named_mesh& s : surfaces()) {
+    INFO(s.name);
+    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const std::vector<RL::Operators> all =
+        RL::assemble_operators(space, 0, s.depth, RL::Cubature(space));
+    for(int level = 0; level < s.depth; ++level) {
+      INFO("level " << level);
+      const RL::Sparse_matrix p = RL::prolongation_matrix(space, level);
+      // a space of its own: triangles are cut along the walls of the coarser grid
+      const RL::Spline_space_3 coarse(s.mesh, params::octree_depth((std::max)(level, 1)));
+      REQUIRE(coarse.dimension(level) == space.dimension(level));
+      const RL::Operators direct = RL::assemble_operators(coarse, level);
+      for(const auto& [fine, traversed, expected] :
+          {std::tie(all[level + 1].stiffness, all[level].stiffness, direct.stiffness),
+           std::tie(all[level + 1].mass, all[level].mass, direct.mass)}) {
+        CHECK(relative_difference(RL::galerkin_product(fine, p), expected) <= 1e-12);
+        CHECK(relative_difference(traversed, expected) <= 1e-12);
+        CHECK(relative_difference(RL::galerkin_product(fine, p),
+                                  RL::Sparse_matrix(p.transpose() * fine * p)) <= 1e-14);
+      }
+    }
+  }
+}
+
+TEST_CASE("prolongation_preserves_functions", "[operators]") {
+  std::mt19937 generator(11);
+  std::normal_distribution<double> normal;
+  for(const Named_mesh& s : surfaces()) {
+    INFO(s.name);
+    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const auto samples = RL::sample_surface(space.surface(), 200, 3);
+    for(int level = 0; level < s.depth; ++level) {
+      Eigen::VectorXd coarse(space.dimension(level));
+      for(double& v : coarse)
+        v = normal(generator);
+      const RL::Sparse_matrix p = RL::prolongation_matrix(space, level);
+      const RL::Spline_function_3 u(space, coarse, level), v(space, p * coarse, level + 1);
+      double difference = 0, gradient_difference = 0, gradient = 0;
+      for(const RL::Surface_location& location : samples) {
+        difference = (std::max)(difference, std::abs(u.value(location) - v.value(location)));
+        const RL::Vector_3 g = u.gradient(location);
+        gradient = (std::max)(gradient, std::sqrt(g.squared_length()));
+        gradient_difference =
+            (std::max)(gradient_difference,
+                       std::sqrt((g - v.gradient(location)).squared_length()));
+      }
+      CHECK(difference <= 1e-12);
+      CHECK(gradient_difference <= 1e-11 * gradient);
+      // columns of the stencil 1/4 (1 3 3 1) sum to 8 where no fine element is missing, rows to 1
+      CHECK((p * Eigen::VectorXd::Ones(p.cols()) - Eigen::VectorXd::Ones(p.rows()))
+                .cwiseAbs()
+                .maxCoeff() <= 1e-15);
+    }
+  }
+}
+
+TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators]") {
+  const auto check = [](const shapes::Triangles& a, const shapes::Triangles& b, int depth) {
+    const RL::Spline_space_3 first(RL::Triangulated_surface_3(a.points, a.faces), depth, false, 1.1);
+    const RL::Spline_space_3 second(RL::Triangulated_surface_3(b.points, b.faces), depth, false,
+                                    1.1);
+    REQUIRE(first.dimension() == second.dimension());
+    const RL::Operators of_first = RL::assemble_operators(first),
+                        of_second = RL::assemble_operators(second);
+    CHECK(relative_difference(of_second.stiffness, of_first.stiffness) <= 1e-10);
+    CHECK(relative_difference(of_second.mass, of_first.mass) <= 1e-10);
+    CHECK(scaled_difference(of_second.mass, of_first.mass) <= 1e-5);
+  };
+  for(const Named_mesh& s : surfaces()) {
+    const shapes::Triangles original = shapes::triangles(s.mesh);
+    {
+      INFO(s.name << ", every triangle split in four");
+      check(original, shapes::split_in_four(original), s.depth);
+    }
+    {
+      INFO(s.name << ", faces reordered, corners rotated, half of them flipped");
+      shapes::Triangles reordered = original;
+      std::mt19937 generator(13);
+      std::shuffle(reordered.faces.begin(), reordered.faces.end(), generator);
+      for(auto& f : reordered.faces) {
+        std::rotate(f.begin(), f.begin() + generator() % 3, f.end());
+        if(generator() & 1u)
+          std::swap(f[0], f[1]);
+      }
+      check(original, reordered, s.depth);
+    }
+  }
+  for(int depth = 1; depth <= 5; ++depth) {
+    INFO("flat sides triangulated in another way, depth " << depth);
+    check(shapes::box(1, 1, 1, 3, 1), shapes::box(1, 1, 1, 3, 2), depth);
+    check(shapes::box(1, 0.7, 0.3, 4, 1), shapes::box(1, 0.7, 0.3, 7, 5), depth);
+  }
+}
+
+TEST_CASE("number_of_elements", "[operators]") {
+  const Mesh sphere = shapes::mesh(shapes::sphere(5));
+  CHECK(RL::Spline_space_3(sphere, params::octree_depth(3)).dimension() == 816);
+  CHECK(RL::Spline_space_3(sphere, params::octree_depth(4)).dimension() == 3048);
+  CHECK(RL::Spline_space_3(sphere, params::octree_depth(5)).dimension() == 12024);
+  CHECK(RL::Spline_space_3(sphere, params::octree_depth(3, params::paper_space(true))).dimension() ==
+        504);
+}
+
+TEST_CASE("number_of_elements_of_the_paper_on_real_meshes", "[operators]") {
+  for(const auto& [file, depth, expected] :
+      {std::tuple<std::string, int, std::size_t>{"cow_5k8.ply", 8, 188443},
+       {"bimba_46k.ply", 5, 6302}}) {
+    const Mesh mesh = shapes::read(shared_mesh(file));
+    if(mesh.is_empty())
+      SKIP_TEST("no such file: " << file);
+    CHECK(RL::Spline_space_3(mesh, params::octree_depth(depth, params::paper_space(true)))
+              .dimension() == expected);
+  }
+}
+
+TEST_CASE("monte_carlo_converges_to_cubature", "[operators]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Operators exact = RL::assemble_operators(space);
+  const double scale = exact.stiffness.norm();
+  std::array<double, 2> errors;
+  for(int i = 0; i < 2; ++i) {
+    const RL::Monte_carlo integration(space, i == 0 ? 20000 : 2000000, 1);
+    const RL::Operators estimate = RL::assemble_operators(space, space.depth(), integration);
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());
+    CHECK(ones.dot(estimate.mass * ones) == Approx(space.surface().area()).epsilon(1e-12));
+    CHECK((estimate.stiffness * ones).cwiseAbs().maxCoeff() <= 1e-13);
+    errors[i] = (estimate.stiffness - exact.stiffness).norm() / scale;
+    const auto z = [](const RL::Surface_point& p) { return p.point.z() * p.point.z(); };
+    CHECK(RL::assemble_load(space, z, space.depth(), integration).sum() ==
+          Approx(RL::assemble_load(space, z).sum()).epsilon(0.02));
+  }
+  // a hundred times the samples: a tenth of the error
+  CHECK(errors[0] < 0.2);
+  CHECK(errors[1] < errors[0] / 6);
+  CHECK(errors[1] > errors[0] / 16);
+}

@@ -1,0 +1,270 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "catch.h"
+#include "shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+#include <complex>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = CGAL::parameters;
+using shapes::Mesh;
+
+/// A spherical harmonic of degree 6, in a frame that is that of no symmetry of the grid, as a function
+/// of direction. Harmonics of low degree would be in the space of splines, and have no error.
+double harmonic(const RL::Point_3& p) {
+  const double r = std::sqrt((p - CGAL::ORIGIN).squared_length());
+  const double x = (2 * p.x() + 2 * p.y() + p.z()) / (3 * r);
+  const double y = (-2 * p.x() + p.y() + 2 * p.z()) / (3 * r);
+  return std::real(std::pow(std::complex<double>(x, y), 6));
+}
+constexpr double harmonic_eigenvalue = 42; // l (l + 1)
+
+/// L2 norm of u minus a multiple of the harmonic, over that of the harmonic, by cubature on cells
+double relative_error(const RL::Spline_function_3& u, double factor) {
+  double error = 0, norm = 0;
+  const RL::Triangulated_surface_3& surface = u.space().surface();
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(const RL::Triangle_quadrature_node& node : RL::triangle_quadrature(5)) {
+      RL::Surface_location location;
+      location.face = f;
+      location.barycentric = {node.b0, node.b1, node.b2};
+      const double expected = factor * harmonic(surface.surface_point(location).point);
+      const double weight = node.weight * surface.area(f);
+      error += weight * std::pow(u.value(location) - expected, 2);
+      norm += weight * expected * expected;
+    }
+  return std::sqrt(error / norm);
+}
+
+Eigen::VectorXd random_load(const RL::Spline_space_3& space, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> values(space.surface().number_of_vertices());
+  for(double& v : values)
+    v = normal(generator);
+  return RL::assemble_load(space, RL::Linear_surface_function<double>(values));
+}
+
+} // namespace
+
+TEST_CASE("poisson_on_the_sphere_converges_with_order_three", "[poisson]") {
+  // fine enough that its own error, of order 1/vertices, is below that of the splines
+  const Mesh mesh = shapes::mesh(shapes::sphere(7));
+  std::vector<double> errors;
+  for(int depth = 2; depth <= 4; ++depth) {
+    const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+    const RL::Operators operators = RL::assemble_operators(space);
+    const RL::Poisson_solver solver =
+        RL::make_poisson_solver(space, operators, 0, params::relative_tolerance(1e-5));
+    const Eigen::VectorXd load = RL::assemble_load(
+        space, [](const RL::Surface_point& p) { return harmonic(p.point); });
+    Eigen::VectorXd eta;
+    const RL::Solve_report report = solver.solve(-load, eta);
+    CHECK(report.converged);
+    errors.push_back(relative_error(RL::Spline_function_3(space, eta), -1 / harmonic_eigenvalue));
+  }
+  INFO("errors " << errors[0] << " " << errors[1] << " " << errors[2]);
+  CHECK(std::log2(errors[0] / errors[1]) >= 2.7);
+  CHECK(std::log2(errors[1] / errors[2]) >= 2.7);
+  CHECK(errors[2] <= 1.2e-3);
+}
+
+TEST_CASE("screened_poisson_on_the_sphere", "[poisson]") {
+  Mesh mesh = shapes::mesh(shapes::sphere(6));
+  auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+  const double alpha = 3;
+  const RL::Solve_report report = RL::solve_screened_poisson(
+      mesh, [](const RL::Surface_point& p) { return 1 + harmonic(p.point); }, alpha, u,
+      params::octree_depth(4, params::relative_tolerance(1e-5)));
+  CHECK(report.converged);
+  // alpha u - Laplacian u = f, also for the constant part
+  for(Mesh::Vertex_index v : mesh.vertices())
+    REQUIRE(u[v] ==
+            Approx(1 / alpha + harmonic(mesh.point(v)) / (alpha + harmonic_eigenvalue)).margin(1e-3));
+}
+
+TEST_CASE("solution_has_mean_zero_and_the_sign_of_the_laplacian", "[poisson]") {
+  Mesh mesh = shapes::mesh(shapes::sphere(5));
+  auto f = mesh.add_property_map<Mesh::Vertex_index, double>("v:f").first;
+  auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+  for(Mesh::Vertex_index v : mesh.vertices())
+    f[v] = 5 + mesh.point(v).z(); // the 5 has to be removed
+  const RL::Solve_report report =
+      RL::solve_poisson(mesh, f, u, params::octree_depth(4, params::relative_tolerance(1e-5)));
+  CHECK(report.converged);
+  for(Mesh::Vertex_index v : mesh.vertices())
+    REQUIRE(u[v] == Approx(-mesh.point(v).z() / 2).margin(1e-3)); // Laplacian z = -2 z
+  double mean = 0;
+  for(auto face : mesh.faces())
+    for(auto v : vertices_around_face(mesh.halfedge(face), mesh))
+      mean += u[v];
+  CHECK(std::abs(mean / num_faces(mesh)) <= 1e-4);
+}
+
+TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const RL::Operators operators = RL::assemble_operators(space);
+  const Eigen::VectorXd load = random_load(space, 3);
+  const Eigen::VectorXd integrals = RL::assemble_element_integrals(space);
+  const Eigen::VectorXd b = load - integrals * (load.sum() / integrals.sum());
+  for(RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W})
+    for(bool alone : {false, true})
+      for(int steps : {1, 2, 3}) {
+        const RL::Poisson_solver solver = RL::make_poisson_solver(
+            space, operators, 0,
+            params::cycle(cycle, params::stand_alone_multigrid(
+                                     alone, params::smoothing_steps(
+                                                steps, params::relative_tolerance(5e-3)))));
+        CHECK(solver.kernel_dimension() == 1);
+        Eigen::VectorXd x;
+        const RL::Solve_report report = solver.solve(load, x);
+        INFO("cycle " << int(cycle) << " alone " << alone << " steps " << steps << " iterations "
+                      << report.iterations);
+        CHECK(report.converged);
+        CHECK(report.relative_residual <= 5e-3);
+        CHECK(report.relative_residual ==
+              Approx((b - operators.stiffness * x).norm() / b.norm()).epsilon(1e-6));
+        CHECK(std::abs(integrals.dot(x)) <= 1e-12 * integrals.dot(x.cwiseAbs()));
+      }
+}
+
+TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space), 0);
+  Eigen::MatrixXd b(space.dimension(), 7);
+  for(int k = 0; k < 7; ++k)
+    b.col(k) = random_load(space, k);
+  b.col(2).setZero();
+  Eigen::MatrixXd together;
+  const RL::Solve_report report = solver.solve(b, together);
+  CHECK(report.converged);
+  REQUIRE(report.relative_residuals.size() == 7);
+  for(int k = 0; k < 7; ++k) {
+    Eigen::VectorXd alone;
+    solver.solve(b.col(k), alone);
+    CHECK((together.col(k) - alone).norm() <= 1e-9 * alone.norm());
+  }
+  CHECK(together.col(2).norm() == 0);
+}
+
+TEST_CASE("multigrid_cycle_is_a_symmetric_positive_operator", "[poisson]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const RL::Operators operators = RL::assemble_operators(space);
+  const RL::Multigrid<> multigrid(operators.stiffness, RL::prolongation_matrices(space, 1));
+  CHECK(multigrid.number_of_levels() == 4);
+  RL::Multigrid<>::Workspace<1> workspace;
+  for(RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W})
+    for(int steps : {1, 2}) {
+      const Eigen::VectorXd x = random_load(space, 1), y = random_load(space, 2);
+      Eigen::VectorXd bx, by;
+      multigrid.apply<1>(x, bx, cycle, steps, workspace);
+      multigrid.apply<1>(y, by, cycle, steps, workspace);
+      CHECK(bx.dot(y) == Approx(x.dot(by)).epsilon(1e-9));
+      CHECK(bx.dot(x) > 0);
+    }
+  // renumbering: the matrix is the same one
+  const auto& order = multigrid.order();
+  for(int j = 0; j < multigrid.matrix().cols(); j += 97)
+    for(RL::Sparse_matrix::InnerIterator i(multigrid.matrix(), j); i; ++i)
+      REQUIRE(i.value() == operators.stiffness.coeff(order[i.row()], order[j]));
+}
+
+TEST_CASE("solver_needs_no_mesh", "[poisson]") {
+  // the Laplacian of a path of three, and of a path of two beside it: two constants in the kernel
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(5, 5);
+  dense.topLeftCorner(3, 3) << 1, -1, 0, -1, 2, -1, 0, -1, 1;
+  dense.bottomRightCorner(2, 2) << 1, -1, -1, 1;
+  RL::Sparse_matrix a = dense.sparseView();
+  Eigen::VectorXd integrals(5), x;
+  integrals << 1, 2, 1, 1, 3;
+  const RL::Poisson_solver solver(a, {}, integrals, 0);
+  CHECK(solver.kernel_dimension() == 2);
+  Eigen::VectorXd b(5);
+  b << 1, 0, -1, 2, -2;
+  CHECK(solver.solve(b, x).converged);
+  Eigen::VectorXd expected(5);
+  expected << 1, 0, -1, 1.5, -0.5; // mean 0 in each part, weighted with the integrals
+  CHECK((x - expected).norm() <= 1e-12);
+  // what is outside of the range is removed as a multiple of the integrals
+  CHECK(solver.solve(Eigen::VectorXd(b + integrals), x).converged);
+  CHECK((x - expected).norm() <= 1e-12);
+}
+
+TEST_CASE("solution_agrees_with_a_direct_factorization", "[poisson]") {
+  for(const std::string file : {"cow.off", "fandisk.off", "lion-head.off"}) {
+    const Mesh mesh = shapes::read(cgal_mesh(file));
+    if(mesh.is_empty())
+      SKIP_TEST("no such file: " << file);
+    INFO(file);
+    const RL::Spline_space_3 space(mesh, params::octree_depth(5));
+    const RL::Operators operators = RL::assemble_operators(space);
+    const double alpha = 1 / space.surface().area();
+    const RL::Sparse_matrix a = operators.stiffness + alpha * operators.mass;
+    const Eigen::VectorXd load =
+        RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.x(); });
+
+    Eigen::VectorXd x;
+    const RL::Solve_report report =
+        RL::make_poisson_solver(space, operators, alpha, params::relative_tolerance(1e-3))
+            .solve(load, x);
+    CHECK(report.converged);
+
+    const Eigen::VectorXd scale = a.diagonal().cwiseSqrt().cwiseInverse();
+    RL::Sparse_matrix identity(a.rows(), a.cols());
+    identity.setIdentity();
+    const RL::Sparse_matrix scaled = scale.asDiagonal() * a * scale.asDiagonal();
+    const Eigen::SimplicialLDLT<RL::Sparse_matrix> cholesky(scaled + 1e-12 * identity);
+    REQUIRE(cholesky.info() == Eigen::Success);
+    const Eigen::VectorXd direct =
+        scale.cwiseProduct(cholesky.solve(scale.cwiseProduct(load)));
+    const Eigen::VectorXd difference = x - direct;
+    CHECK(std::sqrt(difference.dot(operators.mass * difference)) <=
+          3e-4 * std::sqrt(direct.dot(operators.mass * direct)));
+  }
+}
+
+TEST_CASE("iterations_on_the_bunny", "[poisson][slow]") {
+  const Mesh mesh = shapes::read(cgal_mesh("bunny00.off"));
+  if(mesh.is_empty())
+    SKIP_TEST("no such file: bunny00.off");
+  const RL::Spline_space_3 space(mesh, params::octree_depth(7));
+  CHECK(space.dimension() == 138098);
+  const RL::Poisson_solver solver = RL::make_poisson_solver(
+      space, RL::assemble_operators(space), 0, params::relative_tolerance(5e-3));
+  Eigen::MatrixXd b(space.dimension(), 4), x;
+  for(int axis = 0; axis < 3; ++axis)
+    b.col(axis) =
+        RL::assemble_load(space, [axis](const RL::Surface_point& p) { return p.point[axis]; });
+  b.col(3) = random_load(space, 1);
+  for(int column = 0; column < 4; ++column) {
+    const RL::Solve_report report = solver.solve(b.col(column), x);
+    INFO("right-hand side " << column);
+    CHECK(report.converged);
+    CHECK(report.iterations <= 12);
+  }
+}
+
+TEST_CASE("poisson_is_deterministic", "[poisson]") {
+  Mesh mesh = shapes::mesh(shapes::sphere(4));
+  auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+  auto v = mesh.add_property_map<Mesh::Vertex_index, double>("v:v").first;
+  const auto f = [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); };
+  RL::solve_poisson(mesh, f, u, params::octree_depth(4));
+  RL::solve_poisson(mesh, f, v, params::octree_depth(4));
+  for(Mesh::Vertex_index i : mesh.vertices())
+    REQUIRE(u[i] == v[i]);
+}
