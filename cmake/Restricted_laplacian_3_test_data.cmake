@@ -1,0 +1,47 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The meshes of tests, benchmarks and the demonstration. Sets
+#
+# RESTRICTED_LAPLACIAN_3_DATA_DIR       folder with the meshes below, taken out of the archive of
+#                                       CGAL's data; empty if there is no archive
+# RESTRICTED_LAPLACIAN_3_SHARED_MESHES  folder with a larger set of meshes; may be empty
+
+set(RESTRICTED_LAPLACIAN_3_DATA_MESHES
+  armadillo.off bear.off blade.off boeing.off bunny00.off camel.off cow.off degtri_sliding.off
+  elephant.off elephant-with-holes.off fandisk.off fandisk_large.off lion-head.off
+  mannequin-devil.off rotor.off rotor_small.off turbine.off)
+
+set(RESTRICTED_LAPLACIAN_3_DATA_ARCHIVE "/usr/share/doc/libcgal-dev/data.tar.gz" CACHE FILEPATH
+  "CGAL's data, as Debian's package libcgal-demo installs it")
+
+if(DEFINED ENV{RESTRICTED_LAPLACIAN_3_SHARED_MESHES})
+  set(default_shared_meshes "$ENV{RESTRICTED_LAPLACIAN_3_SHARED_MESHES}")
+elseif(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/../shared/meshes")
+  get_filename_component(default_shared_meshes "${PROJECT_SOURCE_DIR}/../shared/meshes" ABSOLUTE)
+else()
+  set(default_shared_meshes "")
+endif()
+set(RESTRICTED_LAPLACIAN_3_SHARED_MESHES "${default_shared_meshes}" CACHE PATH
+  "Folder with the larger set of meshes; tests that need one are skipped where it is empty")
+
+set(RESTRICTED_LAPLACIAN_3_DATA_DIR "")
+if(NOT EXISTS "${RESTRICTED_LAPLACIAN_3_DATA_ARCHIVE}")
+  return()
+endif()
+if(CMAKE_VERSION VERSION_LESS 3.18)
+  message(STATUS "Restricted_laplacian_3: reading CGAL's data needs CMake 3.18")
+  return()
+endif()
+
+set(RESTRICTED_LAPLACIAN_3_DATA_DIR "${PROJECT_BINARY_DIR}/data/meshes")
+set(missing_meshes "")
+foreach(mesh IN LISTS RESTRICTED_LAPLACIAN_3_DATA_MESHES)
+  if(NOT EXISTS "${RESTRICTED_LAPLACIAN_3_DATA_DIR}/${mesh}")
+    list(APPEND missing_meshes "data/meshes/${mesh}")
+  endif()
+endforeach()
+if(missing_meshes)
+  file(ARCHIVE_EXTRACT INPUT "${RESTRICTED_LAPLACIAN_3_DATA_ARCHIVE}"
+    DESTINATION "${PROJECT_BINARY_DIR}" PATTERNS ${missing_meshes})
+endif()

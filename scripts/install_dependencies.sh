@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Usage: scripts/install_dependencies.sh [--benchmark] [--doc]
+#
+# Installs the Debian 12 packages that the library, its examples and its tests need, and with the
+# options those for the benchmarks and the manual. Needs root or sudo, and only where a package is
+# missing.
+
+set -euo pipefail
+
+packages=(
+  g++ make cmake
+  clang libclang-rt-14-dev llvm clang-format
+  libcgal-dev libcgal-demo libeigen3-dev libboost-program-options-dev
+  libsuitesparse-dev libopenblas-dev libspectra-dev libtbb-dev
+  libopenmesh-dev libpng-dev catch2
+)
+for option in "$@"; do
+  case "$option" in
+    --benchmark) packages+=(libbenchmark-dev libhypre-dev gnuplot-nox) ;;
+    --doc) packages+=(doxygen libjs-mathjax) ;;
+    *)
+      sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+      exit 2
+      ;;
+  esac
+done
+
+missing=()
+for package in "${packages[@]}"; do
+  state=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null || true)
+  if [[ $state != installed ]]; then
+    missing+=("$package")
+  fi
+done
+
+# Small container images leave out /usr/share/doc, where CGAL's data lies.
+data=/usr/share/doc/libcgal-dev/data.tar.gz
+install_options=(-o 'Dpkg::Options::=--path-include=/usr/share/doc/libcgal-dev/*')
+if [[ ! -e $data && " ${missing[*]} " != *" libcgal-demo "* ]]; then
+  missing+=(libcgal-demo)
+  install_options+=(--reinstall)
+fi
+
+if ((${#missing[@]} > 0)); then
+  as_root=()
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+      echo "Neither root nor sudo; please install: ${missing[*]}" >&2
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --no-install-recommends "${install_options[@]}" "${missing[@]}"
+fi
+
+# CHOLMOD is several times slower with the reference BLAS. Debian prefers OpenBLAS as soon as it is
+# installed, unless somebody has chosen another one by hand; then that choice stays.
+for library in /usr/lib/*/libblas.so.3 /usr/lib/*/liblapack.so.3; do
+  if [[ -e $library && $(readlink --canonicalize "$library") != *openblas* ]]; then
+    name="$(basename "$library")-$(basename "$(dirname "$library")")"
+    echo "Note: $library is not OpenBLAS. To change that:" \
+      "update-alternatives --auto $name" >&2
+  fi
+done

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Usage: scripts/update_readme.sh [--check]
+#
+# Puts examples/Restricted_laplacian_3/minimal_poisson.cpp into README.md, between the two lines
+# that name it, so that what the README shows is what the tests compile and run. With --check
+# changes nothing, and fails if that would change something.
+
+set -euo pipefail
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source=examples/Restricted_laplacian_3/minimal_poisson.cpp
+updated=$(awk -v source="$source" '
+  index($0, "<!-- begin " source) {
+    print
+    print "```cpp"
+    skip_licence = 1
+    while((getline line < source) > 0) {
+      if(skip_licence && (line ~ /^\/\/ (Copyright|SPDX)/ || line == "")) continue
+      skip_licence = 0
+      print line
+    }
+    print "```"
+    skipping = 1
+  }
+  index($0, "<!-- end " source) { skipping = 0 }
+  !skipping && !index($0, "<!-- begin " source) { print }' README.md)
+if [[ ${1:-} == --check ]]; then
+  if [[ $updated != "$(cat README.md)" ]]; then
+    echo "README.md does not show the present $source: run scripts/update_readme.sh" >&2
+    exit 1
+  fi
+else
+  printf '%s\n' "$updated" >README.md
+fi
