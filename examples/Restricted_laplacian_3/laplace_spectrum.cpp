@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Computes the smallest eigenvalues of the Laplacian on a mesh, and writes one eigenfunction.
+
+#include "support/command_line.h"
+#include "support/mesh_input.h"
+#include "support/mesh_output.h"
+#include "support/picture.h"
+#include "support/program.h"
+#include "support/space.h"
+#include "support/table.h"
+
+#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/eigenpairs.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace examples;
+
+const char* const usage =
+    "usage: laplace_spectrum MESH [OPTION]...\n"
+    "\n"
+    "Computes the smallest numbers l with -Laplacian u = l u on the surface of MESH (off, obj,\n"
+    "ply, stl, ts): 0, 2, 2, 2, 6, ... on the unit sphere. Boundaries have the natural\n"
+    "condition: u does not change across them.\n"
+    "\n"
+    "With --operator cotangent the functions are linear in each triangle, and the options of the\n"
+    "finite elements have no meaning.\n"
+    "\n"
+    "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
+    "what it found was written.\n";
+
+struct Options : Common_options {
+  int count = 20;
+  int eigenfunction = 1;
+  std::string operator_name = "restricted", mass = "full";
+};
+
+// returns false if there is nothing more to do
+bool read_options(int argc, char* argv[], Options& o) {
+  po::options_description problem("Problem", help_width);
+  auto add = problem.add_options();
+  add("count", po::value(&o.count)->value_name("K")->default_value(o.count),
+      "number of eigenvalues, with multiplicities");
+  add("operator", po::value(&o.operator_name)->value_name("NAME")->default_value(o.operator_name),
+      "restricted: B-splines restricted to the surface; cotangent: for comparison");
+  add("mass", po::value(&o.mass)->value_name("lumped|full")->default_value(o.mass),
+      "mass matrix of --operator cotangent");
+  add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
+      "index, from 0, of the eigenfunction for --output and --picture");
+  po::options_description all(help_width);
+  all.add(problem).add(space_options(o)).add(output_options(o));
+
+  po::variables_map given;
+  if(!parse_command_line(argc, argv, usage, all, o, given))
+    return false;
+  require(o.count > 0, "the argument of --count must be positive");
+  require_choice("operator", o.operator_name, {"restricted", "cotangent"});
+  require_choice("mass", o.mass, {"lumped", "full"});
+  require(given["mass"].defaulted() || o.operator_name == "cotangent",
+          "--mass needs --operator cotangent");
+  if(given["eigenfunction"].defaulted())
+    o.eigenfunction = std::min(o.eigenfunction, o.count - 1);
+  require(o.eigenfunction >= 0 && o.eigenfunction < o.count,
+          "the argument of --eigenfunction must be at least 0 and less than that of --count");
+  return true;
+}
+
+// Solves the problem for matrices that `assemble` makes, and describes what was done.
+template <typename Assemble>
+RL::Eigenpairs solve(const Options& o, Summary& summary, const Progress& progress,
+                     Assemble assemble) {
+  CGAL::Real_timer timer;
+  timer.start();
+  progress.show("assembling");
+  const RL::Operators operators = assemble();
+  const double assembly_seconds = timer.time();
+
+  progress.show("computing eigenvalues of " + std::to_string(operators.stiffness.rows()) +
+                " unknowns");
+  const RL::Eigenpairs pairs =
+      RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count);
+
+  summary.add("assembly_seconds", assembly_seconds);
+  summary.add("solve_seconds", timer.time() - assembly_seconds);
+  summary.add("iterations", pairs.iterations);
+  summary.add("relative_residual", pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
+  return pairs;
+}
+
+// Each of these two returns the eigenvalues that were found, and sets `u` to the eigenfunction that
+// the options ask for, at the vertices.
+RL::Eigenpairs solve_restricted(const Mesh& mesh, const Options& o, Values& u, Summary& summary,
+                                const Progress& progress) {
+  CGAL::Real_timer timer;
+  timer.start();
+  progress.show("building the spline space");
+  const RL::Spline_space_3 space = make_space(mesh, o);
+  summary.add("depth", space.depth());
+  summary.add("dimension", space.dimension());
+  summary.add("area", space.surface().area());
+  summary.add("setup_seconds", timer.time());
+
+  const RL::Eigenpairs pairs = solve(o, summary, progress, [&] {
+    return assemble_with(space, o, [&](const auto& integration) {
+      return RL::assemble_operators(space, space.depth(), integration);
+    });
+  });
+  if(o.eigenfunction < pairs.values.size())
+    RL::evaluate_at_vertices(RL::Spline_function_3(space, pairs.vectors.col(o.eigenfunction)), mesh,
+                             u);
+  return pairs;
+}
+
+RL::Eigenpairs solve_cotangent(const Mesh& mesh, const Options& o, Values& u, Summary& summary,
+                               const Progress& progress) {
+  const RL::Triangulated_surface_3 surface = RL::read_surface(mesh);
+  summary.add("dimension", surface.number_of_vertices());
+  summary.add("area", surface.area());
+
+  const RL::Eigenpairs pairs = solve(
+      o, summary, progress, [&] { return RL::cotangent_operators(surface, o.mass == "lumped"); });
+  if(o.eigenfunction < pairs.values.size())
+    for(const Vertex v : mesh.vertices())
+      u[v] = mesh.is_isolated(v) ? std::nan("") : pairs.vectors(v.idx(), o.eigenfunction);
+  return pairs;
+}
+
+void print_eigenvalues(const std::vector<double>& values) {
+  constexpr std::size_t largest_number = 20;
+  for(std::size_t i = 0; i < std::min(values.size(), largest_number); ++i)
+    std::cout << (i == 0 ? "eigenvalues" : "           ") << "         " << values[i] << '\n';
+  if(values.size() > largest_number)
+    std::cout << "                    ... (--csv writes all)\n";
+}
+
+int main(int argc, char* argv[]) {
+  return run_program("laplace_spectrum", [&]() -> int {
+    Options o;
+    if(!read_options(argc, argv, o))
+      return success;
+    const Progress progress(o.quiet);
+
+    progress.show("reading " + o.mesh);
+    Mesh_input input = read_mesh(o.mesh);
+    Values u = input.mesh.add_property_map<Vertex, double>("v:value").first;
+
+    Summary summary(input);
+    summary.add("threads", 1);
+    const RL::Eigenpairs pairs = o.operator_name == "restricted"
+                                     ? solve_restricted(input.mesh, o, u, summary, progress)
+                                     : solve_cotangent(input.mesh, o, u, summary, progress);
+    const std::vector<double> eigenvalues(pairs.values.begin(), pairs.values.end());
+
+    progress.show("writing the results");
+    if(!o.csv.empty())
+      write_csv(o.csv, summary, "index,eigenvalue", eigenvalues);
+    if(!o.output.empty())
+      write_mesh(o.output, input.mesh, u);
+    if(!o.picture.empty())
+      write_picture(o.picture, input.mesh, value_colors(u), u, {o.up == "z", o.isolines});
+    progress.show("");
+    if(!o.quiet) {
+      summary.print(std::cout);
+      print_eigenvalues(eigenvalues);
+    }
+    if(!pairs.converged) {
+      print_error("laplace_spectrum", "the solver did not converge: it found " +
+                                          std::to_string(eigenvalues.size()) + " of " +
+                                          std::to_string(o.count) + " eigenvalues");
+      return not_converged;
+    }
+    return success;
+  });
+}

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_COMMAND_LINE_H
+#define RESTRICTED_LAPLACIAN_3_EXAMPLES_COMMAND_LINE_H
+
+// The command line that the programs have in common.
+
+#include "program.h"
+
+#include <boost/program_options.hpp>
+
+#include <cmath>
+#include <initializer_list>
+#include <iostream>
+#include <limits>
+#include <string>
+
+namespace examples {
+
+namespace po = boost::program_options;
+
+// columns of the text of --help
+constexpr unsigned int help_width = 92;
+
+struct Common_options {
+  std::string mesh;
+  int depth = 6;
+  double cube_scale = 0; // 0: the default of the library
+  bool paper = false;
+  std::string assembly = "cubature";
+  long long samples = 1000000;
+  long long seed = 0;
+  int threads = 1;
+  std::string csv, output, picture;
+  std::string up = "y";
+  int isolines = 0;
+  bool quiet = false;
+};
+
+inline po::options_description space_options(Common_options& o) {
+  po::options_description description("Finite elements", help_width);
+  auto add = description.add_options();
+  add("depth", po::value(&o.depth)->value_name("D")->default_value(o.depth),
+      "depth of the octree: 2^D cells along each side of the domain cube");
+  add("cube-scale", po::value(&o.cube_scale)->value_name("S"),
+      "side of the domain cube over the longest side of the bounding box "
+      "(default: 1.1, or 1.2 with --paper)");
+  add("paper", po::bool_switch(&o.paper),
+      "the space of the paper: only elements that are centred in the 2^D grid");
+  add("assembly", po::value(&o.assembly)->value_name("METHOD")->default_value(o.assembly),
+      "cubature: integrals over the triangles; monte-carlo: sums over random samples");
+  add("samples", po::value(&o.samples)->value_name("N")->default_value(o.samples),
+      "number of samples for --assembly monte-carlo");
+  add("seed", po::value(&o.seed)->value_name("N")->default_value(o.seed),
+      "seed of everything random");
+  add("threads", po::value(&o.threads)->value_name("N")->default_value(o.threads),
+      "number of threads, at most; this version computes with one, and the result does not "
+      "depend on it");
+  return description;
+}
+
+inline po::options_description output_options(Common_options& o) {
+  po::options_description description("Output", help_width);
+  auto add = description.add_options();
+  add("csv", po::value(&o.csv)->value_name("FILE"), "write the result as a table");
+  add("output", po::value(&o.output)->value_name("FILE"),
+      "write the mesh as binary PLY, with colors and the scalar vertex property \"value\"");
+  add("picture", po::value(&o.picture)->value_name("FILE"),
+      "write a PNG picture of the colored mesh");
+  add("up", po::value(&o.up)->value_name("y|z")->default_value(o.up),
+      "the axis that points up in the picture");
+  add("isolines", po::value(&o.isolines)->value_name("N")->default_value(o.isolines),
+      "draw level lines in the picture that divide the range of values into about N bands");
+  add("quiet", po::bool_switch(&o.quiet), "print errors only");
+  add("help", "print this text");
+  return description;
+}
+
+// requires that `value` is one of `choices`
+inline void require_choice(const std::string& option, const std::string& value,
+                           std::initializer_list<const char*> choices) {
+  std::string list;
+  for(const char* choice : choices) {
+    if(value == choice)
+      return;
+    list += (list.empty() ? "" : ", ") + std::string(choice);
+  }
+  throw Error("the argument '" + value + "' of --" + option + " is not one of " + list);
+}
+
+inline void require_positive(const po::variables_map& given, const std::string& option,
+                             double value) {
+  require(given.count(option) == 0 || (value > 0 && std::isfinite(value)),
+          "the argument of --" + option + " must be a positive number");
+}
+
+// Reads the command line; the remaining argument without a name is the mesh. Returns false if
+// --help was given: the usage and all options have been printed then.
+inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
+                               const po::options_description& visible, Common_options& o,
+                               po::variables_map& given) {
+  po::options_description all;
+  all.add(visible).add_options()("mesh", po::value(&o.mesh));
+  po::positional_options_description positional;
+  positional.add("mesh", 1);
+  // no guessing: a mistyped option is an error, not another option
+  const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+  po::store(
+      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+      given);
+  if(given.count("help")) {
+    std::cout << usage << '\n' << visible;
+    return false;
+  }
+  po::notify(given);
+
+  require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
+  require_positive(given, "cube-scale", o.cube_scale);
+  require_choice("assembly", o.assembly, {"cubature", "monte-carlo"});
+  require(given["samples"].defaulted() || o.assembly == "monte-carlo",
+          "--samples needs --assembly monte-carlo");
+  require_positive(given, "samples", static_cast<double>(o.samples));
+  require(o.seed >= 0 && o.seed <= std::numeric_limits<unsigned int>::max(),
+          "the argument of --seed must lie between 0 and 4294967295");
+  require_positive(given, "threads", o.threads);
+  require_choice("up", o.up, {"y", "z"});
+  require(o.isolines >= 0, "the argument of --isolines must not be negative");
+  return true;
+}
+
+} // namespace examples
+
+#endif // RESTRICTED_LAPLACIAN_3_EXAMPLES_COMMAND_LINE_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_TABLE_H
+#define RESTRICTED_LAPLACIAN_3_EXAMPLES_TABLE_H
+
+// The short table that a program prints, and the long one that it writes.
+
+#include "mesh_input.h"
+#include "program.h"
+
+#include <cstddef>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace examples {
+
+// What a program knows about its result, in the order in which it is printed.
+class Summary {
+public:
+  // starts with what was read
+  explicit Summary(const Mesh_input& input) {
+    add("vertices", input.vertex_of_file.size());
+    add("faces", input.mesh.number_of_faces());
+    if(input.is_triangulated)
+      add("triangulated", "yes");
+    if(input.is_repaired)
+      add("repaired", "yes");
+  }
+
+  template <typename Number> void add(const std::string& name, Number value) {
+    std::ostringstream brief, exact;
+    brief << std::setprecision(6) << value;
+    exact << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
+    m_lines.push_back({name, brief.str(), exact.str()});
+  }
+
+  // as a table for people
+  void print(std::ostream& out) const {
+    for(const Line& line : m_lines)
+      out << std::left << std::setw(20) << line.name << line.brief << '\n';
+  }
+
+  // as comments at the beginning of a file for programs
+  void print_comments(std::ostream& out) const {
+    for(const Line& line : m_lines)
+      out << "# " << line.name << ": " << line.exact << '\n';
+  }
+
+private:
+  struct Line {
+    std::string name, brief, exact;
+  };
+  std::vector<Line> m_lines;
+};
+
+// Writes the lines of `summary` as comments, the names of the two columns, and the values with
+// their positions.
+inline void write_csv(const std::string& file, const Summary& summary, const std::string& columns,
+                      const std::vector<double>& values) {
+  write_file(file, [&](std::ostream& out) {
+    summary.print_comments(out);
+    out << columns << '\n';
+    std::size_t i = 0;
+    for(const double value : values)
+      out << i++ << ',' << value << '\n';
+  });
+}
+
+} // namespace examples
+
+#endif // RESTRICTED_LAPLACIAN_3_EXAMPLES_TABLE_H
