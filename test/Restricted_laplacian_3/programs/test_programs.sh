@@ -1,0 +1,566 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Tests what the example programs promise: exit status, one-line errors, files and their contents.
+#
+# usage: test_programs.sh PROGRAM_DIR DATA_DIR [GROUP]...
+#
+# PROGRAM_DIR holds the programs. DATA_DIR holds meshes of CGAL's data; what needs one is skipped,
+# and said so, if it is not there. The groups, all by default, are the functions test_* below.
+
+set -u -o pipefail
+export LC_ALL=C
+
+if [ $# -lt 2 ] || [ ! -d "$1" ]; then
+  echo "usage: test_programs.sh PROGRAM_DIR DATA_DIR [GROUP]..." >&2
+  exit 2
+fi
+programs=$(cd "$1" && pwd)
+data=$2
+shift 2
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 2
+number_of_checks=0
+number_of_failures=0
+
+# How a check is written.
+
+# check DESCRIPTION COMMAND...: the command must succeed
+check() {
+  local description=$1
+  shift
+  number_of_checks=$((number_of_checks + 1))
+  if ! "$@" > check.log 2>&1; then
+    number_of_failures=$((number_of_failures + 1))
+    echo "FAILED: $description"
+    sed 's/^/    /' check.log | head -n 5
+  fi
+}
+
+# run PROGRAM ARGUMENTS...: leaves the output in the files `out` and `err`, and the exit status in
+# the variable `status`
+run() {
+  "$programs/$1" "${@:2}" > out 2> err < /dev/null
+  status=$?
+}
+
+# The check of a program that has to succeed: exit status 0, and no word on the error stream.
+succeeds() {
+  run "$@"
+  check "succeeds: $*" [ "$status" -eq 0 ]
+  check "prints no error: $*" [ ! -s err ]
+}
+
+# fails PATTERN PROGRAM ARGUMENTS...: an exit status other than 0 that is not a crash, and one line
+# on the error stream that says what is wrong, in words that match the pattern
+fails() {
+  local pattern=$1
+  shift
+  run "$@"
+  check "exit status $status says failure: $*" [ "$status" -gt 0 -a "$status" -lt 126 ]
+  check "one line of error, not $(wc -l < err): $*" [ "$(wc -l < err)" -eq 1 ]
+  check "the error names its cause ($pattern): $*: $(head -n 1 err)" grep -qi -e "$pattern" err
+}
+
+# numbers NAME FILE: the values of the second column of a table, without its heading
+numbers() { grep -v '^#' "$1" | tail -n +2 | cut -d, -f2; }
+
+# is_near A B TOLERANCE: both are numbers, and do not differ by more
+is_near() {
+  awk -v a="$1" -v b="$2" -v t="$3" \
+    'BEGIN { d = a - b; exit !(a "" != "" && a + 0 == a && d <= t && -d <= t) }'
+}
+
+# Shapes, and what their solutions are compared with.
+
+# make_sphere N: an OFF file of the unit sphere, an octahedron with N^2 triangles in place of each
+# of its faces
+make_sphere() {
+  awk -v n="$1" '
+    function vertex(i, j, k,   key, r) {
+      key = i " " j " " k
+      if(!(key in number)) {
+        number[key] = n_vertices
+        r = sqrt(i * i + j * j + k * k)
+        points[n_vertices++] = sprintf("%.17g %.17g %.17g", i / r, j / r, k / r)
+      }
+      return number[key]
+    }
+    # corners in the grid of the octant with signs a, b, c; turned for a consistent orientation
+    function triangle(i1, j1, i2, j2, i3, j3,   p, q, r) {
+      p = vertex(a * i1, b * j1, c * (n - i1 - j1))
+      q = vertex(a * i2, b * j2, c * (n - i2 - j2))
+      r = vertex(a * i3, b * j3, c * (n - i3 - j3))
+      faces[n_faces++] = a * b * c > 0 ? "3 " p " " q " " r : "3 " p " " r " " q
+    }
+    BEGIN {
+      n_vertices = n_faces = 0
+      for(a = -1; a <= 1; a += 2) for(b = -1; b <= 1; b += 2) for(c = -1; c <= 1; c += 2)
+        for(i = 0; i < n; ++i) for(j = 0; i + j < n; ++j) {
+          triangle(i, j, i + 1, j, i, j + 1)
+          if(i + j + 1 < n)
+            triangle(i + 1, j, i + 1, j + 1, i, j + 1)
+        }
+      print "OFF\n" n_vertices " " n_faces " 0"
+      for(i = 0; i < n_vertices; ++i) print points[i]
+      for(i = 0; i < n_faces; ++i) print faces[i]
+    }'
+}
+
+# surface_mean MESH.off TABLE: integral of the function that is linear in each triangle, over area
+surface_mean() {
+  numbers "$2" | awk '
+    NR == FNR { value[FNR - 1] = $1; next }
+    FNR == 2 { n = $1; next }
+    FNR > 2 && FNR <= n + 2 { for(k = 1; k <= 3; ++k) p[FNR - 3, k] = $k; next }
+    FNR > n + 2 {
+      for(k = 1; k <= 3; ++k) { u[k] = p[$3, k] - p[$2, k]; v[k] = p[$4, k] - p[$2, k] }
+      x = u[2] * v[3] - u[3] * v[2]; y = u[3] * v[1] - u[1] * v[3]; z = u[1] * v[2] - u[2] * v[1]
+      area = sqrt(x * x + y * y + z * z) / 2
+      total += area; sum += area * (value[$2] + value[$3] + value[$4]) / 3
+    }
+    END { printf "%.17g\n", sum / total }' - "$1"
+}
+
+# largest_difference TABLE COLUMN FACTOR: of the values from FACTOR times a coordinate of sphere.off
+largest_difference() {
+  numbers "$1" | awk -v column="$2" -v factor="$3" '
+    NR == FNR { value[FNR - 1] = $1; next }
+    FNR == 2 { n = $1; next }
+    FNR > 2 && FNR <= n + 2 {
+      d = value[FNR - 3] - factor * $column
+      if(d < 0) d = -d
+      if(!(d <= largest)) largest = d
+    }
+    END { printf "%.17g\n", largest }' - sphere.off
+}
+
+is_below() { awk -v x="$1" -v bound="$2" 'BEGIN { exit !(x != "" && x + 0 == x && x < bound) }'; }
+
+make_sphere 16 > sphere.off # 1026 vertices, 2048 faces
+make_sphere 4 > small.off
+
+# The tests.
+
+common_options="depth cube-scale paper assembly samples seed threads csv output quiet"
+
+test_help() {
+  local program option
+  for program in solve_poisson laplace_spectrum; do
+    succeeds "$program" --help
+    for option in $common_options picture help; do
+      check "$program --help explains --$option" grep -q -e "--$option" out
+    done
+  done
+  run solve_poisson --help
+  for option in rhs rhs-property alpha tolerance cycle smoother; do
+    check "solve_poisson --help explains --$option" grep -q -e "--$option" out
+  done
+  run laplace_spectrum --help
+  for option in count operator mass eigenfunction; do
+    check "laplace_spectrum --help explains --$option" grep -q -e "--$option" out
+  done
+}
+
+test_bad_input() {
+  local program
+  : > nothing.off
+  echo "this is not a mesh" > text.off
+  cp sphere.off unknown_format.xyz123
+  printf 'OFF\n0 0 0\n' > empty.off
+  printf 'OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n' > points_only.off
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\nnan 1 0\n3 0 1 2\n' > nan.off
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n' > line.off
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' > bad_index.off
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n' > negative_index.off
+  head -n 500 sphere.off > truncated.off
+  {
+    printf 'ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n'
+    printf 'property float y\nproperty float z\nelement face 1\n'
+    printf 'property list uchar int vertex_indices\nend_header\n'
+    printf '\0\0\0\0\0\0\0\0\0\0\0\0'             # 0 0 0
+    printf '\0\0\200\077\0\0\0\0\0\0\0\0'         # 1 0 0
+    printf '\0\0\0\0\0\0\300\177\0\0\0\0'         # 0 nan 0
+    printf '\003\0\0\0\0\001\0\0\0\002\0\0\0'
+  } > nan.ply
+  mkdir -p folder.off
+
+  for program in solve_poisson laplace_spectrum; do
+    fails "no mesh" "$program"
+    fails "missing.off" "$program" missing.off
+    fails "text.off" "$program" text.off
+    fails "nothing.off" "$program" nothing.off
+    fails "unknown_format" "$program" unknown_format.xyz123
+    fails "empty.off" "$program" empty.off
+    fails "points_only.off" "$program" points_only.off
+    fails "nan.off" "$program" nan.off
+    fails "nan.ply.*vertex 2" "$program" nan.ply
+    fails "area\|degenerate" "$program" line.off
+    fails "bad_index.off" "$program" bad_index.off
+    fails "negative_index.off" "$program" negative_index.off
+    fails "truncated.off" "$program" truncated.off
+    fails "folder.off" "$program" folder.off
+    fails "positional" "$program" small.off small.off
+    fails "unrecognised.*frobnicate" "$program" small.off --frobnicate
+    fails "unrecognised.*dep" "$program" small.off --dep 3
+    fails "depth.*missing\|missing.*depth" "$program" small.off --depth
+    fails "7x" "$program" small.off --depth 7x
+    fails "7.5" "$program" small.off --depth 7.5
+    fails "depth" "$program" small.off --depth 99
+    fails "depth" "$program" small.off --depth 0
+    fails "depth" "$program" small.off --depth -3
+    fails "cube" "$program" small.off --cube-scale 0.5
+    fails "cube" "$program" small.off --cube-scale nan
+    fails "cube" "$program" small.off --cube-scale inf
+    fails "assembly" "$program" small.off --assembly magic
+    fails "samples" "$program" small.off --assembly monte-carlo --samples 0
+    fails "samples" "$program" small.off --samples 1000
+    fails "seed" "$program" small.off --seed -1
+    fails "threads" "$program" small.off --threads 0
+    fails "nowhere" "$program" small.off --depth 2 --csv nowhere/table.csv
+    fails "nowhere" "$program" small.off --depth 2 --output nowhere/mesh.ply
+    fails "nowhere" "$program" small.off --depth 2 --picture nowhere/picture.png
+    if [ -c /dev/full ]; then
+      fails "/dev/full" "$program" small.off --depth 2 --csv /dev/full
+      fails "/dev/full" "$program" small.off --depth 2 --output /dev/full
+    fi
+  done
+  fails "rhs" solve_poisson small.off --rhs w
+  fails "rhs" solve_poisson small.off --rhs x --rhs-property value
+  fails "small.off.*height" solve_poisson small.off --rhs-property height
+  fails "alpha" solve_poisson small.off --alpha -1
+  fails "alpha" solve_poisson small.off --alpha nan
+  fails "tolerance" solve_poisson small.off --tolerance 0
+  fails "1e-" solve_poisson small.off --tolerance 1e-
+  fails "cycle" solve_poisson small.off --cycle x
+  fails "smoother" solve_poisson small.off --smoother magic
+  fails "count" laplace_spectrum small.off --count 0
+  fails "ten" laplace_spectrum small.off --count ten
+  fails "operator" laplace_spectrum small.off --operator magic
+  fails "mass" laplace_spectrum small.off --operator cotangent --mass magic
+  fails "eigenfunction" laplace_spectrum small.off --count 3 --eigenfunction 3
+  fails "eigenfunction" laplace_spectrum small.off --count 3 --eigenfunction -1
+}
+
+# has_table_format FILE COLUMNS: comments, the names of the columns, rows numbered from 0
+has_table_format() {
+  awk -v columns="$2" '
+    /^#/ && !heading { if($0 !~ /^# [a-z_]+: ./) exit bad = 1; next }
+    !heading { heading = 1; if($0 != columns) exit bad = 1; next }
+    $0 !~ "^" row + 0 ",-?[0-9]+(\\.[0-9]*)?(e[-+][0-9]+)?$" { print; exit bad = 1 }
+    { ++row }
+    END { exit bad || !row }' "$1"
+}
+
+# comment NAME FILE: the value of a comment
+comment() { sed -n "s/^# $1: //p" "$2"; }
+
+test_poisson_table() {
+  local name
+  succeeds solve_poisson sphere.off --depth 4 --csv table.csv
+  for name in vertices faces depth dimension area seconds iterations residual; do
+    check "prints $name" grep -q "$name" out
+  done
+  check "format of the table" has_table_format table.csv vertex,value
+  for name in vertices faces depth dimension area setup_seconds assembly_seconds solve_seconds \
+    iterations relative_residual; do
+    check "comment $name is a number" is_near "$(comment $name table.csv)" 0 1e6
+  done
+  check "vertices" [ "$(comment vertices table.csv)" = 1026 ]
+  check "faces" [ "$(comment faces table.csv)" = 2048 ]
+  check "depth" [ "$(comment depth table.csv)" = 4 ]
+  check "area of the polyhedron" is_near "$(comment area table.csv)" 12.53 0.03
+  check "one row for each vertex" [ "$(numbers table.csv | wc -l)" -eq 1026 ]
+  check "16 or more digits" [ "$(numbers table.csv | tr -d -- '-.\n' | wc -c)" -gt 15390 ]
+  succeeds solve_poisson sphere.off --depth 4 --quiet
+  check "--quiet prints nothing" [ ! -s out ]
+}
+
+# The coordinates are eigenfunctions of the sphere: Laplacian x = -2 x.
+test_poisson_solution() {
+  local axis
+  for axis in 1 2 3; do
+    succeeds solve_poisson sphere.off --depth 4 --rhs "$(echo xyz | cut -c$axis)" \
+      --tolerance 1e-6 --csv u.csv
+    check "Laplacian u = x has the solution -x / 2" \
+      is_below "$(largest_difference u.csv $axis -0.5)" 5e-3
+  done
+  # 4 pi / area u - Laplacian u = z has the solution z / 3, up to the area of the polyhedron
+  succeeds solve_poisson sphere.off --depth 4 --rhs z --alpha 12.566 --tolerance 1e-6 --csv u.csv
+  check "u - Laplacian u = z has the solution z / 3" \
+    is_below "$(largest_difference u.csv 3 0.3333333)" 5e-3
+
+  # The property of a mesh 100 times as large: alpha has the unit 1 / area, so u scales with the
+  # square of the length and with f.
+  awk 'NR > 2 && NF == 3 { print 100 * $1, 100 * $2, 100 * $3; next } { print }' OFMT=%.17g \
+    CONVFMT=%.17g sphere.off > large.off
+  succeeds solve_poisson large.off --depth 4 --rhs z --alpha 12.566 --tolerance 1e-6 --csv large.csv
+  check "--alpha does not depend on the scale" \
+    is_below "$(largest_difference large.csv 3 333333.3)" 5e3
+
+  # the mean of f does not matter
+  awk 'NR > 2 && NF == 3 { print $1, $2, $3 + 5; next } { print }' OFMT=%.17g CONVFMT=%.17g \
+    sphere.off > shifted.off
+  succeeds solve_poisson shifted.off --depth 4 --rhs z --tolerance 1e-6 --csv u.csv
+  check "the mean of f is subtracted" is_below "$(largest_difference u.csv 3 -0.5)" 5e-3
+  succeeds solve_poisson shifted.off --depth 4 --rhs z --alpha 12.566 --tolerance 1e-6 --csv u.csv
+  check "the mean of f is subtracted, screened" \
+    is_below "$(largest_difference u.csv 3 0.3333333)" 5e-3
+
+  succeeds solve_poisson small.off --depth 3 --rhs random --seed 5 --tolerance 1e-6 --csv r5.csv
+  check "the solution has surface mean zero" \
+    is_near "$(surface_mean small.off r5.csv)" 0 1e-3
+  succeeds solve_poisson small.off --depth 3 --rhs random --seed 5 --tolerance 1e-6 --csv r5b.csv
+  succeeds solve_poisson small.off --depth 3 --rhs random --seed 6 --tolerance 1e-6 --csv r6.csv
+  numbers r5.csv > r5
+  numbers r5b.csv > r5b
+  numbers r6.csv > r6
+  check "the same seed gives the same values" cmp r5 r5b
+  check "another seed gives other values" eval "! cmp -s r5 r6"
+  check "a random right-hand side is not zero" eval "[ $(sort -u r5 | wc -l) -gt 50 ]"
+}
+
+test_poisson_options() {
+  local options
+  succeeds solve_poisson sphere.off --depth 4 --tolerance 1e-6 --csv reference.csv
+  numbers reference.csv > reference
+  for options in "--cycle w" "--cube-scale 1.3"; do
+    # shellcheck disable=SC2086
+    succeeds solve_poisson sphere.off --depth 4 --tolerance 1e-6 $options --csv u.csv
+    check "$options: the same solution" is_below "$(largest_difference u.csv 3 -0.5)" 5e-3
+  done
+  check "--cube-scale changes the space" \
+    eval "[ '$(comment dimension u.csv)' != '$(comment dimension reference.csv)' ]"
+
+  run solve_poisson sphere.off --depth 4 --smoother patch --csv patch.csv
+  if grep -q "not available" err; then
+    check "--smoother patch is refused, not ignored" [ "$status" -eq 1 -a ! -e patch.csv ]
+  else
+    check "--smoother patch: the same solution" \
+      is_below "$(largest_difference patch.csv 3 -0.5)" 5e-3
+    check "--smoother patch takes fewer iterations" \
+      [ "$(comment iterations patch.csv)" -lt "$(comment iterations reference.csv)" ]
+  fi
+
+  # 504 elements at depth 3: Table 1 of the paper
+  succeeds solve_poisson sphere.off --depth 3 --paper --csv paper.csv
+  check "dimension of the space of the paper" [ "$(comment dimension paper.csv)" = 504 ]
+  succeeds solve_poisson sphere.off --depth 3 --csv default.csv
+  check "dimension of the default space" [ "$(comment dimension default.csv)" = 816 ]
+
+  succeeds solve_poisson sphere.off --depth 3 --assembly monte-carlo --samples 200000 --csv u.csv
+  check "monte-carlo: close to the solution" is_below "$(largest_difference u.csv 3 -0.5)" 5e-2
+  check "monte-carlo: not the same solution" \
+    eval "! [ '$(numbers u.csv | md5sum)' = '$(numbers default.csv | md5sum)' ]"
+
+  succeeds solve_poisson sphere.off --depth 4 --tolerance 1e-2 --csv loose.csv
+  check "a looser tolerance takes fewer iterations" \
+    [ "$(comment iterations loose.csv)" -lt "$(comment iterations reference.csv)" ]
+  check "and leaves a larger residual" \
+    is_below "$(comment relative_residual reference.csv)" "$(comment relative_residual loose.csv)"
+  check "the tolerance is kept" is_below "$(comment relative_residual reference.csv)" 1.0001e-6
+
+  # the residual cannot become as small as that in double precision
+  rm -f u.csv u.ply
+  fails "converge" solve_poisson small.off --depth 3 --tolerance 1e-60 --csv u.csv --output u.ply
+  check "status 2 if the solver does not converge" [ "$status" -eq 2 ]
+  check "the output is written nevertheless" [ -s u.csv -a -s u.ply ]
+}
+
+test_mesh_output() {
+  succeeds solve_poisson sphere.off --depth 3 --tolerance 1e-6 --output u.ply --csv u.csv \
+    --picture u.png
+  for line in "format binary_little_endian 1.0" "element vertex 1026" "element face 2048" \
+    "property uchar red" "property uchar green" "property uchar blue" "property double value"; do
+    check "header of the mesh: $line" grep -aqx "$line" u.ply
+  done
+  # the mesh and its property can be read again, in the same order: the screened problem with a
+  # large alpha has a solution close to f / alpha
+  succeeds solve_poisson u.ply --depth 3 --rhs z --tolerance 1e-6 --csv again.csv
+  numbers u.csv > u
+  numbers again.csv > again
+  check "the mesh that was written is the mesh that was read" \
+    eval "[ \"\$(paste u again | awk '{ d = \$1 - \$2; if(d * d > 1e-12) print }')\" = '' ]"
+  succeeds solve_poisson u.ply --depth 3 --rhs-property value --tolerance 1e-6 --csv twice.csv
+  check "the property that was written is the property that was read" \
+    is_below "$(largest_difference twice.csv 3 0.25)" 5e-3
+  succeeds solve_poisson u.ply --depth 3 --rhs-property red --csv red.csv
+  check "a property of type uchar" eval "[ $(numbers red.csv | sort -u | wc -l) -gt 50 ]"
+  fails "height" solve_poisson u.ply --depth 3 --rhs-property height
+
+  check "signature of the picture" \
+    [ "$(head -c 8 u.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]
+  check "the picture is not empty" [ "$(wc -c < u.png)" -gt 10000 ]
+  succeeds solve_poisson sphere.off --depth 3 --tolerance 1e-6 --picture lines.png --isolines 10
+  check "--isolines changes the picture" eval "! cmp -s u.png lines.png"
+  succeeds solve_poisson sphere.off --depth 3 --tolerance 1e-6 --picture z.png --up z
+  check "--up changes the picture" eval "! cmp -s u.png z.png"
+}
+
+# has_sphere_spectrum FILE TOLERANCE: l (l + 1), 2 l + 1 times, up to a relative error
+has_sphere_spectrum() {
+  numbers "$1" | awk -v tolerance="$2" '
+    { while((l + 1) * (l + 1) <= NR - 1) ++l
+      d = $1 - l * (l + 1); if(d < 0) d = -d
+      if(!(d <= tolerance * (l ? l * (l + 1) : 1e-3))) { print NR - 1, $1; bad = 1 }
+      if(NR > 1 && $1 < last) { print "not ascending"; bad = 1 }
+      last = $1 }
+    END { exit bad || !NR }'
+}
+
+test_spectrum() {
+  local name
+  succeeds laplace_spectrum sphere.off --depth 4 --count 16 --csv s.csv --output s.ply \
+    --picture s.png
+  check "format of the table" has_table_format s.csv index,eigenvalue
+  check "as many eigenvalues as asked for" [ "$(numbers s.csv | wc -l)" -eq 16 ]
+  check "eigenvalues of the sphere" has_sphere_spectrum s.csv 1e-2
+  for name in vertices faces depth dimension area assembly_seconds solve_seconds; do
+    check "comment $name is a number" is_near "$(comment $name s.csv)" 0 1e6
+  done
+  check "prints the eigenvalues" grep -q "[^0-9]2\.0" out
+  check "the mesh has the eigenfunction" grep -aqx "property double value" s.ply
+  check "the picture is not empty" [ "$(wc -c < s.png)" -gt 10000 ]
+
+  for mass in lumped full; do
+    succeeds laplace_spectrum sphere.off --operator cotangent --mass $mass --count 16 --csv c.csv
+    check "eigenvalues of the sphere, cotangent operator, $mass mass" \
+      has_sphere_spectrum c.csv 3e-2
+    check "dimension of the cotangent operator" [ "$(comment dimension c.csv)" = 1026 ]
+    numbers c.csv > "$mass"
+  done
+  check "the mass matrix matters" eval "! cmp -s lumped full"
+
+  # Eigenfunction 0 is constant. Eigenfunction 1 has mean square 1 / area, and the inverse Laplacian
+  # divides it by 2, up to the sign: the squares at 1026 vertices sum to about 1026 / (4 area).
+  succeeds laplace_spectrum sphere.off --depth 3 --count 4 --eigenfunction 0 --output e0.ply
+  succeeds laplace_spectrum sphere.off --depth 3 --count 4 --output e1.ply
+  check "--eigenfunction chooses what is written" eval "! cmp -s e0.ply e1.ply"
+  succeeds solve_poisson e0.ply --depth 3 --rhs-property value --tolerance 1e-6 --csv u0.csv
+  succeeds solve_poisson e1.ply --depth 3 --rhs-property value --tolerance 1e-6 --csv u1.csv
+  numbers u0.csv | awk '{ s += $1 * $1 } END { print s }' > s0
+  numbers u1.csv | awk '{ s += $1 * $1 } END { print s }' > s1
+  check "the inverse Laplacian annihilates eigenfunction 0" is_near "$(cat s0)" 0 1e-10
+  check "the inverse Laplacian halves eigenfunction 1" is_near "$(cat s1)" 20.5 3
+}
+
+test_unusual_meshes() {
+  # A cube of six squares: triangulated, the vertices stay.
+  cat > cube.off << 'CUBE'
+OFF
+8 6 0
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0 0 1
+1 0 1
+1 1 1
+0 1 1
+4 3 2 1 0
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+CUBE
+  succeeds solve_poisson cube.off --depth 3 --csv cube.csv
+  check "faces are triangulated" [ "$(comment faces cube.csv)" = 12 ]
+  check "the table says so" grep -qi "triangulat" out
+  check "vertices keep their order: z = 0 first" eval \
+    "numbers cube.csv | awk 'NR <= 4 && \$1 <= 0 || NR > 4 && \$1 >= 0 { exit bad = 1 }
+                             END { exit bad }'"
+
+  # Three triangles on one edge, one vertex that no face uses, one that occurs twice: a soup.
+  cat > soup.off << 'SOUP'
+OFF
+7 3 0
+0 0 0
+1 0 0
+9 9 9
+0 1 0
+0 -1 0.5
+0 0 1
+0 0 0
+3 0 1 3
+3 1 6 4
+3 0 1 5
+SOUP
+  succeeds solve_poisson soup.off --depth 3 --csv soup.csv
+  check "a soup is repaired, and the table says so" grep -qi "repair" out
+  check "the vertices are those of the file" [ "$(numbers soup.csv | wc -l)" -eq 7 ]
+  check "vertices at the same place have the same value" \
+    [ "$(numbers soup.csv | sed -n 1p)" = "$(numbers soup.csv | sed -n 7p)" ]
+
+  # other formats
+  {
+    echo "o sphere"
+    awk 'NR > 2 && NF == 3 { print "v " $0 } NF == 4 { print "f", $2 + 1, $3 + 1, $4 + 1 }' \
+      sphere.off
+  } > sphere.obj
+  succeeds solve_poisson sphere.obj --depth 3 --tolerance 1e-6 --csv obj.csv
+  check "an obj file gives the same solution" is_below "$(largest_difference obj.csv 3 -0.5)" 5e-3
+  {
+    echo "solid sphere"
+    awk '
+      FNR == 2 { n = $1 }
+      FNR > 2 && NF == 3 { p[i++] = $0 }
+      NF == 4 {
+        print "facet normal 0 0 0\nouter loop"
+        for(k = 2; k <= 4; ++k) print "vertex " p[$k]
+        print "endloop\nendfacet"
+      }' sphere.off
+    echo "endsolid sphere"
+  } > sphere.stl
+  succeeds solve_poisson sphere.stl --depth 3 --csv stl.csv
+  check "the points of an stl file are merged" [ "$(comment vertices stl.csv)" = 1026 ]
+}
+
+test_short_programs() {
+  succeeds minimal_poisson sphere.off
+  # u = -z / 2
+  check "minimal_poisson prints the range of u" \
+    eval "grep -Eo -- '-?[0-9]+\\.[0-9]+' out | paste -s |
+          awk '{ exit !(NF == 2 && \$1 < -0.49 && \$1 > -0.51 && \$2 > 0.49 && \$2 < 0.51) }'"
+  fails "usage" minimal_poisson
+  run minimal_poisson missing.off
+  check "minimal_poisson fails without a mesh" [ "$status" -eq 1 ]
+  succeeds generic_meshes sphere.off
+  check "generic_meshes uses at least two types" [ "$(grep -c "u is between" out)" -ge 2 ]
+  check "and finds the same solution with all" \
+    [ "$(sed 's/^[^:]*: //' out | cut -d' ' -f4 | cut -c1-6 | sort -u | wc -l)" -eq 1 ]
+  fails "usage" generic_meshes
+  succeeds steps sphere.off
+  check "steps prints something" [ -s out ]
+  fails "usage" steps
+}
+
+# One mesh of CGAL's data, for what small shapes do not have.
+test_data() {
+  local mesh="$data/elephant.off"
+  if [ ! -r "$mesh" ]; then
+    echo "SKIPPED: test_data: there is no $mesh"
+    return
+  fi
+  succeeds solve_poisson "$mesh" --depth 5 --tolerance 1e-6 --csv e.csv
+  check "one row for each vertex" \
+    [ "$(numbers e.csv | wc -l)" -eq "$(sed -n 2p "$mesh" | cut -d' ' -f1)" ]
+  check "converged" is_below "$(comment relative_residual e.csv)" 1.0001e-6
+}
+
+if [ $# -eq 0 ]; then
+  mapfile -t groups < <(declare -F | sed -n 's/^declare -f \(test_\)/\1/p')
+  set -- "${groups[@]}"
+fi
+for group in "$@"; do
+  if [[ "$group" != test_* ]] || ! declare -F "$group" > group.log; then
+    echo "there is no group $group" >&2
+    exit 2
+  fi
+  "$group"
+done
+echo "$number_of_checks checks, $number_of_failures failed"
+[ "$number_of_failures" -eq 0 ]

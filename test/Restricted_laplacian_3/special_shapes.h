@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_TEST_SPECIAL_SHAPES_H
+#define RESTRICTED_LAPLACIAN_3_TEST_SPECIAL_SHAPES_H
+
+#include "shapes.h"
+
+#include <cstdint>
+
+/// \file
+/// Open shapes in special positions, and changes of shapes.
+
+namespace shapes {
+
+/// the rectangle [0, x] x [0, y] in the plane z = 0, of two triangles
+inline Triangles rectangle(double x, double y) {
+  return {{{0, 0, 0}, {x, 0, 0}, {x, y, 0}, {0, y, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+}
+
+/// `n` steps of width and height `step`: with `n` cells a side of the domain cube and cube scale 1
+/// all faces lie in walls
+inline Triangles stairs(int n, double step) {
+  Triangles t;
+  for(int k = 0; k < n; ++k) {
+    const double low = step * k, high = step * (k + 1), width = step * n;
+    const auto first = static_cast<std::uint32_t>(t.points.size());
+    t.points.insert(t.points.end(), {{low, 0, low},
+                                     {high, 0, low},
+                                     {high, width, low},
+                                     {low, width, low},
+                                     {high, 0, high},
+                                     {high, width, high}});
+    for(const auto& f : {std::array<std::uint32_t, 3>{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}})
+      t.faces.push_back({first + f[0], first + f[1], first + f[2]});
+  }
+  return t;
+}
+
+inline Triangles scaled(Triangles t, double factor) {
+  for(RL::Point_3& p : t.points)
+    p = RL::Point_3(factor * p.x(), factor * p.y(), factor * p.z());
+  return t;
+}
+
+inline Triangles moved(Triangles t, const RL::Vector_3& by) {
+  for(RL::Point_3& p : t.points)
+    p = p + by;
+  return t;
+}
+
+/// two shapes side by side, vertices and faces of `b` after those of `a`
+inline Triangles joined(Triangles a, const Triangles& b) {
+  const auto shift = static_cast<std::uint32_t>(a.points.size());
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for(const auto& f : b.faces)
+    a.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+  return a;
+}
+
+} // namespace shapes
+
+#endif // RESTRICTED_LAPLACIAN_3_TEST_SPECIAL_SHAPES_H

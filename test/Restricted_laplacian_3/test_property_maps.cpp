@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Results do not depend on the types of the property maps, nor on types and order of the named
+// parameters.
+
+#include "mesh_types.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace {
+
+using namespace mesh_types;
+using shapes::Mesh;
+using Vertex = Mesh::Vertex_index;
+
+/// a point map that computes points of another kernel when it is asked for them
+struct Computed_point_map {
+  using key_type = Vertex;
+  using value_type = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
+  using reference = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<RL::Point_3>* points;
+
+  friend value_type get(const Computed_point_map& map, Vertex v) {
+    const RL::Point_3& p = (*map.points)[v];
+    return {p.x(), p.y(), p.z()};
+  }
+};
+
+/// a map that can only be written
+struct Output_map {
+  using key_type = Vertex;
+  using value_type = double;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  std::vector<double>* values;
+
+  friend void put(const Output_map& map, Vertex v, double value) { (*map.values)[v] = value; }
+};
+
+/// the connectivity of the surface with points that are not numbers
+Mesh mesh_without_points() {
+  Mesh mesh = shapes::mesh(surface());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(Vertex v : mesh.vertices())
+    mesh.point(v) = RL::Point_3(nan, nan, nan);
+  return mesh;
+}
+
+} // namespace
+
+TEST_CASE("points_come_from_the_vertex_point_map", "[mesh_types]") {
+  Mesh mesh = mesh_without_points();
+  const std::vector<RL::Point_3> points = surface().points;
+  const auto check = [&mesh](const auto& map) {
+    const auto np =
+        params::octree_depth(3, params::relative_tolerance(1e-6, params::vertex_point_map(map)));
+    CHECK(solution(mesh, np) == expected_solution());
+  };
+
+  check(Computed_point_map{&points});
+
+  std::map<Vertex, RL::Point_3> points_of;
+  const auto single =
+      mesh.add_property_map<Vertex, CGAL::Simple_cartesian<float>::Point_3>("v:single").first;
+  for(Vertex v : mesh.vertices()) {
+    const RL::Point_3& p = points[v];
+    points_of[v] = p;
+    single[v] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+  }
+  check(boost::const_associative_property_map<std::map<Vertex, RL::Point_3>>(points_of));
+  check(single);
+}
+
+TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
+  const Mesh mesh = mesh_without_points();
+  const std::vector<RL::Point_3> points = surface().points;
+  const Computed_point_map map{&points};
+  const auto solve = [&mesh](const auto& np) {
+    const auto u = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    RL::solve_poisson(mesh, right_hand_side, u, np);
+    return values(mesh, u);
+  };
+  const auto depth_scale_tolerance = [](int depth, double scale, double tolerance) {
+    return params::octree_depth(depth,
+                                params::cube_scale(scale, params::relative_tolerance(tolerance)));
+  };
+  const std::vector<double> expected =
+      solve(depth_scale_tolerance(4, 1.5, 1e-9).vertex_point_map(map).number_of_iterations(2));
+
+  const auto cgal_first = params::number_of_iterations(2).vertex_point_map(map);
+  CHECK(expected == solve(params::relative_tolerance(
+                        1e-9, params::cube_scale(1.5, params::octree_depth(4, cgal_first)))));
+  CHECK(expected ==
+        solve(params::cube_scale(1.5, params::octree_depth(4, params::relative_tolerance(1e-9)))
+                  .number_of_iterations(2)
+                  .vertex_point_map(map)));
+  CHECK(expected ==
+        solve(params::octree_depth(
+            4, params::relative_tolerance(1e-9, params::cube_scale(1.5).vertex_point_map(map))
+                   .number_of_iterations(2))));
+
+  // none of them was lost
+  CHECK(expected !=
+        solve(depth_scale_tolerance(3, 1.5, 1e-9).vertex_point_map(map).number_of_iterations(2)));
+  CHECK(expected !=
+        solve(depth_scale_tolerance(4, 1.6, 1e-9).vertex_point_map(map).number_of_iterations(2)));
+  CHECK(expected !=
+        solve(depth_scale_tolerance(4, 1.5, 0.9).vertex_point_map(map).number_of_iterations(2)));
+  CHECK(expected !=
+        solve(depth_scale_tolerance(4, 1.5, 1e-9).vertex_point_map(map).number_of_iterations(3)));
+}
+
+TEST_CASE("types_of_parameters_may_differ_from_those_of_the_defaults", "[mesh_types]") {
+  const Mesh mesh = shapes::mesh(surface());
+  const auto dimension = [&mesh](const auto& np) {
+    return RL::Spline_space_3(mesh, np).dimension();
+  };
+  const std::size_t expected = dimension(params::octree_depth(3, params::cube_scale(2.)));
+  CHECK(dimension(params::octree_depth(std::size_t(3), params::cube_scale(2))) == expected);
+  CHECK(dimension(params::octree_depth(short(3), params::cube_scale(2.f))) == expected);
+  CHECK(RL::Spline_space_3(mesh).depth() == 6);
+}
+
+TEST_CASE("solution_is_written_into_any_writable_map", "[mesh_types]") {
+  Mesh mesh = shapes::mesh(surface());
+  const std::vector<double> expected = solution(mesh, params::octree_depth(3));
+
+  const auto single = mesh.add_property_map<Vertex, float>("v:single").first;
+  RL::solve_poisson(mesh, right_hand_side, single, params::octree_depth(3));
+  for(Vertex v : mesh.vertices())
+    REQUIRE(single[v] == static_cast<float>(expected[v]));
+
+  std::map<Vertex, double> associative;
+  RL::solve_poisson(mesh, right_hand_side,
+                    boost::associative_property_map<std::map<Vertex, double>>(associative),
+                    params::octree_depth(3));
+  REQUIRE(associative.size() == expected.size());
+  for(const auto& [v, value] : associative)
+    REQUIRE(value == expected[v]);
+
+  std::vector<double> written(expected.size());
+  RL::solve_poisson(mesh, right_hand_side, Output_map{&written}, params::octree_depth(3));
+  CHECK(written == expected);
+}
+
+TEST_CASE("right_hand_side_is_read_from_any_readable_map", "[mesh_types]") {
+  Mesh mesh = shapes::mesh(surface());
+  const auto of_float = mesh.add_property_map<Vertex, float>("v:float").first;
+  const auto of_int = mesh.add_property_map<Vertex, int>("v:int").first;
+  std::map<Vertex, double> associative;
+  for(Vertex v : mesh.vertices()) {
+    of_int[v] = static_cast<int>(v) % 7;
+    of_float[v] = static_cast<float>(of_int[v]);
+    associative[v] = of_int[v];
+  }
+  const auto solve = [&mesh](const auto& f) {
+    std::vector<double> result(mesh.number_of_vertices());
+    RL::solve_poisson(mesh, f, Output_map{&result}, params::octree_depth(3));
+    return result;
+  };
+  const std::vector<double> expected = solve(RL::vertex_function(mesh, of_int));
+  CHECK(solve(of_int) == expected);
+  CHECK(solve(of_float) == expected);
+  CHECK(solve(boost::const_associative_property_map<std::map<Vertex, double>>(associative)) ==
+        expected);
+}
