@@ -30,7 +30,7 @@ namespace Restricted_laplacian_3 {
 struct Poisson_solver_options {
   /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration
   double relative_tolerance = 1e-3;
-  int maximum_iterations = 500;
+  int maximum_iterations = 1000;
   Cycle cycle = Cycle::V;
   /// smoothing steps before, and again after the coarse correction
   int smoothing_steps = 1;

@@ -70,7 +70,7 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, double alpha,
 /// \param operators the matrices of the finest level of `space`
 /// \param np optional named parameters:
 /// - `relative_tolerance`: of the residual; default 1e-3
-/// - `number_of_iterations`: at most; default 500
+/// - `number_of_iterations`: at most; default 1000
 /// - `cycle`: `Cycle::V` (default) or `Cycle::W`
 /// - `smoothing_steps`: before, and again after the coarse correction; default 1
 /// - `stand_alone_multigrid`: iterate cycles, instead of preconditioning conjugate gradients with
