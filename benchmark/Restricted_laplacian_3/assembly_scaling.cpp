@@ -9,6 +9,8 @@
 //
 // usage: assembly_scaling [MESH]
 
+#include "sphere.h"
+
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -16,47 +18,12 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <map>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 namespace {
-
-/// octahedron, split `n` times and projected to the unit sphere
-RL::Triangulated_surface_3 sphere(int n) {
-  std::vector<RL::Point_3> points = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
-                                     {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
-  Triangles faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  for(int i = 0; i < n; ++i) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> midpoints;
-    const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [it, is_new] =
-          midpoints.insert({std::minmax(a, b), static_cast<std::uint32_t>(points.size())});
-      if(is_new) {
-        const RL::Vector_3 v = (points[a] - CGAL::ORIGIN) + (points[b] - CGAL::ORIGIN);
-        points.push_back(CGAL::ORIGIN + v / std::sqrt(v.squared_length()));
-      }
-      return it->second;
-    };
-    Triangles finer;
-    for(const auto& f : faces) {
-      const std::uint32_t a = midpoint(f[0], f[1]), b = midpoint(f[1], f[2]),
-                          c = midpoint(f[2], f[0]);
-      finer.insert(finer.end(), {{f[0], a, c}, {a, f[1], b}, {c, b, f[2]}, {a, b, c}});
-    }
-    faces.swap(finer);
-  }
-  return RL::Triangulated_surface_3(std::move(points), std::move(faces));
-}
 
 void run(const char* name, const RL::Triangulated_surface_3& surface, int depth) {
   // the best of three: other programs share the machine
@@ -93,9 +60,9 @@ int main(int argc, char* argv[]) {
     std::fprintf(stderr, "cannot read %s\n", path.c_str());
     return 1;
   }
-  std::printf("# %-6s %9s %5s %9s %9s %10s %8s %8s %8s %10s %10s\n", "surface", "triangles", "depth",
-              "fragments", "unknowns", "entries", "space_s", "assem_s", "total_s", "us/unknown",
-              "us/fragm");
+  std::printf("# %-6s %9s %5s %9s %9s %10s %8s %8s %8s %10s %10s\n", "surface", "triangles",
+              "depth", "fragments", "unknowns", "entries", "space_s", "assem_s", "total_s",
+              "us/unknown", "us/fragm");
   const RL::Triangulated_surface_3 surface = RL::read_surface(mesh);
   for(int depth = 5; depth <= 8; ++depth)
     run("mesh", surface, depth);

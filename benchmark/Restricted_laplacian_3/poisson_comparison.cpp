@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // From a mesh to the solution of a Poisson problem, by this package at several depths and by what
-// people use today: the cotangent Laplacian with a sparse Cholesky factorization. The surface is the
-// unit sphere, f a spherical harmonic of degree 6, so the error of each is known: accuracy stands
-// beside time. All in one run on one core; quote ratios, the machine may be shared.
+// people use today: the cotangent Laplacian with a sparse Cholesky factorization. The surface is
+// the unit sphere, f a spherical harmonic of degree 6, so the error of each is known: accuracy
+// stands beside time. All in one run on one core; quote ratios, the machine may be shared.
 //
 // usage: poisson_comparison
+
+#include "sphere.h"
 
 #include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
@@ -18,13 +20,9 @@
 #include <Eigen/CholmodSupport>
 #endif
 
-#include <array>
 #include <cmath>
 #include <complex>
-#include <cstdint>
 #include <cstdio>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
@@ -40,33 +38,6 @@ double harmonic(const RL::Point_3& p) {
   return std::real(std::pow(std::complex<double>(x, y), 6));
 }
 
-RL::Triangulated_surface_3 sphere(int n) {
-  std::vector<RL::Point_3> points = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
-                                     {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
-  std::vector<std::array<std::uint32_t, 3>> faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                                                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  for(int i = 0; i < n; ++i) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> midpoints;
-    const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [it, is_new] =
-          midpoints.insert({std::minmax(a, b), static_cast<std::uint32_t>(points.size())});
-      if(is_new) {
-        const RL::Vector_3 v = (points[a] - CGAL::ORIGIN) + (points[b] - CGAL::ORIGIN);
-        points.push_back(CGAL::ORIGIN + v / std::sqrt(v.squared_length()));
-      }
-      return it->second;
-    };
-    std::vector<std::array<std::uint32_t, 3>> finer;
-    for(const auto& f : faces) {
-      const std::uint32_t a = midpoint(f[0], f[1]), b = midpoint(f[1], f[2]),
-                          c = midpoint(f[2], f[0]);
-      finer.insert(finer.end(), {{f[0], a, c}, {a, f[1], b}, {c, b, f[2]}, {a, b, c}});
-    }
-    faces.swap(finer);
-  }
-  return RL::Triangulated_surface_3(std::move(points), std::move(faces));
-}
-
 /// root mean square over the vertices of the difference to the exact solution, relative
 double relative_error(const RL::Triangulated_surface_3& surface, const double* u) {
   double error = 0, norm = 0;
@@ -80,9 +51,8 @@ double relative_error(const RL::Triangulated_surface_3& surface, const double* u
 
 void print(const char* method, const RL::Triangulated_surface_3& surface, std::size_t unknowns,
            double assembly, double setup, double solve, double error) {
-  std::printf("%-22s %9zu %9zu %9.3f %9.3f %9.3f %9.3f %10.2e\n", method,
-              surface.number_of_faces(), unknowns, assembly, setup, solve,
-              assembly + setup + solve, error);
+  std::printf("%-22s %9zu %9zu %9.3f %9.3f %9.3f %9.3f %10.2e\n", method, surface.number_of_faces(),
+              unknowns, assembly, setup, solve, assembly + setup + solve, error);
   std::fflush(stdout);
 }
 
@@ -94,8 +64,8 @@ void restricted(const RL::Triangulated_surface_3& surface, int depth, double tol
   const Eigen::VectorXd load =
       RL::assemble_load(space, [](const RL::Surface_point& p) { return harmonic(p.point); });
   const double assembly = timer.time();
-  const RL::Poisson_solver solver = RL::make_poisson_solver(
-      space, operators, 0, CGAL::parameters::relative_tolerance(tolerance));
+  const RL::Poisson_solver solver =
+      RL::make_poisson_solver(space, operators, 0, CGAL::parameters::relative_tolerance(tolerance));
   const double setup = timer.time() - assembly;
   Eigen::VectorXd eta;
   const RL::Solve_report report = solver.solve(-load, eta);

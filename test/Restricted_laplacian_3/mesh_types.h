@@ -27,13 +27,14 @@ namespace mesh_types {
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = CGAL::parameters;
 
-/// An ellipsoid without symmetry between the axes. Its coordinates are numbers of single precision,
-/// so that all kernels hold the same surface.
+/// An ellipsoid without symmetry between the axes. Its coordinates are multiples of 2^-20, which
+/// are numbers of single precision too, so that all kernels hold the same surface.
 inline shapes::Triangles surface() {
   shapes::Triangles t = shapes::sphere(3);
-  const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  const auto rounded = [](double x) { return std::ldexp(std::round(std::ldexp(x, 20)), -20); };
   for(RL::Point_3& p : t.points)
-    p = RL::Point_3(single(p.x() + 0.25), single(0.8 * p.y() - 0.125 * p.x()), single(0.6 * p.z()));
+    p = RL::Point_3(rounded(p.x() + 0.25), rounded(0.8 * p.y() - 0.125 * p.x()),
+                    rounded(0.6 * p.z()));
   return t;
 }
 

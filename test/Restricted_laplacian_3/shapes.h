@@ -58,14 +58,15 @@ inline Triangles split_in_four(const Triangles& t) {
   result.points = t.points;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> midpoints;
   const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [it, is_new] = midpoints.insert(
-        {std::minmax(a, b), static_cast<std::uint32_t>(result.points.size())});
+    const auto [it, is_new] =
+        midpoints.insert({std::minmax(a, b), static_cast<std::uint32_t>(result.points.size())});
     if(is_new)
       result.points.push_back(CGAL::midpoint(t.points[a], t.points[b]));
     return it->second;
   };
   for(const auto& f : t.faces) {
-    const std::uint32_t a = midpoint(f[0], f[1]), b = midpoint(f[1], f[2]), c = midpoint(f[2], f[0]);
+    const std::uint32_t a = midpoint(f[0], f[1]), b = midpoint(f[1], f[2]),
+                        c = midpoint(f[2], f[0]);
     result.faces.push_back({f[0], a, c});
     result.faces.push_back({a, f[1], b});
     result.faces.push_back({c, b, f[2]});
@@ -78,7 +79,8 @@ inline Triangles split_in_four(const Triangles& t) {
 inline Triangles sphere(int n) {
   Triangles t;
   t.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  t.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  t.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+             {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for(int i = 0; i < n; ++i) {
     t = split_in_four(t);
     for(RL::Point_3& p : t.points) {
@@ -96,8 +98,7 @@ inline Triangles box(double x, double y, double z, int n, unsigned seed) {
   std::mt19937 generator(seed);
   std::map<std::array<int, 3>, std::uint32_t> numbers;
   const auto vertex = [&](const std::array<int, 3>& i) {
-    const auto [it, is_new] =
-        numbers.insert({i, static_cast<std::uint32_t>(t.points.size())});
+    const auto [it, is_new] = numbers.insert({i, static_cast<std::uint32_t>(t.points.size())});
     if(is_new)
       t.points.emplace_back(x * i[0] / n, y * i[1] / n, z * i[2] / n);
     return it->second;

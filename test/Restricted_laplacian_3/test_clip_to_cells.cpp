@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Triangles are cut into fragments without loss, overlap or ambiguity, wherever they lie in the grid.
+// Triangles are cut into fragments without loss, overlap or ambiguity, wherever they lie in the
+// grid.
 
 #include "catch.h"
 

@@ -25,8 +25,8 @@ namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
 
-/// Calls `check(octree)` for surfaces in general position, and for some all of whose faces, edges or
-/// vertices lie in walls.
+/// Calls `check(octree)` for surfaces in general position, and for some all of whose faces, edges
+/// or vertices lie in walls.
 template <class Check> void for_each_octree(Check&& check) {
   const auto run = [&check](const std::string& name, const shapes::Triangles& t, int depth,
                             double cube_scale) {

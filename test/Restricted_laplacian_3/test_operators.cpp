@@ -73,8 +73,9 @@ double integral(const RL::Triangulated_surface_3& surface,
 }
 
 /// A triquadratic polynomial on the domain cube, p(x) = product over axes of x_a^2 + c_a x_a, in
-/// units of the cube around its centre, and its coefficients in the splines: those of 1D splines are
-/// the values of the blossom at the two inner knots, at half a cell on both sides of the centre.
+/// units of the cube around its centre, and its coefficients in the splines: those of 1D splines
+/// are the values of the blossom at the two inner knots, at half a cell on both sides of the
+/// centre.
 struct Triquadratic {
   const RL::Octree_3& octree;
   std::array<double, 3> c;
@@ -174,7 +175,8 @@ TEST_CASE("matrices_are_symmetric_and_positive_after_scaling", "[operators]") {
 }
 
 TEST_CASE("quadratic_forms_of_polynomials_are_exact", "[operators]") {
-  // An independent path to the same numbers: the polynomial itself, integrated over whole triangles.
+  // An independent path to the same numbers: the polynomial itself, integrated over whole
+  // triangles.
   for(const Named_mesh& s : surfaces()) {
     INFO(s.name);
     const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
@@ -187,14 +189,14 @@ TEST_CASE("quadratic_forms_of_polynomials_are_exact", "[operators]") {
       const auto scalar_product = [&](const RL::Surface_point& at) {
         return p(at.point) * q(at.point);
       };
-      CHECK(x.dot(operators.mass * y) ==
-            Approx(integral(surface, scalar_product)).epsilon(1e-10));
+      CHECK(x.dot(operators.mass * y) == Approx(integral(surface, scalar_product)).epsilon(1e-10));
       const auto dirichlet = [&](const RL::Surface_point& at) {
         const RL::Vector_3 a = p.gradient(at.point), b = q.gradient(at.point);
         return a * b - (a * at.normal) * (b * at.normal);
       };
       CHECK(x.dot(operators.stiffness * y) == Approx(integral(surface, dirichlet)).epsilon(1e-10));
-      CHECK(RL::assemble_load(space, [&](const RL::Surface_point& at) { return q(at.point); }, level)
+      CHECK(RL::assemble_load(
+                space, [&](const RL::Surface_point& at) { return q(at.point); }, level)
                 .dot(x) == Approx(integral(surface, scalar_product)).epsilon(1e-10));
       CHECK(RL::assemble_gradient_load(
                 space, [&](const RL::Surface_point& at) { return q.gradient(at.point); }, level)
@@ -272,8 +274,7 @@ TEST_CASE("prolongation_preserves_functions", "[operators]") {
         const RL::Vector_3 g = u.gradient(location);
         gradient = (std::max)(gradient, std::sqrt(g.squared_length()));
         gradient_difference =
-            (std::max)(gradient_difference,
-                       std::sqrt((g - v.gradient(location)).squared_length()));
+            (std::max)(gradient_difference, std::sqrt((g - v.gradient(location)).squared_length()));
       }
       CHECK(difference <= 1e-12);
       CHECK(gradient_difference <= 1e-11 * gradient);
@@ -287,7 +288,8 @@ TEST_CASE("prolongation_preserves_functions", "[operators]") {
 
 TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators]") {
   const auto check = [](const shapes::Triangles& a, const shapes::Triangles& b, int depth) {
-    const RL::Spline_space_3 first(RL::Triangulated_surface_3(a.points, a.faces), depth, false, 1.1);
+    const RL::Spline_space_3 first(RL::Triangulated_surface_3(a.points, a.faces), depth, false,
+                                   1.1);
     const RL::Spline_space_3 second(RL::Triangulated_surface_3(b.points, b.faces), depth, false,
                                     1.1);
     REQUIRE(first.dimension() == second.dimension());
@@ -328,8 +330,9 @@ TEST_CASE("number_of_elements", "[operators]") {
   CHECK(RL::Spline_space_3(sphere, params::octree_depth(3)).dimension() == 816);
   CHECK(RL::Spline_space_3(sphere, params::octree_depth(4)).dimension() == 3048);
   CHECK(RL::Spline_space_3(sphere, params::octree_depth(5)).dimension() == 12024);
-  CHECK(RL::Spline_space_3(sphere, params::octree_depth(3, params::paper_space(true))).dimension() ==
-        504);
+  CHECK(
+      RL::Spline_space_3(sphere, params::octree_depth(3, params::paper_space(true))).dimension() ==
+      504);
 }
 
 TEST_CASE("number_of_elements_of_the_paper_on_real_meshes", "[operators]") {

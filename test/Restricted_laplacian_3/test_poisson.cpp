@@ -20,8 +20,9 @@ namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = CGAL::parameters;
 using shapes::Mesh;
 
-/// A spherical harmonic of degree 6, in a frame that is that of no symmetry of the grid, as a function
-/// of direction. Harmonics of low degree would be in the space of splines, and have no error.
+/// A spherical harmonic of degree 6, in a frame that is that of no symmetry of the grid, as a
+/// function of direction. Harmonics of low degree would be in the space of splines, and have no
+/// error.
 double harmonic(const RL::Point_3& p) {
   const double r = std::sqrt((p - CGAL::ORIGIN).squared_length());
   const double x = (2 * p.x() + 2 * p.y() + p.z()) / (3 * r);
@@ -67,8 +68,8 @@ TEST_CASE("poisson_on_the_sphere_converges_with_order_three", "[poisson]") {
     const RL::Operators operators = RL::assemble_operators(space);
     const RL::Poisson_solver solver =
         RL::make_poisson_solver(space, operators, 0, params::relative_tolerance(1e-5));
-    const Eigen::VectorXd load = RL::assemble_load(
-        space, [](const RL::Surface_point& p) { return harmonic(p.point); });
+    const Eigen::VectorXd load =
+        RL::assemble_load(space, [](const RL::Surface_point& p) { return harmonic(p.point); });
     Eigen::VectorXd eta;
     const RL::Solve_report report = solver.solve(-load, eta);
     CHECK(report.converged);
@@ -90,8 +91,9 @@ TEST_CASE("screened_poisson_on_the_sphere", "[poisson]") {
   CHECK(report.converged);
   // alpha u - Laplacian u = f, also for the constant part
   for(Mesh::Vertex_index v : mesh.vertices())
-    REQUIRE(u[v] ==
-            Approx(1 / alpha + harmonic(mesh.point(v)) / (alpha + harmonic_eigenvalue)).margin(1e-3));
+    REQUIRE(
+        u[v] ==
+        Approx(1 / alpha + harmonic(mesh.point(v)) / (alpha + harmonic_eigenvalue)).margin(1e-3));
 }
 
 TEST_CASE("solution_has_mean_zero_and_the_sign_of_the_laplacian", "[poisson]") {
@@ -143,7 +145,8 @@ TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
 TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const RL::Spline_space_3 space(mesh, params::octree_depth(3));
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space), 0);
+  const RL::Poisson_solver solver =
+      RL::make_poisson_solver(space, RL::assemble_operators(space), 0);
   Eigen::MatrixXd b(space.dimension(), 7);
   for(int k = 0; k < 7; ++k)
     b.col(k) = random_load(space, k);
@@ -229,8 +232,7 @@ TEST_CASE("solution_agrees_with_a_direct_factorization", "[poisson]") {
     const RL::Sparse_matrix scaled = scale.asDiagonal() * a * scale.asDiagonal();
     const Eigen::SimplicialLDLT<RL::Sparse_matrix> cholesky(scaled + 1e-12 * identity);
     REQUIRE(cholesky.info() == Eigen::Success);
-    const Eigen::VectorXd direct =
-        scale.cwiseProduct(cholesky.solve(scale.cwiseProduct(load)));
+    const Eigen::VectorXd direct = scale.cwiseProduct(cholesky.solve(scale.cwiseProduct(load)));
     const Eigen::VectorXd difference = x - direct;
     CHECK(std::sqrt(difference.dot(operators.mass * difference)) <=
           3e-4 * std::sqrt(direct.dot(operators.mass * direct)));
@@ -243,8 +245,8 @@ TEST_CASE("iterations_on_the_bunny", "[poisson][slow]") {
     SKIP_TEST("no such file: bunny00.off");
   const RL::Spline_space_3 space(mesh, params::octree_depth(7));
   CHECK(space.dimension() == 138098);
-  const RL::Poisson_solver solver = RL::make_poisson_solver(
-      space, RL::assemble_operators(space), 0, params::relative_tolerance(5e-3));
+  const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space), 0,
+                                                            params::relative_tolerance(5e-3));
   Eigen::MatrixXd b(space.dimension(), 4), x;
   for(int axis = 0; axis < 3; ++axis)
     b.col(axis) =

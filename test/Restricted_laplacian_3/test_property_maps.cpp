@@ -85,39 +85,37 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
   const Mesh mesh = mesh_without_points();
   const std::vector<RL::Point_3> points = surface().points;
   const Computed_point_map map{&points};
-  const auto solve = [&mesh](const auto& np) {
-    const auto u = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
-    RL::solve_poisson(mesh, right_hand_side, u, np);
-    return values(mesh, u);
+  const double extent = RL::read_surface(mesh, params::vertex_point_map(map)).extent();
+  const auto check = [&](const auto& np) {
+    const RL::Spline_space_3 space(mesh, np);
+    CHECK(space.surface().point(17) == points[17]);
+    CHECK(space.depth() == 2);
+    CHECK(space.octree().side() == 1.5 * extent);
+    CHECK(space.is_paper_space());
+    const RL::Poisson_solver_options options =
+        RL::make_poisson_solver(space, RL::assemble_operators(space), 0, np).options();
+    CHECK(options.relative_tolerance == 1e-4);
+    CHECK(options.maximum_iterations == 7);
+    CHECK(options.cycle == RL::Cycle::W);
+    CHECK(options.smoothing_steps == 3);
+    CHECK(options.stand_alone_multigrid);
   };
-  const auto depth_scale_tolerance = [](int depth, double scale, double tolerance) {
-    return params::octree_depth(depth,
-                                params::cube_scale(scale, params::relative_tolerance(tolerance)));
-  };
-  const std::vector<double> expected =
-      solve(depth_scale_tolerance(4, 1.5, 1e-9).vertex_point_map(map).number_of_iterations(2));
-
-  const auto cgal_first = params::number_of_iterations(2).vertex_point_map(map);
-  CHECK(expected == solve(params::relative_tolerance(
-                        1e-9, params::cube_scale(1.5, params::octree_depth(4, cgal_first)))));
-  CHECK(expected ==
-        solve(params::cube_scale(1.5, params::octree_depth(4, params::relative_tolerance(1e-9)))
-                  .number_of_iterations(2)
-                  .vertex_point_map(map)));
-  CHECK(expected ==
-        solve(params::octree_depth(
-            4, params::relative_tolerance(1e-9, params::cube_scale(1.5).vertex_point_map(map))
-                   .number_of_iterations(2))));
-
-  // none of them was lost
-  CHECK(expected !=
-        solve(depth_scale_tolerance(3, 1.5, 1e-9).vertex_point_map(map).number_of_iterations(2)));
-  CHECK(expected !=
-        solve(depth_scale_tolerance(4, 1.6, 1e-9).vertex_point_map(map).number_of_iterations(2)));
-  CHECK(expected !=
-        solve(depth_scale_tolerance(4, 1.5, 0.9).vertex_point_map(map).number_of_iterations(2)));
-  CHECK(expected !=
-        solve(depth_scale_tolerance(4, 1.5, 1e-9).vertex_point_map(map).number_of_iterations(3)));
+  // those of CGAL after, before and between those of this package, which come in reverse order
+  using namespace params;
+  const auto w = RL::Cycle::W;
+  const auto solver =
+      relative_tolerance(1e-4, params::cycle(w, smoothing_steps(3, stand_alone_multigrid(true))));
+  check(octree_depth(2, cube_scale(1.5, paper_space(true, solver)))
+            .number_of_iterations(7)
+            .vertex_point_map(map));
+  const auto space = paper_space(
+      true,
+      cube_scale(1.5, octree_depth(2, params::vertex_point_map(map).number_of_iterations(7))));
+  check(stand_alone_multigrid(
+      true, smoothing_steps(3, params::cycle(w, relative_tolerance(1e-4, space)))));
+  check(cube_scale(
+      1.5,
+      paper_space(true, octree_depth(2, solver).vertex_point_map(map)).number_of_iterations(7)));
 }
 
 TEST_CASE("types_of_parameters_may_differ_from_those_of_the_defaults", "[mesh_types]") {

@@ -72,8 +72,8 @@ TEST_CASE("neumann_eigenvalues_of_a_rectangle", "[spectrum]") {
   // An open flat surface, one of whose sides lies in the direction of no axis of the grid.
   shapes::Triangles t;
   const double a = 1, b = 0.6, angle = 0.4;
-  const RL::Vector_3 u(std::cos(angle), std::sin(angle), 0.2), w(-std::sin(angle), std::cos(angle),
-                                                                0);
+  const RL::Vector_3 u(std::cos(angle), std::sin(angle), 0.2),
+      w(-std::sin(angle), std::cos(angle), 0);
   const RL::Vector_3 unit = u / std::sqrt(u.squared_length());
   t.points = {CGAL::ORIGIN + 0 * unit, CGAL::ORIGIN + a * unit, CGAL::ORIGIN + a * unit + b * w,
               CGAL::ORIGIN + b * w};
@@ -102,10 +102,10 @@ TEST_CASE("eigenfunctions_are_orthonormal_and_satisfy_the_equation", "[spectrum]
   CHECK((x.transpose() * operators.mass * x - Eigen::MatrixXd::Identity(12, 12))
             .cwiseAbs()
             .maxCoeff() <= 1e-8);
-  CHECK((x.transpose() * operators.stiffness * x -
-         Eigen::MatrixXd(spectrum.eigenvalues.asDiagonal()))
-            .cwiseAbs()
-            .maxCoeff() <= 1e-7 * spectrum.eigenvalues[11]);
+  CHECK(
+      (x.transpose() * operators.stiffness * x - Eigen::MatrixXd(spectrum.eigenvalues.asDiagonal()))
+          .cwiseAbs()
+          .maxCoeff() <= 1e-7 * spectrum.eigenvalues[11]);
   CHECK(std::is_sorted(spectrum.eigenvalues.begin(), spectrum.eigenvalues.end()));
   CHECK(spectrum.pairs.shift == Approx(-4 * 3.14159265358979 / space.surface().area()));
   CHECK(spectrum.pairs.regularization <= 1e-10);
@@ -130,8 +130,8 @@ TEST_CASE("dense_and_iterative_eigenpairs_agree", "[spectrum]") {
 }
 
 TEST_CASE("no_copy_of_a_multiple_eigenvalue_is_missed", "[spectrum]") {
-  // Surfaces with the full symmetry of the cube, whose eigenvalues come in twos and threes, and cuts
-  // at all places of the sequence.
+  // Surfaces with the full symmetry of the cube, whose eigenvalues come in twos and threes, and
+  // cuts at all places of the sequence.
   const Mesh sphere = shapes::mesh(shapes::sphere(3));
   const Mesh box = shapes::mesh(shapes::box(1, 1, 1, 4, 1));
   for(const Mesh* mesh : {&sphere, &box}) {
@@ -141,8 +141,7 @@ TEST_CASE("no_copy_of_a_multiple_eigenvalue_is_missed", "[spectrum]") {
     const RL::Eigenpairs dense = RL::smallest_eigenpairs(operators.stiffness, operators.mass, all);
     REQUIRE(dense.iterations == 0);
     for(int k = 1; k <= 40; ++k) {
-      const RL::Eigenpairs pairs =
-          RL::smallest_eigenpairs(operators.stiffness, operators.mass, k);
+      const RL::Eigenpairs pairs = RL::smallest_eigenpairs(operators.stiffness, operators.mass, k);
       CHECK(pairs.converged);
       REQUIRE(pairs.values.size() == k);
       CHECK((pairs.values - dense.values.head(k)).cwiseAbs().maxCoeff() <= 1e-6);

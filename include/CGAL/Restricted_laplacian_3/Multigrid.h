@@ -32,8 +32,8 @@ namespace internal {
 ///
 /// The matrix is scaled to a unit diagonal first; eigenvalues of the scaled matrix below
 /// `relative_cutoff` times the largest are treated as 0. They belong to the kernel (constants) and
-/// to combinations of elements that nearly vanish on the surface, in which a coarse correction would
-/// only amplify rounding errors.
+/// to combinations of elements that nearly vanish on the surface, in which a coarse correction
+/// would only amplify rounding errors.
 class Pseudo_inverse {
 public:
   static constexpr double relative_cutoff = 1e-12;
@@ -44,10 +44,8 @@ public:
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * a *
                                                                 scale.asDiagonal());
     const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-    const Eigen::VectorXd inverse =
-        solver.eigenvalues().unaryExpr([largest](double value) {
-          return value > relative_cutoff * largest ? 1 / value : 0.;
-        });
+    const Eigen::VectorXd inverse = solver.eigenvalues().unaryExpr(
+        [largest](double value) { return value > relative_cutoff * largest ? 1 / value : 0.; });
     const Eigen::MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();
     m_inverse = vectors * inverse.asDiagonal() * vectors.transpose();
   }

@@ -38,9 +38,10 @@ public:
   /// taken to lie on it: some units in the last place of the sums that lead to them.
   static constexpr double relative_wall_tolerance = 1.5e-14;
 
-  /// Number of cells and number of fragments beyond which an octree is refused instead of filling the
-  /// memory. About 3 elements belong to a cell and 75 entries to a row, so more cells would give
-  /// matrices of more than \f$2^{31}\f$ entries. A fragment takes 16 bytes while the octree is built.
+  /// Number of cells and number of fragments beyond which an octree is refused instead of filling
+  /// the memory. About 3 elements belong to a cell and 75 entries to a row, so more cells would
+  /// give matrices of more than \f$2^{31}\f$ entries. A fragment takes 16 bytes while the octree is
+  /// built.
   static constexpr std::size_t maximum_number_of_cells = std::size_t(1) << 23;
   static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 28;
 
@@ -50,11 +51,12 @@ public:
   Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale)
     : m_surface(std::move(surface)), m_depth(depth) {
     if(depth < 1 || depth > maximum_octree_depth)
-      throw Parameter_error("octree_depth", "is " + std::to_string(depth) + ", but must be in 1 .. " +
+      throw Parameter_error("octree_depth", "is " + std::to_string(depth) +
+                                                ", but must be in 1 .. " +
                                                 std::to_string(maximum_octree_depth));
     if(!(cube_scale >= 1 && cube_scale <= 1e6))
-      throw Parameter_error("cube_scale", "is " + std::to_string(cube_scale) +
-                                              ", but must be in 1 .. 1e6");
+      throw Parameter_error("cube_scale",
+                            "is " + std::to_string(cube_scale) + ", but must be in 1 .. 1e6");
     m_side = cube_scale * m_surface.extent();
     m_center = m_surface.center();
     double largest = 0;
@@ -62,9 +64,8 @@ public:
       largest = (std::max)({largest, std::abs(m_surface.bounding_box_min()[axis]),
                             std::abs(m_surface.bounding_box_max()[axis])});
     // Far from the origin the coordinates themselves carry a larger rounding error.
-    m_wall_tolerance =
-        (std::max)(relative_wall_tolerance,
-                   4 * std::numeric_limits<double>::epsilon() * (largest / m_side));
+    m_wall_tolerance = (std::max)(relative_wall_tolerance,
+                                  4 * std::numeric_limits<double>::epsilon() * (largest / m_side));
     m_levels.resize(depth + 1);
     // A plane section of a cube has at most the area sqrt(2) h^2: refuse before any work.
     const double h = cell_width(depth);
@@ -178,7 +179,7 @@ private:
     std::array<std::array<bool, 3>, 3> meets;
     for(int axis = 0; axis < 3; ++axis) {
       const auto range = internal::range(fragment, axis);
-      meets[axis] = {range[0] < cell[axis] + 1, true, range[1] > cell[axis]};
+      meets[axis] = {range[0]<cell[axis] + 1, true, range[1]> cell[axis]};
     }
     std::uint32_t mask = 0;
     for(int dz = -1; dz <= 1; ++dz)
@@ -223,8 +224,8 @@ private:
         continue;
       clip(grid_triangle(face), [&](const std::array<int, 3>& cell, const Fragment& fragment) {
         refuse_if(pairs.size() == maximum_number_of_fragments);
-        pairs.push_back({morton_key(cell), static_cast<std::uint32_t>(face),
-                         element_mask(fragment, cell)});
+        pairs.push_back(
+            {morton_key(cell), static_cast<std::uint32_t>(face), element_mask(fragment, cell)});
       });
     }
     if(pairs.empty())

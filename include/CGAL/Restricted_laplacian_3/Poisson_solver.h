@@ -42,8 +42,7 @@ namespace internal {
 
 /// Number of the connected component of each unknown in the graph of a symmetric matrix, counted
 /// from 0, and the number of components.
-inline std::pair<std::vector<int>, int>
-connected_components(const Eigen::SparseMatrix<double>& a) {
+inline std::pair<std::vector<int>, int> connected_components(const Eigen::SparseMatrix<double>& a) {
   std::vector<int> component(a.cols(), -1), stack;
   int number = 0;
   for(int start = 0; start < a.cols(); ++start) {
@@ -65,9 +64,9 @@ connected_components(const Eigen::SparseMatrix<double>& a) {
   return {std::move(component), number};
 }
 
-/// The functions that are constant on one connected component of the graph of a matrix \f$A\f$ and 0
-/// on the others, as far as \f$A 1_c = \alpha m_c\f$ with the integrals \f$m_c\f$ of the elements of
-/// the component. This holds for \f$A = S + \alpha M\f$ if constants are in the space. For
+/// The functions that are constant on one connected component of the graph of a matrix \f$A\f$ and
+/// 0 on the others, as far as \f$A 1_c = \alpha m_c\f$ with the integrals \f$m_c\f$ of the elements
+/// of the component. This holds for \f$A = S + \alpha M\f$ if constants are in the space. For
 /// \f$\alpha = 0\f$ they are the kernel; otherwise the mean of a solution on the component is known
 /// beforehand, \f$1_c^T b / (\alpha\, 1_c^T m_c)\f$, and both are split off in the same way.
 class Constants {
@@ -80,8 +79,7 @@ public:
     : m_integrals(std::move(integrals)), m_alpha(alpha) {
     int number = 0;
     std::tie(m_component, number) = connected_components(a);
-    const Eigen::VectorXd defect =
-        a * Eigen::VectorXd::Ones(a.cols()) - alpha * m_integrals;
+    const Eigen::VectorXd defect = a * Eigen::VectorXd::Ones(a.cols()) - alpha * m_integrals;
     const Eigen::VectorXd diagonal = a.diagonal();
     std::vector<double> largest_defect(number, 0.), largest_diagonal(number, 0.);
     m_areas.assign(number, 0.);
@@ -156,14 +154,14 @@ private:
 /// once and then solves for any number of right-hand sides. Knows matrices only, no surface.
 ///
 /// *Singular systems.* If \f$A\f$ annihilates the functions that are constant on a connected
-/// component (of the graph of the matrix), the system has a solution only for right-hand sides whose
-/// entries sum to 0 on the component. The load of a constant is subtracted from \f$b\f$ to achieve
-/// this, which turns the load of \f$f\f$ into that of \f$f\f$ minus its mean on the component, and
-/// of all solutions the one with mean 0 on the component is returned. With screening, \f$A\f$ maps
-/// the constant 1 to \f$\alpha\f$ times its load, and the mean of the solution is computed exactly,
-/// however small \f$\alpha\f$ is. Near-kernel (combinations of
-/// elements that nearly vanish on the surface) is left alone: its coefficients carry no information,
-/// and do not change the function on the surface.
+/// component (of the graph of the matrix), the system has a solution only for right-hand sides
+/// whose entries sum to 0 on the component. The load of a constant is subtracted from \f$b\f$ to
+/// achieve this, which turns the load of \f$f\f$ into that of \f$f\f$ minus its mean on the
+/// component, and of all solutions the one with mean 0 on the component is returned. With
+/// screening, \f$A\f$ maps the constant 1 to \f$\alpha\f$ times its load, and the mean of the
+/// solution is computed exactly, however small \f$\alpha\f$ is. Near-kernel (combinations of
+/// elements that nearly vanish on the surface) is left alone: its coefficients carry no
+/// information, and do not change the function on the surface.
 class Poisson_solver {
 public:
   using Sparse_matrix = Eigen::SparseMatrix<double>;

@@ -103,8 +103,8 @@ private:
   std::pair<std::size_t, std::array<double, 3>> locate(const Surface_location& location) const {
     if(location.face >= surface().number_of_faces())
       throw Location_error("there is no face " + std::to_string(location.face));
-    const auto result = m_space->locate(
-        m_level, surface().surface_point(location).point, location.face);
+    const auto result =
+        m_space->locate(m_level, surface().surface_point(location).point, location.face);
     if(result.first == m_space->octree().number_of_cells(m_level))
       throw Location_error("a location with face " + std::to_string(location.face) +
                            " is not on the surface");
@@ -134,8 +134,8 @@ private:
 /// Writes the values of a function at all vertices into a property map: NaN at vertices that have
 /// no face of positive area.
 /// \param tm the mesh that the space of `u` was made from
-/// \param map a model of `WritablePropertyMap` with the vertex descriptor as key and a number type as
-/// value
+/// \param map a model of `WritablePropertyMap` with the vertex descriptor as key and a number type
+/// as value
 template <class FaceGraph, class VertexMap>
 void evaluate_at_vertices(const Spline_function_3& u, const FaceGraph& tm, VertexMap map) {
   using Value = typename boost::property_traits<VertexMap>::value_type;

@@ -49,8 +49,8 @@ public:
   /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
   /// \param np optional named parameters:
   /// - `octree_depth`: depth \f$d\f$ of the octree; default 6
-  /// - `cube_scale`: side of the domain cube over the longest side of the bounding box; default 1.1,
-  ///   or 1.2 with `paper_space(true)`
+  /// - `cube_scale`: side of the domain cube over the longest side of the bounding box; default
+  ///   1.1, or 1.2 with `paper_space(true)`
   /// - `paper_space`: whether only elements centred inside the grid exist; default `false`
   /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
@@ -119,10 +119,10 @@ public:
   }
 
   /// The cell of a level in which a point of a face lies, and its local coordinates there, in
-  /// \f$[0,1]^3\f$ up to rounding. A point on a wall may belong to any of the cells that touch it: the
-  /// one that is taken owns a fragment of the face, or is an ancestor of one that does. It has to,
-  /// because an element that vanishes on the surface in a cell is not listed there, but need not
-  /// vanish on another face that touches the cell.
+  /// \f$[0,1]^3\f$ up to rounding. A point on a wall may belong to any of the cells that touch it:
+  /// the one that is taken owns a fragment of the face, or is an ancestor of one that does. It has
+  /// to, because an element that vanishes on the surface in a cell is not listed there, but need
+  /// not vanish on another face that touches the cell.
   /// \return the number of cells of the level as cell if the point is not on the face
   std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,
                                                        std::size_t face) const {

@@ -54,7 +54,8 @@ struct Surface_point : Surface_location {
 template <class FaceGraph> class Surface_location_converter {
   using Face = typename boost::graph_traits<FaceGraph>::face_descriptor;
   using Index_map =
-      typename boost::property_map<FaceGraph, CGAL::dynamic_face_property_t<std::size_t>>::const_type;
+      typename boost::property_map<FaceGraph,
+                                   CGAL::dynamic_face_property_t<std::size_t>>::const_type;
 
 public:
   explicit Surface_location_converter(const FaceGraph& tm)
@@ -73,9 +74,9 @@ public:
 
   template <class FT>
   Surface_location operator()(const std::pair<Face, std::array<FT, 3>>& location) const {
-    return (*this)(location.first, {CGAL::to_double(location.second[0]),
-                                    CGAL::to_double(location.second[1]),
-                                    CGAL::to_double(location.second[2])});
+    return (*this)(location.first,
+                   {CGAL::to_double(location.second[0]), CGAL::to_double(location.second[1]),
+                    CGAL::to_double(location.second[2])});
   }
 
 private:
@@ -89,8 +90,8 @@ public:
   explicit Linear_surface_function(std::vector<T> values) : m_values(std::move(values)) {}
 
   T operator()(const Surface_point& p) const {
-    return m_values[p.vertices[0]] * p.barycentric[0] +
-           m_values[p.vertices[1]] * p.barycentric[1] + m_values[p.vertices[2]] * p.barycentric[2];
+    return m_values[p.vertices[0]] * p.barycentric[0] + m_values[p.vertices[1]] * p.barycentric[1] +
+           m_values[p.vertices[2]] * p.barycentric[2];
   }
 
 private:

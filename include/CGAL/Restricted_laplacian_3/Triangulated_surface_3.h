@@ -97,8 +97,8 @@ public:
 private:
   void compute_bounding_box() {
     const double infinity = std::numeric_limits<double>::infinity();
-    std::array<double, 3> low = {infinity, infinity, infinity}, high = {-infinity, -infinity,
-                                                                        -infinity};
+    std::array<double, 3> low = {infinity, infinity, infinity},
+                          high = {-infinity, -infinity, -infinity};
     for(const Triangle& triangle : m_triangles)
       for(std::uint32_t v : triangle)
         for(int axis = 0; axis < 3; ++axis) {
@@ -129,8 +129,8 @@ private:
         side[i] = (point(f, (i + 2) % 3) - point(f, (i + 1) % 3)) * scale;
         squared[i] = side[i].squared_length();
       }
-      const int corner = static_cast<int>(std::max_element(squared.begin(), squared.end()) -
-                                          squared.begin());
+      const int corner =
+          static_cast<int>(std::max_element(squared.begin(), squared.end()) - squared.begin());
       const Vector_3 product = CGAL::cross_product(side[(corner + 2) % 3], -side[(corner + 1) % 3]);
       const double length = std::sqrt(product.squared_length());
       // length = longest side x height over it

@@ -77,17 +77,18 @@ private:
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// Assembles stiffness and mass matrices of the levels `coarsest` .. `finest`, in this order, in one
-/// pass over the surface.
+/// Assembles stiffness and mass matrices of the levels `coarsest` ..\ `finest`, in this order, in
+/// one pass over the surface.
 ///
 /// The surface is integrated on the finest level of the octree only; the coarser levels follow from
 /// the moments of the cells, at a cost that does not depend on the number of triangles. Up to
-/// rounding they are the Galerkin products \f$P^T A P\f$ of the finer ones, if the space is not that
-/// of the paper.
+/// rounding they are the Galerkin products \f$P^T A P\f$ of the finer ones, if the space is not
+/// that of the paper.
 ///
 /// Takes time proportional to the number of fragments of triangles in cells, plus the number of
 /// cells; holds the matrices (about 75 entries in a row) and little else.
-/// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or `Monte_carlo`
+/// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or
+/// `Monte_carlo`
 /// \throws Parameter_error if a level is not in 0 .. depth
 template <class SurfaceIntegration>
 std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
@@ -110,8 +111,8 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
                               to.mass);
   };
   if(coarsest <= finest)
-    internal::Moment_traversal<SurfaceIntegration, decltype(add_cell)>(
-        space.octree(), integration, coarsest, finest, add_cell);
+    internal::Moment_traversal<SurfaceIntegration, decltype(add_cell)>(space.octree(), integration,
+                                                                       coarsest, finest, add_cell);
   return operators;
 }
 
@@ -124,34 +125,39 @@ Operators assemble_operators(const Spline_space_3& space, int level,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 inline Operators assemble_operators(const Spline_space_3& space, int level) {
   return assemble_operators(space, level, Cubature(space));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 inline Operators assemble_operators(const Spline_space_3& space) {
   return assemble_operators(space, space.depth());
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j \rangle
-/// \f$, positive semi-definite (minus the matrix \f$L\f$ of the paper, equation 5), `dimension(level)`
-/// rows. Constants are in its kernel (not in the space of the paper, where the surface comes within
-/// a cell of the boundary of the domain cube).
+/// \f$, positive semi-definite (minus the matrix \f$L\f$ of the paper, equation 5),
+/// `dimension(level)` rows. Constants are in its kernel (not in the space of the paper, where the
+/// surface comes within a cell of the boundary of the domain cube).
 inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level) {
   return std::move(assemble_operators(space, level).stiffness);
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space) {
   return assemble_stiffness_matrix(space, space.depth());
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$, `dimension(level)` rows. Its entries sum to the area.
+/// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$, `dimension(level)` rows. Its entries sum to the
+/// area.
 inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level) {
   return std::move(assemble_operators(space, level).mass);
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
   return assemble_mass_matrix(space, space.depth());
 }
@@ -229,11 +235,13 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, in
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level) {
   return assemble_load(space, f, level, Cubature(space));
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
   return assemble_load(space, f, space.depth());
@@ -244,8 +252,8 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
 /// `dimension(level)` entries.
 ///
 /// The function whose gradient is closest to \f$v\f$ solves \f$S \eta = \gamma\f$.
-/// \param v a function object that takes a `const Surface_point&` and returns a `Vector_3`; only its
-/// part tangential to the face counts
+/// \param v a function object that takes a `const Surface_point&` and returns a `Vector_3`; only
+/// its part tangential to the face counts
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class VectorField, class SurfaceIntegration>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v, int level,
@@ -274,24 +282,28 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 template <class VectorField>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v,
                                        int level) {
   return assemble_gradient_load(space, v, level, Cubature(space));
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 template <class VectorField>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v) {
   return assemble_gradient_load(space, v, space.depth());
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// \f$ \int_{\mathcal M} b_i \f$, `dimension(level)` entries: the load of the constant 1. The surface
-/// integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
+/// \f$ \int_{\mathcal M} b_i \f$, `dimension(level)` entries: the load of the constant 1. The
+/// surface integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, int level) {
-  return assemble_load(space, [](const Surface_point&) { return 1.; }, level);
+  return assemble_load(
+      space, [](const Surface_point&) { return 1.; }, level);
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space) {
   return assemble_element_integrals(space, space.depth());
 }

@@ -24,8 +24,8 @@ namespace Restricted_laplacian_3 {
 ///     0 \le a, b, c \le 4, \f]
 /// where \f$B_a\f$ are the Bernstein polynomials of degree 4 and \f$t\f$ is the local coordinate;
 /// areas are in units of the squared cell width. A node of a cubature rule costs 125
-/// multiplications instead of 2 x 27 x 27, the blocks are formed once per cell, and the moments of a
-/// parent follow from those of its children.
+/// multiplications instead of 2 x 27 x 27, the blocks are formed once per cell, and the moments of
+/// a parent follow from those of its children.
 ///
 /// Why Bernstein polynomials and not powers: an element whose support hardly reaches the surface
 /// has entries many orders below those of its neighbours. In the Bernstein basis the spline pieces
@@ -180,8 +180,8 @@ inline std::array<double, 5> product(const std::array<double, 3>& p,
   return result;
 }
 
-/// Bernstein coefficients of the products of two pieces, of two derivatives, and of a derivative (first index
-/// of the ordered pair) with a piece
+/// Bernstein coefficients of the products of two pieces, of two derivatives, and of a derivative
+/// (first index of the ordered pair) with a piece
 struct Spline_products {
   Pair_polynomials values, derivatives;
   Ordered_pair_polynomials mixed;
@@ -226,8 +226,8 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
     internal::add_scaled(own, projector[k], moments.tensor[k]);
 }
 
-/// Adds one sample of the surface: local coordinate in the cell; unit normal; weight in units of the
-/// squared cell width.
+/// Adds one sample of the surface: local coordinate in the cell; unit normal; weight in units of
+/// the squared cell width.
 inline void add_sample(const std::array<double, 3>& t, const Vector_3& normal, double weight,
                        Cell_moments& moments) {
   Cell_moments::Moments own;
@@ -241,8 +241,8 @@ inline void add_sample(const std::array<double, 3>& t, const Vector_3& normal, d
 
 /// Adds the moments of a child to those of its parent. Along an axis, for a child of parity 0
 /// \f$t_{parent} = t/2\f$ and \f$ B_n(t/2) = 2^{-k} \sum_{k \ge n} \binom{k}{n} B_k(t) \f$ (de
-/// Casteljau subdivision, again without cancellation); parity 1 is its mirror image. The area unit of
-/// the parent is four times that of the child.
+/// Casteljau subdivision, again without cancellation); parity 1 is its mirror image. The area unit
+/// of the parent is four times that of the child.
 inline void add_child_moments(const Cell_moments& child, int octant, Cell_moments& parent) {
   using Change = std::array<std::array<double, 5>, 5>;
   static constexpr Change lower = {{{1, 1. / 2, 1. / 4, 1. / 8, 1. / 16},
@@ -281,8 +281,7 @@ inline void mass_block(const Cell_moments& moments, Cell_block& block) {
       for(int ix = 0; ix < 3; ++ix)
         for(int jz = 0; jz < 3; ++jz)
           for(int jy = 0; jy < 3; ++jy) {
-            const int row =
-                6 * (internal::pair_number(iy, jy) + 6 * internal::pair_number(iz, jz));
+            const int row = 6 * (internal::pair_number(iy, jy) + 6 * internal::pair_number(iz, jz));
             for(int jx = 0; jx < 3; ++jx)
               block[entry++] = values[internal::pair_number(ix, jx) + row];
           }

@@ -60,8 +60,7 @@ inline Fragment_corner cross_wall(const Fragment_corner& a, const Fragment_corne
   const double t = (wall - a.position[axis]) / (b.position[axis] - a.position[axis]);
   Fragment_corner c;
   for(int i = 0; i < 3; ++i) {
-    c.position[i] =
-        snap_to_wall(a.position[i] + t * (b.position[i] - a.position[i]), tolerance);
+    c.position[i] = snap_to_wall(a.position[i] + t * (b.position[i] - a.position[i]), tolerance);
     c.barycentric[i] = a.barycentric[i] + t * (b.barycentric[i] - a.barycentric[i]);
   }
   c.position[axis] = wall;
@@ -128,8 +127,8 @@ public:
     split(snapped_triangle(corners), 0, cell, sink);
   }
 
-  /// The fragment of a triangle that a cell owns. The cell must be one for which `operator()` reported a
-  /// fragment: what lies in a wall would be found from both sides.
+  /// The fragment of a triangle that a cell owns. The cell must be one for which `operator()`
+  /// reported a fragment: what lies in a wall would be found from both sides.
   Fragment fragment(const std::array<std::array<double, 3>, 3>& corners,
                     const std::array<int, 3>& cell) const {
     Fragment polygon = snapped_triangle(corners);
@@ -162,8 +161,7 @@ private:
   void split(Fragment polygon, int axis, std::array<int, 3>& cell, Sink&& sink) const {
     if(axis == 3) {
       if(polygon.double_area() > 0)
-        sink(static_cast<const std::array<int, 3>&>(cell),
-             static_cast<const Fragment&>(polygon));
+        sink(static_cast<const std::array<int, 3>&>(cell), static_cast<const Fragment&>(polygon));
       return;
     }
     const auto range = internal::range(polygon, axis);

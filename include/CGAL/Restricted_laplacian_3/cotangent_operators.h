@@ -17,15 +17,15 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// Stiffness and mass matrix of the piecewise linear functions on the triangulation, for comparison:
-/// the cotangent Laplacian, with the sign and the units of `assemble_operators()`. One row for each
-/// vertex, in the order of `vertices(tm)`; degenerate faces are left out, and a vertex without any
-/// other face has an empty row.
+/// Stiffness and mass matrix of the piecewise linear functions on the triangulation, for
+/// comparison: the cotangent Laplacian, with the sign and the units of `assemble_operators()`. One
+/// row for each vertex, in the order of `vertices(tm)`; degenerate faces are left out, and a vertex
+/// without any other face has an empty row.
 ///
-/// For a triangle of area \f$A\f$ whose side opposite to corner \f$i\f$ is the vector \f$e_i\f$, the
-/// stiffness block is \f$\langle e_i, e_j \rangle / (4 A)\f$, which is \f$-\frac12 \cot\f$ of the
-/// angle at the third corner for \f$i \ne j\f$; the mass block is \f$A/12\,(1 + \delta_{ij})\f$, or
-/// \f$A/3\,\delta_{ij}\f$ if it is lumped.
+/// For a triangle of area \f$A\f$ whose side opposite to corner \f$i\f$ is the vector \f$e_i\f$,
+/// the stiffness block is \f$\langle e_i, e_j \rangle / (4 A)\f$, which is \f$-\frac12 \cot\f$ of
+/// the angle at the third corner for \f$i \ne j\f$; the mass block is \f$A/12\,(1 +
+/// \delta_{ij})\f$, or \f$A/3\,\delta_{ij}\f$ if it is lumped.
 ///
 /// The package `Weights` of \cgal has cotangent weights too, but no consistent mass matrix, and an
 /// interface that differs from version to version.

@@ -37,7 +37,8 @@ struct Eigenpairs {
   Eigen::MatrixXd vectors;
   /// \f$ \|S x - \lambda M x\|_2 / \|(S - \sigma M) x\|_2 \f$ for each pair
   Eigen::VectorXd residuals;
-  /// whether all requested pairs were found to the tolerance; if not, `values` holds those that were
+  /// whether all requested pairs were found to the tolerance; if not, `values` holds those that
+  /// were
   bool converged = false;
   /// restarts of the Lanczos iteration; 0 if the problem was solved densely
   int iterations = 0;
@@ -112,7 +113,8 @@ class Inverted_pencil {
 public:
   using Scalar = double;
 
-  /// largest \f$\tau\f$ that is tried; beyond, eigenvalues would lose more than half of their digits
+  /// largest \f$\tau\f$ that is tried; beyond, eigenvalues would lose more than half of their
+  /// digits
   static constexpr double largest_regularization = 1e-8;
 
   Inverted_pencil(const Eigen::SparseMatrix<double>& s, const Eigen::SparseMatrix<double>& m,
@@ -209,8 +211,8 @@ inline void finish_eigenpairs(const Eigen::SparseMatrix<double>& s,
   }
 }
 
-/// For problems that are too small for an iteration: the span of the eigenvectors of the scaled mass
-/// matrix above a relative cut-off, and the dense problem on it.
+/// For problems that are too small for an iteration: the span of the eigenvectors of the scaled
+/// mass matrix above a relative cut-off, and the dense problem on it.
 inline void dense_eigenpairs(const Eigen::SparseMatrix<double>& s,
                              const Eigen::SparseMatrix<double>& m, int k, Eigenpairs& pairs) {
   constexpr double relative_cutoff = 1e-12;
@@ -222,8 +224,7 @@ inline void dense_eigenpairs(const Eigen::SparseMatrix<double>& s,
   const Eigen::Index rank = (of_mass.eigenvalues().array() > cutoff).count();
   if(k > rank)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but the space has only " +
-                                   std::to_string(rank) +
-                                   " independent functions on the surface");
+                                   std::to_string(rank) + " independent functions on the surface");
   const Eigen::MatrixXd basis =
       scale.asDiagonal() * of_mass.eigenvectors().rightCols(rank) *
       of_mass.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
@@ -248,11 +249,10 @@ inline std::pair<Eigen::MatrixXd, Eigen::VectorXd> lanczos(Inverted_pencil& penc
       (std::min)(n, (std::max)(Eigen::Index(2 * k + 1), Eigen::Index(20)));
   Spectra::SymEigsSolver<Inverted_pencil> solver(pencil, k, subspace);
   solver.init(start.data());
-  const Eigen::Index found = solver.compute(Spectra::SortRule::LargestAlge,
-                                            options.maximum_iterations, options.tolerance);
+  const Eigen::Index found =
+      solver.compute(Spectra::SortRule::LargestAlge, options.maximum_iterations, options.tolerance);
   pairs.iterations += static_cast<int>(solver.num_iterations());
-  pairs.converged =
-      pairs.converged && solver.info() == Spectra::CompInfo::Successful && found == k;
+  pairs.converged = pairs.converged && solver.info() == Spectra::CompInfo::Successful && found == k;
   const Eigen::MatrixXd y = solver.eigenvectors();
   pencil.deflate(y, solver.eigenvalues());
   Eigen::MatrixXd x(n, y.cols());
@@ -291,26 +291,27 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, int k, const Eigenpai
 /// for symmetric positive semi-definite matrices.
 ///
 /// By Spectra, a restarted Lanczos iteration for \f$K^{-1} M\f$, in the symmetric form
-/// \f$R^{-T} M R^{-1}\f$, where \f$ R^T R = K = S - \sigma M + \tau\, \mathrm{diag}(S - \sigma M) \f$
-/// is factorized once, by CHOLMOD if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is defined,
-/// else by Eigen.
+/// \f$R^{-T} M R^{-1}\f$, where \f$ R^T R = K = S - \sigma M + \tau\, \mathrm{diag}(S - \sigma M)
+/// \f$ is factorized once, by CHOLMOD if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is
+/// defined, else by Eigen.
 ///
 /// *Shift.* \f$\sigma = -4 \pi / \sum_{ij} M_{ij}\f$: below the spectrum by about the mean distance
 /// of two eigenvalues of a surface of this area (Weyl's law), so \f$K\f$ is positive semi-definite
 /// although \f$S\f$ has the constants in its kernel, and all eigenvalues near 0 are well separated.
 ///
-/// *Common near-kernel.* Combinations of elements that nearly vanish on the surface are nearly in the
-/// kernel of \f$S\f$ and of \f$M\f$; rounding may make their pivots negative. They are made regular by
-/// \f$\tau = 10^{-12}\f$, relative to each diagonal entry. For them \f$K\f$ is then dominated by
-/// \f$\tau\f$ while \f$M\f$ is zero to rounding, so \f$K^{-1} M\f$ sends them to 0, the far end of the
-/// spectrum. The values returned are Rayleigh quotients with \f$S\f$ itself, in which \f$\tau\f$ enters
-/// squared only. Should a factorization fail, \f$\tau\f$ is multiplied by 100, up to \f$10^{-8}\f$;
-/// the result reports the value used.
+/// *Common near-kernel.* Combinations of elements that nearly vanish on the surface are nearly in
+/// the kernel of \f$S\f$ and of \f$M\f$; rounding may make their pivots negative. They are made
+/// regular by \f$\tau = 10^{-12}\f$, relative to each diagonal entry. For them \f$K\f$ is then
+/// dominated by \f$\tau\f$ while \f$M\f$ is zero to rounding, so \f$K^{-1} M\f$ sends them to 0,
+/// the far end of the spectrum. The values returned are Rayleigh quotients with \f$S\f$ itself, in
+/// which \f$\tau\f$ enters squared only. Should a factorization fail, \f$\tau\f$ is multiplied by
+/// 100, up to \f$10^{-8}\f$; the result reports the value used.
 ///
 /// *Multiplicity.* A second iteration, with all pairs found so far deflated, looks for copies of a
 /// multiple eigenvalue that the first one missed, and is repeated until it finds none.
 ///
-/// Problems with fewer than 100 unknowns, or with `k` more than a third of them, are solved densely.
+/// Problems with fewer than 100 unknowns, or with `k` more than a third of them, are solved
+/// densely.
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
 /// \throws Parameter_error if `k` is not positive or exceeds the number of independent functions

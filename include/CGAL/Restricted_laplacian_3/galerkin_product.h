@@ -16,8 +16,8 @@ namespace Restricted_laplacian_3 {
 /// \f$p = P e_j\f$, the sparse vector \f$A p\f$ is accumulated, then \f$P^T (A p)\f$. No product of
 /// two matrices is stored. The rows of a column are sorted.
 ///
-/// Takes time proportional to \f$\sum_j\f$ (entries of \f$A\f$ in the columns that column \f$j\f$ of
-/// \f$P\f$ meets), and the size of the result as memory.
+/// Takes time proportional to \f$\sum_j\f$ (entries of \f$A\f$ in the columns that column \f$j\f$
+/// of \f$P\f$ meets), and the size of the result as memory.
 inline Eigen::SparseMatrix<double> galerkin_product(const Eigen::SparseMatrix<double>& a,
                                                     const Eigen::SparseMatrix<double>& p) {
   using Iterator = Eigen::SparseMatrix<double>::InnerIterator;

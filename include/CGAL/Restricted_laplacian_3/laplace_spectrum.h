@@ -27,11 +27,12 @@ namespace Restricted_laplacian_3 {
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The low end of the spectrum of the Laplace-Beltrami operator.
 struct Laplace_spectrum {
-  /// \f$\lambda\f$ with \f$-\Delta u = \lambda u\f$, ascending, in units of 1 / area; the first is 0
+  /// \f$\lambda\f$ with \f$-\Delta u = \lambda u\f$, ascending, in units of 1 / area; the first is
+  /// 0
   Eigen::VectorXd eigenvalues;
-  /// Values of the eigenfunctions at the vertices: one column for each eigenvalue, rows in the order
-  /// of `vertices(tm)`; NaN at vertices without a face of positive area. Their mean squares over the
-  /// surface are 1 / area.
+  /// Values of the eigenfunctions at the vertices: one column for each eigenvalue, rows in the
+  /// order of `vertices(tm)`; NaN at vertices without a face of positive area. Their mean squares
+  /// over the surface are 1 / area.
   Eigen::MatrixXd vertex_values;
   /// the algebraic problem: vectors of coefficients, residuals, shift and regularization
   Eigenpairs pairs;
@@ -109,8 +110,8 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
   const Triangulated_surface_3 surface = read_surface(tm, np);
   const double space_seconds = timer.time();
   const Operators operators = cotangent_operators(
-      surface, parameters::choose_parameter(parameters::get_parameter(np, internal_np::lumped_mass),
-                                            false));
+      surface,
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::lumped_mass), false));
   const double assembly_seconds = timer.time() - space_seconds;
   Laplace_spectrum spectrum = internal::spectrum_of(operators, k);
   spectrum.report.space_seconds = space_seconds;

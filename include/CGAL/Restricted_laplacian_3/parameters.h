@@ -16,7 +16,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(NAME)                                                \
   namespace CGAL {                                                                                 \
   namespace internal_np {                                                                          \
-  enum NAME##_t { NAME };                                                                          \
+  enum NAME##_t{NAME};                                                                             \
   }                                                                                                \
   namespace parameters {                                                                           \
   template <typename T> Named_function_parameters<T, internal_np::NAME##_t> NAME(const T& value) { \

@@ -39,8 +39,8 @@ inline std::vector<Surface_location> sample_surface(const Triangulated_surface_3
   for(Surface_location& sample : samples) {
     // The first face whose cumulated area is larger: never a degenerate one.
     const auto it = std::upper_bound(cumulated.begin(), cumulated.end(), uniform() * sum);
-    sample.face = (std::min)(static_cast<std::size_t>(it - cumulated.begin()),
-                             cumulated.size() - 1);
+    sample.face =
+        (std::min)(static_cast<std::size_t>(it - cumulated.begin()), cumulated.size() - 1);
     while(surface.is_degenerate(sample.face))
       --sample.face;
     const double root = std::sqrt(uniform()), v = uniform();

@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// Point Gauss-Seidel, in the order of the unknowns before the coarse correction and in reverse
-/// after it, which makes a cycle a symmetric operator. The matrix is symmetric. A row whose diagonal
-/// entry is not positive is left out: its unknown stays 0.
+/// after it, which makes a cycle a symmetric operator. The matrix is symmetric. A row whose
+/// diagonal entry is not positive is left out: its unknown stays 0.
 ///
 /// One sweep takes one pass over the matrix; the first one, which starts from 0, and the residual
 /// after it take half a pass each: after the update of unknown \f$j\f$ its equation holds, with 0
@@ -27,8 +27,8 @@ public:
     : m_inverse_diagonal(a.cols(), 0.), m_diagonal_position(a.cols()) {
     const int *outer = a.outerIndexPtr(), *inner = a.innerIndexPtr();
     for(int j = 0; j < a.cols(); ++j) {
-      const int position = static_cast<int>(
-          std::lower_bound(inner + outer[j], inner + outer[j + 1], j) - inner);
+      const int position =
+          static_cast<int>(std::lower_bound(inner + outer[j], inner + outer[j + 1], j) - inner);
       m_diagonal_position[j] = position;
       if(position < outer[j + 1] && inner[position] == j && a.valuePtr()[position] > 0)
         m_inverse_diagonal[j] = 1 / a.valuePtr()[position];

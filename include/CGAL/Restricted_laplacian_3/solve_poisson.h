@@ -32,8 +32,8 @@ Poisson_solver_options poisson_solver_options(const NamedParameters& np) {
   options.maximum_iterations = choose_parameter(
       get_parameter(np, internal_np::number_of_iterations), options.maximum_iterations);
   options.cycle = choose_parameter(get_parameter(np, internal_np::cycle), options.cycle);
-  options.smoothing_steps = choose_parameter(get_parameter(np, internal_np::smoothing_steps),
-                                             options.smoothing_steps);
+  options.smoothing_steps =
+      choose_parameter(get_parameter(np, internal_np::smoothing_steps), options.smoothing_steps);
   options.stand_alone_multigrid = choose_parameter(
       get_parameter(np, internal_np::stand_alone_multigrid), options.stand_alone_multigrid);
   return options;
@@ -102,8 +102,8 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
 /// paper).
 ///
 /// On a closed surface, and on an open one with the natural boundary condition
-/// \f$\partial u / \partial \nu = 0\f$, which holds here, a solution exists only if \f$f\f$ has mean
-/// 0: its mean is subtracted. The solution has surface mean 0.
+/// \f$\partial u / \partial \nu = 0\f$, which holds here, a solution exists only if \f$f\f$ has
+/// mean 0: its mean is subtracted. The solution has surface mean 0.
 /// Both hold on each component of the surface, where two components that come within three cells of
 /// each other count as one.
 ///
@@ -160,8 +160,7 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, double alpha,
   operators = Operators(); // the solver has its own copy
 
   Eigen::VectorXd coefficients;
-  Solve_report report =
-      solver.solve(alpha > 0 ? load : Eigen::VectorXd(-load), coefficients);
+  Solve_report report = solver.solve(alpha > 0 ? load : Eigen::VectorXd(-load), coefficients);
   report.space_seconds = space_seconds;
   report.assembly_seconds = assembly_seconds;
   evaluate_at_vertices(Spline_function_3(space, std::move(coefficients)), tm, u);

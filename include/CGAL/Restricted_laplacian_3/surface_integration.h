@@ -34,8 +34,8 @@ public:
                    moments);
   }
 
-  /// Calls `visit(t, location, weight)` for the nodes in cell `i` of the finest level: local coordinate
-  /// in the cell, as `std::array<double, 3>`; `Surface_location`; weight in units of the
+  /// Calls `visit(t, location, weight)` for the nodes in cell `i` of the finest level: local
+  /// coordinate in the cell, as `std::array<double, 3>`; `Surface_location`; weight in units of the
   /// squared cell width.
   template <class Visitor> void for_each_node(std::size_t i, Visitor&& visit) const {
     const Cell_3 cell = m_octree->cell(m_octree->depth(), i);

@@ -1,0 +1,112 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Checks what the manual repeats from the sources in ROOT and Doxygen cannot check.
+
+cmake_minimum_required(VERSION 3.16)
+
+set(doc "${ROOT}/doc/Restricted_laplacian_3")
+set(examples "${ROOT}/examples/Restricted_laplacian_3")
+
+# CMake wraps the text of its own errors.
+set(number_of_errors 0)
+macro(complain text)
+  message("${text}")
+  math(EXPR number_of_errors "${number_of_errors} + 1")
+endmacro()
+
+# require_same(what IN_MANUAL list IN_SOURCES list): the same elements
+function(require_same what)
+  cmake_parse_arguments(PARSE_ARGV 1 "" "" "" "IN_MANUAL;IN_SOURCES")
+  if(NOT _IN_MANUAL OR NOT _IN_SOURCES)
+    complain("found no ${what}; has their form changed?")
+  endif()
+  foreach(element IN LISTS _IN_SOURCES)
+    if(NOT element IN_LIST _IN_MANUAL)
+      complain("${what}: the manual does not know ${element}")
+    endif()
+  endforeach()
+  foreach(element IN LISTS _IN_MANUAL)
+    if(NOT element IN_LIST _IN_SOURCES)
+      complain("${what}: the sources do not know ${element}")
+    endif()
+  endforeach()
+  set(number_of_errors "${number_of_errors}" PARENT_SCOPE)
+endfunction()
+
+# all_matches(file pattern result): the first group of each match
+function(all_matches file pattern result)
+  file(READ "${file}" text)
+  string(REGEX MATCHALL "${pattern}" matches "${text}")
+  set(groups "")
+  foreach(match IN LISTS matches)
+    string(REGEX REPLACE "${pattern}" "\\1" group "${match}")
+    list(APPEND groups "${group}")
+  endforeach()
+  list(REMOVE_DUPLICATES groups)
+  set(${result} "${groups}" PARENT_SCOPE)
+endfunction()
+
+# headers and their floors
+all_matches("${ROOT}/test/Restricted_laplacian_3/project/floors.txt"
+  "\n([0-9]+ [A-Za-z0-9_/]+\\.h)" in_sources)
+all_matches("${doc}/Developer.txt" "\n\\| ([0-9]+ \\| `[A-Za-z0-9_/]+\\.h)`" rows)
+string(REPLACE " | `" " " in_manual "${rows}")
+require_same("floors" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
+
+# example programs
+all_matches("${doc}/examples.txt" "\\\\example Restricted_laplacian_3/([a-z0-9_]+\\.cpp)" in_manual)
+file(GLOB in_sources RELATIVE "${examples}" "${examples}/*.cpp")
+require_same("examples" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
+
+# named parameters; the manual also describes those of CGAL that the package uses
+all_matches("${doc}/PackageDescription.txt" "\\\\cgalParamNBegin\\{([a-z_]+)\\}" in_manual)
+all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/parameters.h"
+  "\nCGAL_RESTRICTED_LAPLACIAN_3_PARAMETER\\(([a-z_]+)\\)" in_sources)
+require_same("named parameters" IN_MANUAL ${in_manual}
+  IN_SOURCES ${in_sources} vertex_point_map number_of_iterations)
+
+# command line options that the manual names
+set(in_sources "")
+file(GLOB files "${examples}/*.cpp" "${examples}/support/*.h")
+foreach(file IN LISTS files)
+  all_matches("${file}" "add\\(\"([a-z-]+)\"" found)
+  list(APPEND in_sources ${found})
+endforeach()
+all_matches("${doc}/Restricted_laplacian_3.txt" "`--([a-z-]+)" in_manual)
+if(NOT in_manual)
+  complain("found no options; has their form changed?")
+endif()
+foreach(option IN LISTS in_manual)
+  if(NOT option IN_LIST in_sources)
+    complain("no example program has the option --${option}")
+  endif()
+endforeach()
+
+# excerpts: Doxygen shows nothing, or too much, where a line that it looks for is gone
+file(STRINGS "${doc}/Restricted_laplacian_3.txt" commands
+  REGEX "^\\\\(dontinclude|skip|until) ")
+foreach(command IN LISTS commands)
+  string(REGEX MATCH "^.([a-z]+) (.*)$" ignored "${command}")
+  set(argument "${CMAKE_MATCH_2}")
+  if(CMAKE_MATCH_1 STREQUAL "dontinclude")
+    file(GLOB file "${ROOT}/examples/${argument}" "${ROOT}/scripts/${argument}")
+    set(rest "")
+    if(file)
+      file(READ "${file}" rest)
+    endif()
+  else()
+    string(FIND "${rest}" "${argument}" position)
+    if(position EQUAL -1)
+      complain("${file}: the manual looks for '${argument}'")
+    else()
+      string(LENGTH "${argument}" length)
+      math(EXPR position "${position} + ${length}")
+      string(SUBSTRING "${rest}" ${position} -1 rest)
+    endif()
+  endif()
+endforeach()
+
+if(number_of_errors GREATER 0)
+  message(FATAL_ERROR "${number_of_errors} errors")
+endif()
