@@ -26,7 +26,7 @@ echo "Laplacian u = z on the bunny:"
 "$programs/solve_poisson" "$mesh" --rhs z --depth 7 \
   --output poisson.ply --picture poisson.png --csv poisson.csv
 echo
-echo "The twelve smallest eigenvalues of its Laplacian, and the eigenfunction of the sixth:"
+echo "The twelve smallest eigenvalues of its Laplacian, and the eigenfunction of the seventh:"
 "$programs/laplace_spectrum" "$mesh" --count 12 --depth 6 --eigenfunction 6 \
   --output eigenfunction.ply --picture eigenfunction.png --csv spectrum.csv
 echo

@@ -66,6 +66,31 @@ all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/parameters.h"
 require_same("named parameters" IN_MANUAL ${in_manual}
   IN_SOURCES ${in_sources} vertex_point_map number_of_iterations)
 
+# their defaults, as far as comments in the headers have the form "- `name`: ...; default value"
+file(READ "${doc}/PackageDescription.txt" manual)
+set(number_of_defaults 0)
+foreach(header Spline_space_3.h solve_poisson.h laplace_spectrum.h)
+  file(READ "${ROOT}/include/CGAL/Restricted_laplacian_3/${header}" text)
+  string(REPLACE ";" "|" text "${text}") # no list separator
+  set(pattern "/// - `([a-z_]+)`:[^`]*\\|[ \n/]*default `?([A-Za-z0-9._-]*[A-Za-z0-9])")
+  string(REGEX MATCHALL "${pattern}" matches "${text}")
+  foreach(match IN LISTS matches)
+    string(REGEX MATCH "${pattern}" ignored "${match}")
+    set(name "${CMAKE_MATCH_1}")
+    set(value "${CMAKE_MATCH_2}")
+    math(EXPR number_of_defaults "${number_of_defaults} + 1")
+    string(FIND "${manual}" "\\cgalParamNBegin{${name}}" position)
+    string(SUBSTRING "${manual}" ${position} -1 rest)
+    string(REGEX MATCH "cgalParamDefault{`([A-Za-z0-9._-]+)" ignored "${rest}")
+    if(NOT CMAKE_MATCH_1 STREQUAL value)
+      complain("${header}: the default of ${name} is ${value}, in the manual ${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+endforeach()
+if(number_of_defaults LESS 6)
+  complain("found only ${number_of_defaults} defaults of named parameters; has their form changed?")
+endif()
+
 # command line options that the manual names
 set(in_sources "")
 file(GLOB files "${examples}/*.cpp" "${examples}/support/*.h")
