@@ -168,6 +168,16 @@ TEST_CASE("parameters_outside_their_domain_are_named", "[input]") {
   CHECK(refused_parameter([&] { solver.solve(b.head(5), x); }) == "b");
 }
 
+TEST_CASE("values_are_not_written_to_another_mesh", "[input]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::octree_depth(2));
+  const RL::Spline_function_3 one(space, Eigen::VectorXd::Ones(space.dimension()));
+  for(int n : {1, 3}) {
+    Mesh other = shapes::mesh(shapes::sphere(n));
+    Vertex_map u = other.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+    CHECK(refused_parameter([&] { RL::evaluate_at_vertices(one, other, u); }) == "tm");
+  }
+}
+
 TEST_CASE("non_convergence_is_reported", "[input]") {
   Mesh mesh = shapes::mesh(shapes::sphere(3));
   Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;

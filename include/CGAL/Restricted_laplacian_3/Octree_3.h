@@ -43,7 +43,7 @@ public:
   /// give matrices of more than \f$2^{31}\f$ entries. A fragment takes 16 bytes while the octree is
   /// built.
   static constexpr std::size_t maximum_number_of_cells = std::size_t(1) << 23;
-  static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 28;
+  static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 26;
 
   /// \throws Parameter_error if `depth` is not in 1 .. 20, if `cube_scale` is not in 1 .. 1e6, or
   /// if the octree would have more than `maximum_number_of_cells` cells or

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -140,12 +141,12 @@ template <class FaceGraph, class VertexMap>
 void evaluate_at_vertices(const Spline_function_3& u, const FaceGraph& tm, VertexMap map) {
   using Value = typename boost::property_traits<VertexMap>::value_type;
   const std::vector<double> values = u.values_at_vertices();
+  const auto range = vertices(tm);
+  if(static_cast<std::size_t>(std::distance(range.begin(), range.end())) != values.size())
+    throw Parameter_error("tm", "is not the mesh that the space was made from");
   std::size_t i = 0;
-  for(auto v : vertices(tm)) {
-    if(i == values.size())
-      throw Parameter_error("tm", "is not the mesh that the space was made from");
+  for(auto v : range)
     put(map, v, static_cast<Value>(values[i++]));
-  }
 }
 
 } // namespace Restricted_laplacian_3
