@@ -42,11 +42,11 @@ cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3_WARNINGS
 cmake --build build --parallel "$jobs"
 run_tests build
 
-# Clang compiles the checks three times as fast as GCC, and its warnings are others. Debug stands
-# for the assertions of Eigen and CGAL; -g1 for line numbers in reports.
+# Clang compiles the checks faster than GCC and in half the memory, and its warnings are others.
+# Debug stands for the assertions of Eigen and CGAL, -g1 for line numbers in reports.
 cmake -S . -B build/sanitizers -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DRESTRICTED_LAPLACIAN_3_SANITIZE=address,undefined \
-  -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
+  -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON \
   -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF
 cmake --build build/sanitizers --parallel "$jobs" --target test_restricted_laplacian_3
 ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
