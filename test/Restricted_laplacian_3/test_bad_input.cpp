@@ -127,15 +127,19 @@ TEST_CASE("parameters_outside_their_domain_are_named", "[input]") {
           "octree_depth");
   for(double tolerance : {0., -1., 1., not_a_number})
     CHECK(refused_parameter([&] {
-            RL::solve_poisson(mesh, z, u, params::relative_tolerance(tolerance));
+            RL::solve_poisson(mesh, z, u,
+                              params::octree_depth(2, params::relative_tolerance(tolerance)));
           }) == "relative_tolerance");
-  CHECK(refused_parameter([&] { RL::solve_poisson(mesh, z, u, params::smoothing_steps(0)); }) ==
-        "smoothing_steps");
   CHECK(refused_parameter([&] {
-          RL::solve_poisson(mesh, z, u, params::number_of_iterations(-1));
+          RL::solve_poisson(mesh, z, u, params::octree_depth(2, params::smoothing_steps(0)));
+        }) == "smoothing_steps");
+  CHECK(refused_parameter([&] {
+          RL::solve_poisson(mesh, z, u, params::octree_depth(2, params::number_of_iterations(-1)));
         }) == "number_of_iterations");
   for(double alpha : {0., -1., not_a_number, infinity})
-    CHECK(refused_parameter([&] { RL::solve_screened_poisson(mesh, z, alpha, u); }) == "alpha");
+    CHECK(refused_parameter([&] {
+            RL::solve_screened_poisson(mesh, z, alpha, u, params::octree_depth(2));
+          }) == "alpha");
   for(int k : {-1, 0, 5000})
     CHECK(refused_parameter([&] { RL::laplace_spectrum(mesh, k, params::octree_depth(2)); }) ==
           "k");
