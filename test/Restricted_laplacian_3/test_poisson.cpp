@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -205,6 +206,26 @@ TEST_CASE("solver_needs_no_mesh", "[poisson]") {
   // what is outside of the range is removed as a multiple of the integrals
   CHECK(solver.solve(Eigen::VectorXd(b + integrals), x).converged);
   CHECK((x - expected).norm() <= 1e-12);
+}
+
+TEST_CASE("matrices_that_are_not_semi_definite_are_refused", "[poisson]") {
+  Eigen::MatrixXd dense(3, 3);
+  dense << 2, -1, -1, -1, 2, -1, -1, -1, 2;
+  const Eigen::VectorXd integrals = Eigen::VectorXd::Ones(3);
+  const auto message = [&](int i, int j, double value) {
+    Eigen::MatrixXd a = dense;
+    a(i, j) = a(j, i) = value;
+    try {
+      RL::Poisson_solver(a.sparseView(), {}, integrals);
+    } catch(const RL::Parameter_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(message(0, 0, 2).empty());
+  CHECK(message(1, 1, -1e-16).empty());
+  CHECK_THAT(message(1, 1, -2), Catch::Contains("row 1 is negative"));
+  CHECK_THAT(message(0, 2, std::numeric_limits<double>::quiet_NaN()), Catch::Contains("finite"));
 }
 
 TEST_CASE("solution_agrees_with_a_direct_factorization", "[poisson]") {

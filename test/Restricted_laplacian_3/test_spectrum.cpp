@@ -8,7 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <memory>
 #include <vector>
+
+#include <unistd.h>
 
 namespace {
 
@@ -127,6 +131,25 @@ TEST_CASE("dense_and_iterative_eigenpairs_agree", "[spectrum]") {
   CHECK(iterative.iterations > 0);
   CHECK(dense.iterations == 0);
   CHECK((iterative.values - dense.values.head(few)).cwiseAbs().maxCoeff() <= 1e-7);
+}
+
+TEST_CASE("failed_factorization_is_thrown_and_not_printed", "[spectrum]") {
+  // indefinite far beyond any regularization, and large enough for the sparse way
+  RL::Sparse_matrix s(400, 400), m(400, 400);
+  m.setIdentity();
+  s.setIdentity();
+  s.coeffRef(17, 17) = -1e6;
+  std::fflush(stdout);
+  const int saved = dup(1);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+  REQUIRE(file);
+  dup2(fileno(file.get()), 1);
+  CHECK_THROWS_AS(RL::smallest_eigenpairs(s, m, 3), RL::Numerical_error);
+  std::fflush(stdout);
+  const auto written = lseek(fileno(file.get()), 0, SEEK_END);
+  dup2(saved, 1);
+  close(saved);
+  CHECK(written == 0);
 }
 
 TEST_CASE("no_copy_of_a_multiple_eigenvalue_is_missed", "[spectrum]") {

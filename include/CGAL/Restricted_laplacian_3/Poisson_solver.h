@@ -30,6 +30,7 @@ namespace Restricted_laplacian_3 {
 struct Poisson_solver_options {
   /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration
   double relative_tolerance = 1e-3;
+  /// the iteration ends after this many cycles, converged or not
   int maximum_iterations = 1000;
   Cycle cycle = Cycle::V;
   /// smoothing steps before, and again after the coarse correction
@@ -171,7 +172,8 @@ public:
   /// \param prolongations from each level to the next finer one, coarsest first
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param alpha the screening weight that `a` contains, if any
-  /// \throws Parameter_error if sizes do not fit or an option is outside its domain
+  /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry of
+  /// the matrix is not finite, or a diagonal entry negative beyond rounding
   Poisson_solver(Sparse_matrix a, std::vector<Sparse_matrix> prolongations,
                  Eigen::VectorXd element_integrals, double alpha = 0,
                  const Options& options = Options())
@@ -234,6 +236,7 @@ private:
                          const Options& options) {
     if(integrals.size() != a.cols())
       throw Parameter_error("element_integrals", "does not fit the size of the matrix");
+    check_entries(a);
     if(!(options.relative_tolerance > 0 && options.relative_tolerance < 1))
       throw Parameter_error("relative_tolerance", "must be between 0 and 1");
     if(options.maximum_iterations < 0)
@@ -241,6 +244,20 @@ private:
     if(options.smoothing_steps < 1)
       throw Parameter_error("smoothing_steps", "must be positive");
     return options;
+  }
+
+  /// A row with a negative diagonal entry would be left out by the smoother, without a word. Sums
+  /// of products that cancel may leave one that is negative by rounding.
+  static void check_entries(const Sparse_matrix& a) {
+    constexpr double rounding = 1e-12;
+    const Eigen::VectorXd diagonal = a.diagonal();
+    const double largest = diagonal.size() > 0 ? diagonal.cwiseAbs().maxCoeff() : 0;
+    for(Eigen::Index i = 0; i < diagonal.size(); ++i)
+      if(diagonal[i] < -rounding * largest)
+        throw Parameter_error("a", "is not positive semi-definite: the diagonal entry of row " +
+                                       std::to_string(i) + " is negative");
+    if(!Eigen::Map<const Eigen::ArrayXd>(a.valuePtr(), a.nonZeros()).allFinite())
+      throw Parameter_error("a", "has an entry that is not a finite number");
   }
 
   static CGAL::Real_timer started_timer() {

@@ -64,6 +64,9 @@ namespace internal {
 /// \f$P K P^T = L L^T\f$ by CHOLMOD. Eigen's interface offers the whole solve only.
 class Sparse_cholesky : public Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> {
 public:
+  /// By default CHOLMOD writes a warning to the standard output when a factorization fails.
+  Sparse_cholesky() { this->cholmod().print = 0; }
+
   /// \f$L^{-1} P b\f$
   Eigen::VectorXd solve_lower(const Eigen::VectorXd& b) const {
     return step(CHOLMOD_L, step(CHOLMOD_P, b));

@@ -14,6 +14,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Ref
 /// Point Gauss-Seidel, in the order of the unknowns before the coarse correction and in reverse
 /// after it, which makes a cycle a symmetric operator. The matrix is symmetric. A row whose
 /// diagonal entry is not positive is left out: its unknown stays 0.
@@ -21,6 +22,8 @@ namespace Restricted_laplacian_3 {
 /// One sweep takes one pass over the matrix; the first one, which starts from 0, and the residual
 /// after it take half a pass each: after the update of unknown \f$j\f$ its equation holds, with 0
 /// for all later unknowns, so the residual is \f$ r_j = -\sum_{i > j} A_{ji} x_i \f$.
+///
+/// \cgalModels `MultigridSmoother_3`
 class Gauss_seidel_smoother {
 public:
   explicit Gauss_seidel_smoother(const Eigen::SparseMatrix<double>& a)
