@@ -32,7 +32,9 @@ void run(const char* name, const RL::Triangulated_surface_3& surface, int depth)
   for(int repetition = 0; repetition < 3; ++repetition) {
     CGAL::Real_timer timer;
     timer.start();
-    const RL::Spline_space_3 space(surface, depth, false, 1.1);
+    RL::Spline_space_options options;
+    options.octree_depth = depth;
+    const RL::Spline_space_3 space(surface, options);
     const double space_end = timer.time();
     const RL::Operators operators = RL::assemble_operators(space);
     const double assembly_end = timer.time();

@@ -59,7 +59,9 @@ void print(const char* method, const RL::Triangulated_surface_3& surface, std::s
 void restricted(const RL::Triangulated_surface_3& surface, int depth, double tolerance) {
   CGAL::Real_timer timer;
   timer.start();
-  const RL::Spline_space_3 space(surface, depth, false, 1.1);
+  RL::Spline_space_options options;
+  options.octree_depth = depth;
+  const RL::Spline_space_3 space(surface, options);
   const RL::Operators operators = RL::assemble_operators(space);
   const Eigen::VectorXd load =
       RL::assemble_load(space, [](const RL::Surface_point& p) { return harmonic(p.point); });

@@ -27,7 +27,9 @@ const double infinity = std::numeric_limits<double>::infinity();
 double z(const RL::Surface_point& p) { return p.point.z(); }
 
 RL::Spline_space_3 space_of(const shapes::Triangles& t, int depth) {
-  return RL::Spline_space_3(RL::Triangulated_surface_3(t.points, t.faces), depth, false, 1.1);
+  RL::Spline_space_options options;
+  options.octree_depth = depth;
+  return RL::Spline_space_3(RL::Triangulated_surface_3(t.points, t.faces), options);
 }
 
 /// the name in a Parameter_error that `call` throws; empty if it throws none

@@ -118,18 +118,33 @@ TEST_CASE("cells_and_their_faces_are_those_of_the_fragments", "[octree]") {
                   expected[RL::morton_key(cell)].push_back(static_cast<std::uint32_t>(face));
                 });
     REQUIRE(octree.number_of_cells(depth) == expected.size());
-    std::size_t i = 0, number_of_fragments = 0;
+    std::size_t i = 0, number_of_fragments = 0, next_sheet = 0;
     double area = 0;
     for(const auto& [key, faces] : expected) {
-      const RL::Cell_3 cell = octree.cell(depth, i);
+      const auto [first, last] = octree.sheets(depth, i);
+      REQUIRE(first == next_sheet);
+      REQUIRE(first < last);
+      next_sheet = last;
+      const RL::Cell_3 cell = octree.cell(depth, first);
       REQUIRE(cell.level == depth);
       REQUIRE(cell.key() == key);
-      REQUIRE(std::vector<std::uint32_t>(octree.faces(i).begin(), octree.faces(i).end()) == faces);
+      std::vector<std::uint32_t> found;
+      for(std::size_t sheet = first; sheet < last; ++sheet) {
+        REQUIRE(octree.cell(depth, sheet) == cell);
+        REQUIRE(std::is_sorted(octree.faces(sheet).begin(), octree.faces(sheet).end()));
+        for(std::uint32_t face : octree.faces(sheet)) {
+          REQUIRE(octree.sheet_of_face(i, face) == sheet);
+          found.push_back(face);
+        }
+      }
+      std::sort(found.begin(), found.end());
+      REQUIRE(found == faces);
       for(std::uint32_t face : faces)
         area += octree.fragment(cell, face).double_area() / 2;
       number_of_fragments += faces.size();
       ++i;
     }
+    CHECK(octree.number_of_sheets(depth) == next_sheet);
     CHECK(octree.number_of_fragments() == number_of_fragments);
     const double h = octree.cell_width(depth);
     CHECK(area * h * h == Approx(octree.surface().area()).epsilon(1e-12).margin(1e-14));
@@ -150,8 +165,8 @@ TEST_CASE("points_of_the_surface_lie_in_cells", "[octree]") {
         const std::size_t number = octree.find(cell);
         if(number == octree.number_of_cells(depth))
           continue;
-        const auto faces = octree.faces(number);
-        is_found = is_found || std::find(faces.begin(), faces.end(), location.face) != faces.end();
+        is_found = is_found ||
+                   octree.sheet_of_face(number, location.face) != octree.number_of_sheets(depth);
       }
       REQUIRE(is_found);
     }
@@ -162,11 +177,12 @@ TEST_CASE("find_agrees_with_a_linear_search", "[octree]") {
   for_each_octree([](const RL::Octree_3& octree) {
     for(int level = 0; level <= octree.depth(); ++level) {
       const std::size_t number = octree.number_of_cells(level);
-      for(std::size_t i = 0; i < number; ++i)
-        REQUIRE(octree.find(octree.cell(level, i)) == i);
       std::set<std::array<int, 3>> indices;
-      for(std::size_t i = 0; i < number; ++i)
-        indices.insert(octree.cell(level, i).index);
+      for(std::size_t i = 0; i < number; ++i) {
+        const RL::Cell_3 cell = octree.cell(level, octree.sheets(level, i)[0]);
+        REQUIRE(octree.find(cell) == i);
+        indices.insert(cell.index);
+      }
       REQUIRE(indices.size() == number);
       if(level > 3)
         continue;
@@ -184,19 +200,16 @@ TEST_CASE("parents_and_children_are_inverse", "[octree]") {
   for_each_octree([](const RL::Octree_3& octree) {
     REQUIRE(octree.number_of_cells(0) == 1);
     for(int level = 0; level < octree.depth(); ++level) {
-      std::size_t next_child = 0;
-      for(std::size_t i = 0; i < octree.number_of_cells(level); ++i) {
-        const auto [first, last] = octree.children(level, i);
-        REQUIRE(first == next_child);
-        REQUIRE(last > first);
-        REQUIRE(last <= first + 8);
-        next_child = last;
-        for(std::size_t child = first; child < last; ++child) {
-          REQUIRE(octree.parent(level + 1, child) == i);
-          REQUIRE(octree.cell(level + 1, child).parent() == octree.cell(level, i));
+      std::size_t number_of_children = 0;
+      for(std::size_t sheet = 0; sheet < octree.number_of_sheets(level); ++sheet) {
+        REQUIRE(!octree.children(level, sheet).empty());
+        for(std::uint32_t child : octree.children(level, sheet)) {
+          REQUIRE(octree.parent(level + 1, child) == sheet);
+          REQUIRE(octree.cell(level + 1, child).parent() == octree.cell(level, sheet));
+          ++number_of_children;
         }
       }
-      REQUIRE(next_child == octree.number_of_cells(level + 1));
+      REQUIRE(number_of_children == octree.number_of_sheets(level + 1));
     }
   });
 }
@@ -206,8 +219,8 @@ TEST_CASE("element_masks_agree_with_values_of_the_splines", "[octree]") {
     const int depth = octree.depth();
     std::vector<std::vector<std::array<bool, 27>>> meets(depth + 1);
     for(int level = 0; level <= depth; ++level)
-      meets[level].resize(octree.number_of_cells(level), std::array<bool, 27>());
-    for(std::size_t fine = 0; fine < octree.number_of_cells(depth); ++fine)
+      meets[level].resize(octree.number_of_sheets(level), std::array<bool, 27>());
+    for(std::size_t fine = 0; fine < octree.number_of_sheets(depth); ++fine)
       for(std::uint32_t face : octree.faces(fine)) {
         const RL::Fragment fragment = octree.fragment(octree.cell(depth, fine), face);
         std::size_t i = fine;
@@ -223,7 +236,7 @@ TEST_CASE("element_masks_agree_with_values_of_the_splines", "[octree]") {
         }
       }
     for(int level = 0; level <= depth; ++level)
-      for(std::size_t i = 0; i < octree.number_of_cells(level); ++i)
+      for(std::size_t i = 0; i < octree.number_of_sheets(level); ++i)
         for(int e = 0; e < 27; ++e)
           REQUIRE(octree.meets_element(level, i, e % 3 - 1, e / 3 % 3 - 1, e / 9 - 1) ==
                   meets[level][i][e]);
@@ -237,7 +250,8 @@ TEST_CASE("coarse_levels_equal_octrees_of_that_depth", "[octree]") {
       const RL::Octree_3 shallow(deep.surface(), depth, deep.side() / deep.surface().extent());
       for(int level = 0; level <= depth; ++level) {
         REQUIRE(shallow.number_of_cells(level) == deep.number_of_cells(level));
-        for(std::size_t i = 0; i < shallow.number_of_cells(level); ++i) {
+        REQUIRE(shallow.number_of_sheets(level) == deep.number_of_sheets(level));
+        for(std::size_t i = 0; i < shallow.number_of_sheets(level); ++i) {
           REQUIRE(shallow.cell(level, i) == deep.cell(level, i));
           for(int e = 0; e < 27; ++e)
             REQUIRE(shallow.meets_element(level, i, e % 3 - 1, e / 3 % 3 - 1, e / 9 - 1) ==
@@ -256,7 +270,8 @@ TEST_CASE("surface_in_a_wall_is_stored_once", "[octree]") {
     const RL::Octree_3 octree(RL::Triangulated_surface_3(square.points, square.faces), depth, 1);
     const int n = 1 << depth;
     REQUIRE(octree.number_of_cells(depth) == static_cast<std::size_t>(n) * n);
-    for(std::size_t i = 0; i < octree.number_of_cells(depth); ++i) {
+    REQUIRE(octree.number_of_sheets(depth) == static_cast<std::size_t>(n) * n);
+    for(std::size_t i = 0; i < octree.number_of_sheets(depth); ++i) {
       REQUIRE(octree.cell(depth, i).index[2] == n / 2);
       REQUIRE(octree.meets_element(depth, i, 0, 0, -1));
       REQUIRE(octree.meets_element(depth, i, 0, 0, 0));

@@ -288,10 +288,10 @@ TEST_CASE("prolongation_preserves_functions", "[operators]") {
 
 TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators]") {
   const auto check = [](const shapes::Triangles& a, const shapes::Triangles& b, int depth) {
-    const RL::Spline_space_3 first(RL::Triangulated_surface_3(a.points, a.faces), depth, false,
-                                   1.1);
-    const RL::Spline_space_3 second(RL::Triangulated_surface_3(b.points, b.faces), depth, false,
-                                    1.1);
+    RL::Spline_space_options options;
+    options.octree_depth = depth;
+    const RL::Spline_space_3 first(RL::Triangulated_surface_3(a.points, a.faces), options);
+    const RL::Spline_space_3 second(RL::Triangulated_surface_3(b.points, b.faces), options);
     REQUIRE(first.dimension() == second.dimension());
     const RL::Operators of_first = RL::assemble_operators(first),
                         of_second = RL::assemble_operators(second);
@@ -327,9 +327,13 @@ TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators]") {
 
 TEST_CASE("number_of_elements", "[operators]") {
   const Mesh sphere = shapes::mesh(shapes::sphere(5));
-  CHECK(RL::Spline_space_3(sphere, params::octree_depth(3)).dimension() == 816);
-  CHECK(RL::Spline_space_3(sphere, params::octree_depth(4)).dimension() == 3048);
-  CHECK(RL::Spline_space_3(sphere, params::octree_depth(5)).dimension() == 12024);
+  const auto dimension = [&sphere](int depth) {
+    return RL::Spline_space_3(sphere, params::octree_depth(depth, params::split_elements(false)))
+        .dimension();
+  };
+  CHECK(dimension(3) == 816);
+  CHECK(dimension(4) == 3048);
+  CHECK(dimension(5) == 12024);
   CHECK(
       RL::Spline_space_3(sphere, params::octree_depth(3, params::paper_space(true))).dimension() ==
       504);

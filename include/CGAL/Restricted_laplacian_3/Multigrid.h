@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/internal/connected_components.h>
 #include <CGAL/Restricted_laplacian_3/internal/renumbering.h>
 #include <CGAL/Restricted_laplacian_3/smoothers.h>
 
@@ -28,9 +29,10 @@ enum class Cycle { V = 1, W = 2 };
 
 namespace internal {
 
-/// The pseudo-inverse of a small symmetric positive semi-definite matrix.
+/// The pseudo-inverse of a symmetric positive semi-definite matrix, each of whose connected
+/// components is small.
 ///
-/// The matrix is scaled to a unit diagonal first; eigenvalues of the scaled matrix below
+/// A component is scaled to a unit diagonal first; eigenvalues of the scaled block below
 /// `relative_cutoff` times the largest are treated as 0. They belong to the kernel (constants) and
 /// to combinations of elements that nearly vanish on the surface, in which a coarse correction
 /// would only amplify rounding errors.
@@ -38,7 +40,44 @@ class Pseudo_inverse {
 public:
   static constexpr double relative_cutoff = 1e-12;
 
-  explicit Pseudo_inverse(const Eigen::MatrixXd& a) {
+  explicit Pseudo_inverse(const Eigen::SparseMatrix<double>& a) {
+    const auto [component, number] = connected_components(a);
+    m_blocks.resize(number);
+    std::vector<int> position(component.size());
+    for(std::size_t i = 0; i < component.size(); ++i) {
+      position[i] = static_cast<int>(m_blocks[component[i]].unknowns.size());
+      m_blocks[component[i]].unknowns.push_back(static_cast<int>(i));
+    }
+    for(Block& block : m_blocks) {
+      const Eigen::Index size = static_cast<Eigen::Index>(block.unknowns.size());
+      Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
+      for(Eigen::Index j = 0; j < size; ++j)
+        for(Eigen::SparseMatrix<double>::InnerIterator i(a, block.unknowns[j]); i; ++i)
+          dense(position[i.row()], j) = i.value();
+      block.inverse = inverse(dense);
+    }
+  }
+
+  template <int K> void apply(const Block_vector<K>& b, Block_vector<K>& x) const {
+    x.resize(b.rows(), K);
+    Block_vector<K> part;
+    for(const Block& block : m_blocks) {
+      part.resize(block.inverse.cols(), K);
+      for(std::size_t i = 0; i < block.unknowns.size(); ++i)
+        part.row(i) = b.row(block.unknowns[i]);
+      part = block.inverse * part;
+      for(std::size_t i = 0; i < block.unknowns.size(); ++i)
+        x.row(block.unknowns[i]) = part.row(i);
+    }
+  }
+
+private:
+  struct Block {
+    std::vector<int> unknowns;
+    Eigen::MatrixXd inverse;
+  };
+
+  static Eigen::MatrixXd inverse(const Eigen::MatrixXd& a) {
     const Eigen::VectorXd scale =
         a.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * a *
@@ -47,15 +86,10 @@ public:
     const Eigen::VectorXd inverse = solver.eigenvalues().unaryExpr(
         [largest](double value) { return value > relative_cutoff * largest ? 1 / value : 0.; });
     const Eigen::MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();
-    m_inverse = vectors * inverse.asDiagonal() * vectors.transpose();
+    return vectors * inverse.asDiagonal() * vectors.transpose();
   }
 
-  template <int K> void apply(const Block_vector<K>& b, Block_vector<K>& x) const {
-    x.noalias() = m_inverse * b;
-  }
-
-private:
-  Eigen::MatrixXd m_inverse;
+  std::vector<Block> m_blocks;
 };
 
 } // namespace internal
@@ -142,7 +176,8 @@ public:
   }
 
 private:
-  Eigen::MatrixXd coarsen(Sparse_matrix a) {
+  /// the matrices of all levels; returns the coarsest
+  const Sparse_matrix& coarsen(Sparse_matrix a) {
     if(a.rows() != a.cols())
       throw Parameter_error("a", "is not a square matrix");
     for(std::size_t level = m_prolongations.size(); level > 0; --level) {
@@ -163,7 +198,7 @@ private:
       std::iota(m_order.begin(), m_order.end(), 0);
     }
     m_matrices.front() = std::move(a);
-    return Eigen::MatrixXd(m_matrices.front());
+    return m_matrices.front();
   }
 
   template <int K>

@@ -5,9 +5,13 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_3_H
 
 #include <CGAL/Restricted_laplacian_3/Cell_3.h>
+#include <CGAL/Restricted_laplacian_3/Surface_seams.h>
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
+#include <CGAL/Restricted_laplacian_3/internal/Seams_in_grid.h>
 
 #include <boost/range/iterator_range.hpp>
 #include <boost/sort/spreadsort/integer_sort.hpp>
@@ -25,31 +29,57 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// The sparse octree of the cells that meet a surface, with every level.
+/// The sparse octree of the cells that meet a surface, with every level, and the sheets in them.
 ///
 /// The root is the domain cube: axis-aligned, centred on the bounding box of the surface, its side
 /// `cube_scale` times the longest side of the box. Level \f$l\f$ is the grid of \f$2^l\f$ cells a
-/// side; its cells are stored as a sorted array of Morton keys, so that the children of a cell are
-/// consecutive, and a neighbour is found by binary search. The finest level also knows which
-/// triangles have a fragment in a cell.
+/// side; its cells are stored as a sorted array of Morton keys, so that a neighbour is found by
+/// binary search.
+///
+/// A *sheet* is a connected piece of the surface in one cell. On the finest level fragments of two
+/// triangles belong to the same sheet if the triangles are joined along a side (see
+/// `Surface_seams`) that runs through the closed cell for more than a point. Sheets of different
+/// cells, which are then neighbours, possibly across an edge or corner, are *linked* if a triangle
+/// has a fragment in both, or if two triangles are joined along a side that lies in the wall
+/// between the cells. A triangle is convex, and so is a box of cells; therefore two fragments of
+/// the same triangle are always connected inside of any box that contains both cells. On coarser
+/// levels the sheets of the up to 8 children of a cell are one sheet if they are linked inside of
+/// the cell, and two sheets are linked if two of their children are. All this depends on the
+/// surface, and not on how its flat parts are triangulated.
+///
+/// Sheets are numbered in Morton order of their cells, so those of a cell are consecutive, and in a
+/// cell by the position of their centroid along a fixed direction: numbers belong to the surface as
+/// well, and a level of a deep octree has those of a shallow octree. Without splitting all surface
+/// in a cell is one sheet, and there are no links.
 class Octree_3 {
 public:
+  /// half-open range of numbers of sheets
+  using Sheet_range = boost::iterator_range<const std::uint32_t*>;
+
   /// Coordinates that are this close to a wall, as a fraction of the side of the domain cube, are
   /// taken to lie on it: some units in the last place of the sums that lead to them.
   static constexpr double relative_wall_tolerance = 1.5e-14;
 
-  /// Number of cells and number of fragments beyond which an octree is refused instead of filling
-  /// the memory. About 3 elements belong to a cell and 75 entries to a row, so more cells would
-  /// give matrices of more than \f$2^{31}\f$ entries. A fragment takes 16 bytes while the octree is
+  /// Faces of at most this height, in units of the width of the finest cells, are bridged by their
+  /// neighbours, see `Surface_seams`.
+  static constexpr double thin_face_height = 1e-6;
+
+  /// Number of sheets and number of fragments beyond which an octree is refused instead of filling
+  /// the memory. About 3 elements belong to a sheet and 75 entries to a row, so more sheets would
+  /// give matrices of more than \f$2^{31}\f$ entries. A fragment takes 32 bytes while the octree is
   /// built.
-  static constexpr std::size_t maximum_number_of_cells = std::size_t(1) << 23;
+  static constexpr std::size_t maximum_number_of_sheets = std::size_t(1) << 23;
   static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 26;
 
+  /// \param is_split whether the surface in a cell is split into sheets
+  /// \param joining_tolerance of `Surface_seams`, in the unit of the coordinates; negative: do not
+  /// join
   /// \throws Parameter_error if `depth` is not in 1 .. 20, if `cube_scale` is not in 1 .. 1e6, or
-  /// if the octree would have more than `maximum_number_of_cells` cells or
+  /// if the octree would have more than `maximum_number_of_sheets` sheets or
   /// `maximum_number_of_fragments` fragments
-  Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale)
-    : m_surface(std::move(surface)), m_depth(depth) {
+  Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split = true,
+           double joining_tolerance = -1)
+    : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split) {
     if(depth < 1 || depth > maximum_octree_depth)
       throw Parameter_error("octree_depth", "is " + std::to_string(depth) +
                                                 ", but must be in 1 .. " +
@@ -70,9 +100,9 @@ public:
     // A plane section of a cube has at most the area sqrt(2) h^2: refuse before any work.
     const double h = cell_width(depth);
     refuse_if(m_surface.area() / (h * h) > 1.4143 * maximum_number_of_fragments);
-    build_finest_level();
+    std::vector<Place> places = build_finest_level(joining_tolerance);
     for(int level = depth - 1; level >= 0; --level)
-      build_coarser_level(level);
+      build_coarser_level(level, places);
   }
 
   int depth() const { return m_depth; }
@@ -83,21 +113,31 @@ public:
   /// width \f$h = \mathrm{side} / 2^l\f$ of the cells of a level
   double cell_width(int level) const { return std::ldexp(m_side, -level); }
 
+  /// whether the surface in a cell is split into sheets
+  bool is_split() const { return m_is_split; }
+
   /// number of cells of a level that meet the surface
   std::size_t number_of_cells(int level) const { return m_levels[level].keys.size(); }
 
-  /// cell number `i` of a level, in Morton order
-  Cell_3 cell(int level, std::size_t i) const {
-    return Cell_3::from_key(level, m_levels[level].keys[i]);
+  /// number of sheets of a level
+  std::size_t number_of_sheets(int level) const { return m_levels[level].cells.size(); }
+
+  /// the cell of a sheet
+  Cell_3 cell(int level, std::size_t sheet) const {
+    return Cell_3::from_key(level, m_levels[level].keys[m_levels[level].cells[sheet]]);
   }
 
-  /// number, in the next coarser level, of the cell that contains cell `i`
-  std::size_t parent(int level, std::size_t i) const { return m_levels[level].parents[i]; }
+  /// number, in the next coarser level, of the sheet that contains a sheet
+  std::size_t parent(int level, std::size_t sheet) const { return m_levels[level].parents[sheet]; }
 
-  /// numbers, in the next finer level, of the cells that cell `i` contains: a half-open range
-  std::array<std::size_t, 2> children(int level, std::size_t i) const {
-    return {m_levels[level].first_children[i], m_levels[level].first_children[i + 1]};
+  /// numbers, in the next finer level, of the sheets that a sheet consists of, in ascending order
+  Sheet_range children(int level, std::size_t sheet) const {
+    return m_levels[level].children[sheet];
   }
+
+  /// numbers of the sheets in other cells of the level that a sheet is linked with, in ascending
+  /// order
+  Sheet_range links(int level, std::size_t sheet) const { return m_levels[level].links[sheet]; }
 
   /// number of a cell, or `number_of_cells(cell.level)` if it does not meet the surface
   std::size_t find(const Cell_3& cell) const {
@@ -109,22 +149,33 @@ public:
     return it != keys.end() && *it == key ? it - keys.begin() : keys.size();
   }
 
-  /// Whether the element centred on the neighbour of cell `i` at offset (dx, dy, dz), each -1, 0 or
-  /// 1, is not zero on all of the surface in this cell. It is zero there where the surface in the
-  /// cell is part of the wall opposite to the neighbour.
-  bool meets_element(int level, std::size_t i, int dx, int dy, int dz) const {
-    return m_levels[level].element_masks[i] >> mask_bit(dx, dy, dz) & 1;
+  /// numbers of the sheets in cell number `i` of a level: a half-open range
+  std::array<std::size_t, 2> sheets(int level, std::size_t i) const {
+    return {m_levels[level].first_sheets[i], m_levels[level].first_sheets[i + 1]};
   }
 
-  /// the faces that have a fragment in cell `i` of the finest level, in ascending order
-  boost::iterator_range<const std::uint32_t*> faces(std::size_t i) const {
-    return {m_faces.data() + m_first_faces[i], m_faces.data() + m_first_faces[i + 1]};
+  /// Whether the element centred on the neighbour of the cell of a sheet at offset (dx, dy, dz),
+  /// each -1, 0 or 1, is not zero on all of the sheet. It is zero on it where the sheet is part of
+  /// the wall opposite to the neighbour.
+  bool meets_element(int level, std::size_t sheet, int dx, int dy, int dz) const {
+    return m_levels[level].element_masks[sheet] >> mask_bit(dx, dy, dz) & 1;
   }
 
-  /// whether a face has a fragment in cell `i` of the finest level
-  bool has_face(std::size_t i, std::size_t face) const {
-    const auto range = faces(i);
-    return std::binary_search(range.begin(), range.end(), face);
+  /// the faces that have a fragment in a sheet of the finest level, in ascending order
+  boost::iterator_range<const std::uint32_t*> faces(std::size_t sheet) const {
+    return {m_faces.data() + m_first_faces[sheet], m_faces.data() + m_first_faces[sheet + 1]};
+  }
+
+  /// the sheet in cell number `i` of the finest level that has a fragment of a face, or
+  /// `number_of_sheets(depth())` if there is none
+  std::size_t sheet_of_face(std::size_t i, std::size_t face) const {
+    const auto [first, last] = sheets(m_depth, i);
+    for(std::size_t sheet = first; sheet < last; ++sheet) {
+      const auto range = faces(sheet);
+      if(std::binary_search(range.begin(), range.end(), face))
+        return sheet;
+    }
+    return number_of_sheets(m_depth);
   }
 
   /// number of fragments of the finest level
@@ -150,18 +201,39 @@ public:
 
 private:
   struct Level {
-    std::vector<std::uint64_t> keys;
+    std::vector<std::uint64_t> keys;         // of cells
+    std::vector<std::uint32_t> first_sheets; // of cells, and one more
+    std::vector<std::uint32_t> cells;        // of sheets, as all that follows
     std::vector<std::uint32_t> element_masks;
     std::vector<std::uint32_t> parents;
-    std::vector<std::size_t> first_children;
+    internal::Number_lists children;
+    internal::Number_lists links;
+  };
+
+  /// Area of a piece of the surface, and its integral of the position along `sorting_direction()`.
+  struct Place {
+    double area = 0;
+    double moment = 0;
+
+    void add(const Place& other) {
+      area += other.area;
+      moment += other.moment;
+    }
+    double position() const { return moment / area; }
   };
 
   struct Key_and_face {
     std::uint64_t key;
     std::uint32_t face;
     std::uint32_t element_mask;
+    Place place;
     bool operator<(const Key_and_face& other) const { return key < other.key; }
   };
+
+  /// a direction in which the centroids of two pieces of a symmetric surface differ
+  static std::array<double, 3> sorting_direction() {
+    return {0.5301239457, 0.3190881637, 0.7855683291};
+  }
 
   static int mask_bit(int dx, int dy, int dz) { return (dx + 1) + 3 * (dy + 1) + 9 * (dz + 1); }
 
@@ -211,11 +283,12 @@ private:
     if(is_too_large)
       throw Parameter_error("octree_depth", "is " + std::to_string(m_depth) +
                                                 ", which gives this surface more than " +
-                                                std::to_string(maximum_number_of_cells) +
-                                                " cells or too many fragments of triangles");
+                                                std::to_string(maximum_number_of_sheets) +
+                                                " sheets or too many fragments of triangles");
   }
 
-  void build_finest_level() {
+  /// all fragments of triangles in finest cells, sorted by cell, and by face in a cell
+  std::vector<Key_and_face> cut_faces() const {
     std::vector<Key_and_face> pairs;
     pairs.reserve(2 * m_surface.number_of_faces());
     const Cell_clipper clip = clipper();
@@ -224,8 +297,11 @@ private:
         continue;
       clip(grid_triangle(face), [&](const std::array<int, 3>& cell, const Fragment& fragment) {
         refuse_if(pairs.size() == maximum_number_of_fragments);
-        pairs.push_back(
-            {morton_key(cell), static_cast<std::uint32_t>(face), element_mask(fragment, cell)});
+        Place place;
+        if(m_is_split)
+          place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
+        pairs.push_back({morton_key(cell), static_cast<std::uint32_t>(face),
+                         element_mask(fragment, cell), place});
       });
     }
     if(pairs.empty())
@@ -233,40 +309,237 @@ private:
     boost::sort::spreadsort::integer_sort(
         pairs.begin(), pairs.end(),
         [](const Key_and_face& p, unsigned offset) { return p.key >> offset; });
-
-    Level& finest = m_levels[m_depth];
-    m_faces.reserve(pairs.size());
-    for(const Key_and_face& p : pairs) {
-      if(finest.keys.empty() || finest.keys.back() != p.key) {
-        refuse_if(finest.keys.size() == maximum_number_of_cells);
-        finest.keys.push_back(p.key);
-        finest.element_masks.push_back(0);
-        m_first_faces.push_back(m_faces.size());
-      }
-      finest.element_masks.back() |= p.element_mask;
-      m_faces.push_back(p.face);
-    }
-    m_first_faces.push_back(m_faces.size());
     // The sort is not stable, and the order of summation should not depend on it.
-    for(std::size_t i = 0; i + 1 < m_first_faces.size(); ++i)
-      std::sort(m_faces.begin() + m_first_faces[i], m_faces.begin() + m_first_faces[i + 1]);
+    for(auto begin = pairs.begin(); begin != pairs.end();) {
+      auto end = begin;
+      while(end != pairs.end() && end->key == begin->key)
+        ++end;
+      std::sort(begin, end,
+                [](const Key_and_face& a, const Key_and_face& b) { return a.face < b.face; });
+      begin = end;
+    }
+    return pairs;
   }
 
-  void build_coarser_level(int level) {
-    Level &coarse = m_levels[level], &fine = m_levels[level + 1];
-    fine.parents.reserve(fine.keys.size());
-    for(std::size_t i = 0; i < fine.keys.size(); ++i) {
-      const std::uint64_t key = fine.keys[i] >> 3;
-      if(coarse.keys.empty() || coarse.keys.back() != key) {
-        coarse.keys.push_back(key);
-        coarse.element_masks.push_back(0);
-        coarse.first_children.push_back(i);
+  /// coordinates of the vertices in the finest grid, as the clipper sees them
+  std::vector<std::array<double, 3>> grid_points() const {
+    std::vector<std::array<double, 3>> points(m_surface.number_of_vertices());
+    for(std::size_t v = 0; v < points.size(); ++v)
+      points[v] = clipper().snapped(grid_coordinates(m_depth, m_surface.point(v)));
+    return points;
+  }
+
+  /// returns the places of the sheets
+  std::vector<Place> build_finest_level(double joining_tolerance) {
+    const std::vector<Key_and_face> pairs = cut_faces();
+    std::vector<internal::Number_lists::Pair> links;
+    std::vector<Place> places;
+    if(m_is_split) {
+      const double h = cell_width(m_depth);
+      const Surface_seams seams(m_surface, thin_face_height * h, joining_tolerance);
+      const double width = (std::max)(2 * thin_face_height, 1.01 * joining_tolerance / h);
+      internal::Seams_in_grid in_grid(m_surface, seams, grid_points(), 1 << m_depth, width);
+      places =
+          make_finest_sheets(pairs, [&in_grid](const std::array<int, 3>& cell, std::uint32_t size,
+                                               auto&& face_of, internal::Disjoint_sets& sets) {
+            in_grid.join(cell, size, face_of, sets);
+          });
+      link_fragments_of_same_face(links);
+      link_faces_along_walls(in_grid, links);
+    } else
+      places = make_finest_sheets(pairs, [](const std::array<int, 3>&, std::uint32_t size, auto&&,
+                                            internal::Disjoint_sets& sets) {
+        sets.reset(size);
+        for(std::uint32_t i = 1; i < size; ++i)
+          sets.unite(0, i);
+      });
+    m_levels[m_depth].links = internal::Number_lists(number_of_sheets(m_depth), links);
+    return places;
+  }
+
+  /// Groups the fragments of each cell into sheets.
+  /// \param join `join(cell, size, face_of, sets)`: unites those of the numbers 0 .. size - 1 whose
+  /// faces `face_of(i)` are in the same sheet
+  template <class Join>
+  std::vector<Place> make_finest_sheets(const std::vector<Key_and_face>& pairs, Join&& join) {
+    Level& finest = m_levels[m_depth];
+    m_faces.reserve(pairs.size());
+    internal::Disjoint_sets sets;
+    std::vector<Place> places;
+    std::vector<std::uint32_t> firsts;
+    for(std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+      while(end < pairs.size() && pairs[end].key == pairs[begin].key)
+        ++end;
+      const std::uint32_t size = static_cast<std::uint32_t>(end - begin);
+      join(
+          morton_index(pairs[begin].key), size,
+          [&pairs, begin](std::uint32_t i) { return pairs[begin + i].face; }, sets);
+      sort_by_place(
+          0, size, sets, [&pairs, begin](std::uint32_t i) { return pairs[begin + i].place; },
+          firsts, places);
+      finest.keys.push_back(pairs[begin].key);
+      finest.first_sheets.push_back(static_cast<std::uint32_t>(finest.cells.size()));
+      for(std::uint32_t first : firsts) {
+        refuse_if(finest.cells.size() == maximum_number_of_sheets);
+        finest.cells.push_back(static_cast<std::uint32_t>(finest.keys.size() - 1));
+        m_first_faces.push_back(m_faces.size());
+        std::uint32_t mask = 0;
+        for(std::uint32_t i = first; i < size; ++i)
+          if(sets.find(i) == first) {
+            m_faces.push_back(pairs[begin + i].face);
+            mask |= pairs[begin + i].element_mask;
+          }
+        finest.element_masks.push_back(mask);
       }
-      coarse.element_masks.back() |=
-          parent_mask(fine.element_masks[i], static_cast<int>(fine.keys[i] & 7));
-      fine.parents.push_back(static_cast<std::uint32_t>(coarse.keys.size() - 1));
     }
-    coarse.first_children.push_back(fine.keys.size());
+    finest.first_sheets.push_back(static_cast<std::uint32_t>(finest.cells.size()));
+    m_first_faces.push_back(m_faces.size());
+    return places;
+  }
+
+  /// Sets `firsts` to the representatives of the sets of the numbers `begin` .. `end` - 1, sorted by
+  /// the position of their centroids, and appends their places to `places`.
+  template <class PlaceOf>
+  static void sort_by_place(std::uint32_t begin, std::uint32_t end, internal::Disjoint_sets& sets,
+                            PlaceOf&& place_of, std::vector<std::uint32_t>& firsts,
+                            std::vector<Place>& places) {
+    firsts.clear();
+    std::vector<std::pair<Place, std::uint32_t>> sorted;
+    for(std::uint32_t i = begin; i < end; ++i)
+      if(sets.find(i) == i)
+        sorted.emplace_back(Place(), i);
+    for(std::uint32_t i = begin; i < end; ++i) {
+      const auto it = std::lower_bound(
+          sorted.begin(), sorted.end(), sets.find(i),
+          [](const std::pair<Place, std::uint32_t>& s, std::uint32_t j) { return s.second < j; });
+      it->first.add(place_of(i));
+    }
+    if(sorted.size() > 1)
+      std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+        return a.first.position() < b.first.position();
+      });
+    for(const auto& [place, first] : sorted) {
+      firsts.push_back(first);
+      places.push_back(place);
+    }
+  }
+
+  bool have_common_face(std::size_t sheet, std::size_t other) const {
+    const auto a = faces(sheet), b = faces(other);
+    for(auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+      if(*i == *j)
+        return true;
+      if(*i < *j)
+        ++i;
+      else
+        ++j;
+    }
+    return false;
+  }
+
+  static void add_link(std::size_t sheet, std::size_t other,
+                       std::vector<internal::Number_lists::Pair>& links) {
+    const auto a = static_cast<std::uint32_t>(sheet), b = static_cast<std::uint32_t>(other);
+    links.emplace_back(a, b);
+    links.emplace_back(b, a);
+  }
+
+  void link_fragments_of_same_face(std::vector<internal::Number_lists::Pair>& links) const {
+    const std::size_t number_of_cells = this->number_of_cells(m_depth);
+    for(std::size_t i = 0; i < number_of_cells; ++i) {
+      const Cell_3 cell = Cell_3::from_key(m_depth, m_levels[m_depth].keys[i]);
+      const auto [first, last] = sheets(m_depth, i);
+      // one half of the 26 neighbours
+      for(int k = 14; k < 27; ++k) {
+        const std::size_t j = find(cell.neighbor(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+        if(j == number_of_cells)
+          continue;
+        const auto [other_first, other_last] = sheets(m_depth, j);
+        for(std::size_t sheet = first; sheet < last; ++sheet)
+          for(std::size_t other = other_first; other < other_last; ++other)
+            if(have_common_face(sheet, other))
+              add_link(sheet, other, links);
+      }
+    }
+  }
+
+  void link_faces_along_walls(const internal::Seams_in_grid& seams,
+                              std::vector<internal::Number_lists::Pair>& links) const {
+    std::vector<std::size_t> touching;
+    seams.for_each_piece_in_walls(
+        [&](const std::array<int, 3>& low, const std::array<int, 3>& high, const auto& faces) {
+          touching.clear();
+          Cell_3 cell{m_depth, {}};
+          for(cell.index[2] = low[2]; cell.index[2] <= high[2]; ++cell.index[2])
+            for(cell.index[1] = low[1]; cell.index[1] <= high[1]; ++cell.index[1])
+              for(cell.index[0] = low[0]; cell.index[0] <= high[0]; ++cell.index[0]) {
+                const std::size_t i = find(cell);
+                if(i == number_of_cells(m_depth))
+                  continue;
+                for(std::uint32_t face : faces) {
+                  const std::size_t sheet = sheet_of_face(i, face);
+                  if(sheet != number_of_sheets(m_depth))
+                    touching.push_back(sheet);
+                }
+              }
+          std::sort(touching.begin(), touching.end());
+          touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+          for(std::size_t a = 0; a < touching.size(); ++a)
+            for(std::size_t b = 0; b < a; ++b)
+              add_link(touching[b], touching[a], links);
+        });
+  }
+
+  /// \param places of the sheets of the next finer level; on return of those of this level
+  void build_coarser_level(int level, std::vector<Place>& places) {
+    Level &coarse = m_levels[level], &fine = m_levels[level + 1];
+    const auto number_of_fine_sheets = static_cast<std::uint32_t>(fine.cells.size());
+    const auto parent_key = [&fine](std::size_t sheet) {
+      return fine.keys[fine.cells[sheet]] >> 3;
+    };
+    internal::Disjoint_sets sets(number_of_fine_sheets);
+    for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
+      if(!m_is_split && sheet > 0 && parent_key(sheet - 1) == parent_key(sheet))
+        sets.unite(sheet - 1, sheet);
+      for(std::uint32_t other : fine.links[sheet])
+        if(other < sheet && parent_key(other) == parent_key(sheet))
+          sets.unite(other, sheet);
+    }
+    fine.parents.resize(number_of_fine_sheets);
+    std::vector<Place> coarse_places;
+    std::vector<std::uint32_t> firsts;
+    for(std::uint32_t begin = 0, end = 0; begin < number_of_fine_sheets; begin = end) {
+      while(end < number_of_fine_sheets && parent_key(end) == parent_key(begin))
+        ++end;
+      sort_by_place(
+          begin, end, sets, [&places](std::uint32_t sheet) { return places[sheet]; }, firsts,
+          coarse_places);
+      coarse.keys.push_back(parent_key(begin));
+      coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
+      for(std::uint32_t first : firsts) {
+        fine.parents[first] = static_cast<std::uint32_t>(coarse.cells.size());
+        coarse.cells.push_back(static_cast<std::uint32_t>(coarse.keys.size() - 1));
+        coarse.element_masks.push_back(0);
+      }
+      for(std::uint32_t sheet = begin; sheet < end; ++sheet) {
+        const std::uint32_t parent = fine.parents[sheet] = fine.parents[sets.find(sheet)];
+        coarse.element_masks[parent] |= parent_mask(
+            fine.element_masks[sheet], static_cast<int>(fine.keys[fine.cells[sheet]] & 7));
+      }
+    }
+    coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
+    places.swap(coarse_places);
+
+    std::vector<internal::Number_lists::Pair> children, links;
+    children.reserve(number_of_fine_sheets);
+    for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
+      children.emplace_back(fine.parents[sheet], sheet);
+      for(std::uint32_t other : fine.links[sheet])
+        if(fine.parents[other] != fine.parents[sheet])
+          links.emplace_back(fine.parents[sheet], fine.parents[other]);
+    }
+    coarse.children = internal::Number_lists(coarse.cells.size(), children);
+    coarse.links = internal::Number_lists(coarse.cells.size(), links);
   }
 
   Triangulated_surface_3 m_surface;
@@ -274,6 +547,7 @@ private:
   double m_side;
   Point_3 m_center;
   double m_wall_tolerance;
+  bool m_is_split;
   std::vector<Level> m_levels;
   std::vector<std::size_t> m_first_faces;
   std::vector<std::uint32_t> m_faces;

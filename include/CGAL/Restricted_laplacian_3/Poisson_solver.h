@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/conjugate_gradient.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/connected_components.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -40,30 +41,6 @@ struct Poisson_solver_options {
 };
 
 namespace internal {
-
-/// Number of the connected component of each unknown in the graph of a symmetric matrix, counted
-/// from 0, and the number of components.
-inline std::pair<std::vector<int>, int> connected_components(const Eigen::SparseMatrix<double>& a) {
-  std::vector<int> component(a.cols(), -1), stack;
-  int number = 0;
-  for(int start = 0; start < a.cols(); ++start) {
-    if(component[start] != -1)
-      continue;
-    component[start] = number;
-    stack.push_back(start);
-    while(!stack.empty()) {
-      const int j = stack.back();
-      stack.pop_back();
-      for(Eigen::SparseMatrix<double>::InnerIterator i(a, j); i; ++i)
-        if(component[i.row()] == -1) {
-          component[i.row()] = number;
-          stack.push_back(static_cast<int>(i.row()));
-        }
-    }
-    ++number;
-  }
-  return {std::move(component), number};
-}
 
 /// The functions that are constant on one connected component of the graph of a matrix \f$A\f$ and
 /// 0 on the others, as far as \f$A 1_c = \alpha m_c\f$ with the integrals \f$m_c\f$ of the elements

@@ -52,15 +52,15 @@ public:
   /// \f$u\f$ at a location
   /// \throws Location_error if there is no such face, or if the location is not on the surface
   double value(const Surface_location& location) const {
-    const auto [cell, t] = locate(location);
-    return value_in_cell(cell, t);
+    const auto [sheet, t] = locate(location);
+    return value_on_sheet(sheet, t);
   }
 
   /// The surface gradient \f$\nabla_{\mathcal M} u = (I - n n^T) \nabla u\f$ at a location, where
   /// \f$n\f$ is the unit normal of its face; in units of \f$u\f$ over length.
   /// \throws Location_error as `value()`, and if the face is degenerate
   Vector_3 gradient(const Surface_location& location) const {
-    const auto [cell, t] = locate(location);
+    const auto [sheet, t] = locate(location);
     if(surface().is_degenerate(location.face))
       throw Location_error("face " + std::to_string(location.face) +
                            " is degenerate: it has no tangent plane");
@@ -69,8 +69,8 @@ public:
       b[axis] = B_spline_1::values(t[axis]);
       d[axis] = B_spline_1::derivatives(t[axis]);
     }
-    const Vector_3 in_space = Vector_3(sum(cell, d[0], b[1], b[2]), sum(cell, b[0], d[1], b[2]),
-                                       sum(cell, b[0], b[1], d[2])) /
+    const Vector_3 in_space = Vector_3(sum(sheet, d[0], b[1], b[2]), sum(sheet, b[0], d[1], b[2]),
+                                       sum(sheet, b[0], b[1], d[2])) /
                               m_space->octree().cell_width(m_level);
     const Vector_3& n = surface().normal(location.face);
     return in_space - (in_space * n) * n;
@@ -79,7 +79,7 @@ public:
   /// Values at all vertices, in the order of `vertices(tm)`: NaN at those that have no face of
   /// positive area, for they are not on the surface.
   std::vector<double> values_at_vertices() const {
-    const std::size_t not_on_surface = m_space->octree().number_of_cells(m_level);
+    const std::size_t not_on_surface = m_space->octree().number_of_sheets(m_level);
     std::vector<double> values(surface().number_of_vertices(),
                                std::numeric_limits<double>::quiet_NaN());
     for(std::size_t f = 0; f < surface().number_of_faces(); ++f) {
@@ -90,9 +90,9 @@ public:
         if(!std::isnan(value))
           continue;
         // The tip of a needle may have lost its fragment to rounding; then another face serves.
-        const auto [cell, t] = m_space->locate(m_level, surface().point(f, corner), f);
-        if(cell != not_on_surface)
-          value = value_in_cell(cell, t);
+        const auto [sheet, t] = m_space->locate(m_level, surface().point(f, corner), f);
+        if(sheet != not_on_surface)
+          value = value_on_sheet(sheet, t);
       }
     }
     return values;
@@ -106,19 +106,19 @@ private:
       throw Location_error("there is no face " + std::to_string(location.face));
     const auto result =
         m_space->locate(m_level, surface().surface_point(location).point, location.face);
-    if(result.first == m_space->octree().number_of_cells(m_level))
+    if(result.first == m_space->octree().number_of_sheets(m_level))
       throw Location_error("a location with face " + std::to_string(location.face) +
                            " is not on the surface");
     return result;
   }
 
-  double value_in_cell(std::size_t cell, const std::array<double, 3>& t) const {
-    return sum(cell, B_spline_1::values(t[0]), B_spline_1::values(t[1]), B_spline_1::values(t[2]));
+  double value_on_sheet(std::size_t sheet, const std::array<double, 3>& t) const {
+    return sum(sheet, B_spline_1::values(t[0]), B_spline_1::values(t[1]), B_spline_1::values(t[2]));
   }
 
-  double sum(std::size_t cell, const std::array<double, 3>& x, const std::array<double, 3>& y,
+  double sum(std::size_t sheet, const std::array<double, 3>& x, const std::array<double, 3>& y,
              const std::array<double, 3>& z) const {
-    const Cell_elements& elements = m_space->elements(m_level, cell);
+    const Cell_elements& elements = m_space->elements(m_level, sheet);
     double result = 0;
     for(int i = 0; i < 27; ++i)
       if(elements[i] != Spline_space_3::no_element)

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
@@ -23,9 +24,28 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// the 27 elements whose support contains a cell, by offset: number \f$i = (d_x + 1) + 3 (d_y + 1)
-/// + 9 (d_z + 1)\f$ is centred on the neighbour at offset \f$(d_x, d_y, d_z)\f$
+/// the 27 elements that can act on a sheet, by the offset of their centre from its cell: number
+/// \f$i = (d_x + 1) + 3 (d_y + 1) + 9 (d_z + 1)\f$ is centred on the neighbour at offset
+/// \f$(d_x, d_y, d_z)\f$
 using Cell_elements = std::array<std::uint32_t, 27>;
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Which space a `Spline_space_3` is.
+struct Spline_space_options {
+  /// depth \f$d\f$ of the octree
+  int octree_depth = 6;
+  /// side of the domain cube over the longest side of the bounding box; 0 stands for 1.1, or for
+  /// 1.2 in the space of the paper
+  double cube_scale = 0;
+  /// only elements centred inside the grid exist, and they are not split
+  bool paper_space = false;
+  /// an element is split into one for each connected component of the surface in its support; has
+  /// no effect on the space of the paper
+  bool split_elements = true;
+  /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
+  /// are joined if they run along each other; negative: they are not
+  double joining_tolerance = -1;
+};
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The spaces of restricted splines, one for each level of the octree of a surface.
@@ -34,24 +54,35 @@ using Cell_elements = std::array<std::uint32_t, 27>;
 /// on \f$o\f$; its support is the \f$3 \times 3 \times 3\f$ cells around \f$o\f$. The space at
 /// level \f$l\f$ is spanned by the restrictions to the surface of all elements whose open support
 /// meets the surface, also of those centred one cell outside the \f$2^l\f$ grid: they sum to 1 on
-/// the whole surface, so the constants are in the space. With `paper_space(true)` only elements
-/// centred inside the grid exist, as in the paper. The spaces are nested: each element is a
+/// the whole surface, so the constants are in the space. The spaces are nested: each element is a
 /// combination of elements of the next finer level.
 ///
-/// Elements of a level are numbered in Morton order of their cells.
+/// *Splitting.* If the surface in the support of \f$b_o\f$ has several connected components, there
+/// is one element for each of them: \f$b_o\f$ on the component, and 0 elsewhere. So parts of the
+/// surface that are near in space, but far along the surface, share no element, however thin the
+/// space between them is. All properties above remain: an element of the finer level lies in the
+/// support of its coarse ones, and its component in exactly one of theirs.
 ///
-/// See section 4.4 of the paper.
+/// With `paper_space(true)` only elements centred inside the grid exist, and they are not split, as
+/// in the paper (section 4.4).
+///
+/// Elements of a level are numbered in Morton order of their cells.
 class Spline_space_3 {
 public:
   /// stands for an element that does not exist
   static constexpr std::uint32_t no_element = (std::numeric_limits<std::uint32_t>::max)();
 
-  /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
+  /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
+  /// triangles
   /// \param np optional named parameters:
   /// - `octree_depth`: depth \f$d\f$ of the octree; default 6
   /// - `cube_scale`: side of the domain cube over the longest side of the bounding box; default
   ///   1.1, or 1.2 with `paper_space(true)`
-  /// - `paper_space`: whether only elements centred inside the grid exist; default `false`
+  /// - `paper_space`: whether only elements centred inside the grid exist, unsplit; default `false`
+  /// - `split_elements`: whether elements are split by the components of the surface in their
+  ///   support; default `true`, no effect with `paper_space(true)`
+  /// - `joining_tolerance`: distance up to which open sides of faces are joined, to close duplicate
+  ///   vertices and T-junctions, see `Surface_seams`; by default they are not joined
   /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
   ///
@@ -60,29 +91,27 @@ public:
   template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
   explicit Spline_space_3(const FaceGraph& tm,
                           const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(
-          read_surface(tm, np),
-          parameters::choose_parameter(parameters::get_parameter(np, internal_np::octree_depth), 6),
-          parameters::choose_parameter(parameters::get_parameter(np, internal_np::paper_space),
-                                       false),
-          parameters::choose_parameter(
-              parameters::get_parameter(np, internal_np::cube_scale),
-              default_cube_scale(parameters::choose_parameter(
-                  parameters::get_parameter(np, internal_np::paper_space), false)))) {}
+    : Spline_space_3(read_surface(tm, np), spline_space_options(np)) {}
 
-  Spline_space_3(Triangulated_surface_3 surface, int depth, bool paper_space, double cube_scale)
-    : m_octree(std::move(surface), depth, cube_scale), m_is_paper_space(paper_space) {
-    m_levels.resize(depth + 1);
-    for(int level = 0; level <= depth; ++level)
+  /// the spaces of a surface given as points and triangles, which need not be a manifold
+  explicit Spline_space_3(Triangulated_surface_3 surface,
+                          const Spline_space_options& options = Spline_space_options())
+    : m_options(checked(options)),
+      m_octree(std::move(surface), options.octree_depth, m_options.cube_scale,
+               m_options.split_elements, m_options.joining_tolerance) {
+    m_levels.resize(depth() + 1);
+    for(int level = 0; level <= depth(); ++level)
       number_elements(level);
   }
 
-  static double default_cube_scale(bool paper_space) { return paper_space ? 1.2 : 1.1; }
-
+  /// the options, without defaults that depend on others
+  const Spline_space_options& options() const { return m_options; }
   int depth() const { return m_octree.depth(); }
   const Octree_3& octree() const { return m_octree; }
   const Triangulated_surface_3& surface() const { return m_octree.surface(); }
-  bool is_paper_space() const { return m_is_paper_space; }
+  bool is_paper_space() const { return m_options.paper_space; }
+  /// whether elements are split by the components of the surface in their support
+  bool is_split() const { return m_octree.is_split(); }
 
   /// `level`
   /// \throws Parameter_error if it is not in 0 .. depth
@@ -97,15 +126,18 @@ public:
   std::size_t dimension(int level) const { return m_levels[level].first_slots.size(); }
   /// number of elements of the finest level
   std::size_t dimension() const { return dimension(depth()); }
-
-  /// The elements that act on the surface in cell `i` of a level; `no_element` where there is none,
-  /// or where it vanishes on the surface in this cell. All code above this class reaches elements
-  /// through this function alone.
-  const Cell_elements& elements(int level, std::size_t i) const {
-    return m_levels[level].cell_elements[i];
+  /// number of elements of a level that are one of several into which an element was split
+  std::size_t number_of_split_elements(int level) const {
+    return m_levels[level].number_of_split_elements;
   }
 
-  /// a cell in which an element acts, and its position in `elements()` of that cell
+  /// The elements that act on a sheet of a level; `no_element` where there is none, or where it
+  /// vanishes on the sheet. All code above this class reaches elements through this function alone.
+  const Cell_elements& elements(int level, std::size_t sheet) const {
+    return m_levels[level].elements[sheet];
+  }
+
+  /// a sheet on which an element acts, and its position in `elements()` of that sheet
   std::pair<std::size_t, int> slot(int level, std::size_t element) const {
     const std::uint32_t slot = m_levels[level].first_slots[element];
     return {slot / 27, static_cast<int>(slot % 27)};
@@ -113,17 +145,17 @@ public:
 
   /// the cell that an element is centred on; it may lie outside the grid
   Cell_3 center(int level, std::size_t element) const {
-    const auto [cell, position] = slot(level, element);
-    return m_octree.cell(level, cell)
+    const auto [sheet, position] = slot(level, element);
+    return m_octree.cell(level, sheet)
         .neighbor(position % 3 - 1, position / 3 % 3 - 1, position / 9 - 1);
   }
 
-  /// The cell of a level in which a point of a face lies, and its local coordinates there, in
-  /// \f$[0,1]^3\f$ up to rounding. A point on a wall may belong to any of the cells that touch it:
-  /// the one that is taken owns a fragment of the face, or is an ancestor of one that does. It has
-  /// to, because an element that vanishes on the surface in a cell is not listed there, but need
-  /// not vanish on another face that touches the cell.
-  /// \return the number of cells of the level as cell if the point is not on the face
+  /// The sheet of a level on which a point of a face lies, and its local coordinates in the cell,
+  /// in \f$[0,1]^3\f$ up to rounding. A point on a wall may belong to any of the cells that touch
+  /// it: the one that is taken owns a fragment of the face, or is an ancestor of one that does. It
+  /// has to, because an element that vanishes on a sheet is not listed there, but need not vanish
+  /// on another face that touches the cell.
+  /// \return the number of sheets of the level as sheet if the point is not on the face
   std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,
                                                        std::size_t face) const {
     const int depth = this->depth();
@@ -134,7 +166,7 @@ public:
     for(int axis = 0; axis < 3; ++axis) {
       const double n = std::ldexp(1., depth);
       if(!(x[axis] >= -tolerance && x[axis] <= n + tolerance))
-        return {m_octree.number_of_cells(level), {0, 0, 0}};
+        return {m_octree.number_of_sheets(level), {0, 0, 0}};
       range[axis] = {static_cast<int>(std::floor(x[axis] - tolerance)),
                      static_cast<int>(std::floor(x[axis] + tolerance))};
     }
@@ -142,72 +174,166 @@ public:
     for(cell.index[2] = range[2][1]; cell.index[2] >= range[2][0]; --cell.index[2])
       for(cell.index[1] = range[1][1]; cell.index[1] >= range[1][0]; --cell.index[1])
         for(cell.index[0] = range[0][1]; cell.index[0] >= range[0][0]; --cell.index[0]) {
-          std::size_t number = m_octree.find(cell);
-          if(number == m_octree.number_of_cells(depth) || !m_octree.has_face(number, face))
+          const std::size_t cell_number = m_octree.find(cell);
+          if(cell_number == m_octree.number_of_cells(depth))
+            continue;
+          std::size_t sheet = m_octree.sheet_of_face(cell_number, face);
+          if(sheet == m_octree.number_of_sheets(depth))
             continue;
           for(int l = depth; l > level; --l)
-            number = m_octree.parent(l, number);
-          const Cell_3 ancestor = m_octree.cell(level, number);
+            sheet = m_octree.parent(l, sheet);
+          const Cell_3 ancestor = m_octree.cell(level, sheet);
           std::array<double, 3> t;
           for(int axis = 0; axis < 3; ++axis)
             t[axis] = std::ldexp(x[axis], level - depth) - ancestor.index[axis];
-          return {number, t};
+          return {sheet, t};
         }
-    return {m_octree.number_of_cells(level), {0, 0, 0}};
+    return {m_octree.number_of_sheets(level), {0, 0, 0}};
   }
 
 private:
   struct Level {
-    std::vector<Cell_elements> cell_elements;
+    std::vector<Cell_elements> elements; // of sheets
     std::vector<std::uint32_t> first_slots;
+    std::size_t number_of_split_elements = 0;
   };
 
   struct Key_and_slot {
     std::uint64_t key;
     std::uint32_t slot;
     bool operator<(const Key_and_slot& other) const { return key < other.key; }
+    std::uint32_t sheet() const { return slot / 27; }
   };
 
-  /// Sorts the centres of the elements of all cells; equal centres are one element.
+  template <class NamedParameters>
+  static Spline_space_options spline_space_options(const NamedParameters& np) {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    Spline_space_options o;
+    o.octree_depth = choose_parameter(get_parameter(np, internal_np::octree_depth), o.octree_depth);
+    o.paper_space = choose_parameter(get_parameter(np, internal_np::paper_space), o.paper_space);
+    o.cube_scale = choose_parameter(get_parameter(np, internal_np::cube_scale),
+                                    default_cube_scale(o.paper_space));
+    o.split_elements =
+        choose_parameter(get_parameter(np, internal_np::split_elements), o.split_elements);
+    const double off = -1;
+    o.joining_tolerance = choose_parameter(get_parameter(np, internal_np::joining_tolerance), off);
+    if(o.joining_tolerance != off)
+      check_tolerance(o.joining_tolerance);
+    if(o.cube_scale == 0)
+      throw Parameter_error("cube_scale", "is 0, but must be in 1 .. 1e6");
+    return o;
+  }
+
+  static double default_cube_scale(bool paper_space) { return paper_space ? 1.2 : 1.1; }
+
+  static void check_tolerance(double tolerance) {
+    if(!(tolerance >= 0 && std::isfinite(tolerance)))
+      throw Parameter_error("joining_tolerance",
+                            "is " + std::to_string(tolerance) +
+                                ", but must be a finite number that is not negative");
+  }
+
+  static Spline_space_options checked(Spline_space_options options) {
+    if(options.cube_scale == 0)
+      options.cube_scale = default_cube_scale(options.paper_space);
+    options.split_elements = options.split_elements && !options.paper_space;
+    if(!(options.joining_tolerance < 0))
+      check_tolerance(options.joining_tolerance);
+    return options;
+  }
+
+  /// Sorts the centres of the elements of all sheets; those of equal centre are one element for
+  /// each component of their sheets under the links.
   void number_elements(int level) {
     Level& l = m_levels[level];
-    const std::size_t number_of_cells = m_octree.number_of_cells(level);
+    std::vector<Key_and_slot> slots = sorted_slots(level);
+    Cell_elements none;
+    none.fill(no_element);
+    l.elements.assign(m_octree.number_of_sheets(level), none);
+
+    internal::Disjoint_sets components;
+    std::vector<Position> positions(is_split() ? m_octree.number_of_sheets(level) : 0);
+    for(std::size_t begin = 0, end = 0; begin < slots.size(); begin = end) {
+      while(end < slots.size() && slots[end].key == slots[begin].key)
+        ++end;
+      // The sort is not stable.
+      std::sort(slots.begin() + begin, slots.begin() + end,
+                [](const Key_and_slot& a, const Key_and_slot& b) { return a.slot < b.slot; });
+      const std::uint32_t size = static_cast<std::uint32_t>(end - begin);
+      find_components(level, slots.data() + begin, size, begin, positions, components);
+      std::size_t count = 0;
+      for(std::uint32_t i = 0; i < size; ++i) {
+        const std::uint32_t slot = slots[begin + i].slot;
+        const std::uint32_t first = components.find(i);
+        if(first == i) {
+          ++count;
+          element(l, slot) = static_cast<std::uint32_t>(l.first_slots.size());
+          l.first_slots.push_back(slot);
+        } else
+          element(l, slot) = element(l, slots[begin + first].slot);
+      }
+      if(count > 1)
+        l.number_of_split_elements += count;
+    }
+  }
+
+  static std::uint32_t& element(Level& level, std::uint32_t slot) {
+    return level.elements[slot / 27][slot % 27];
+  }
+
+  std::vector<Key_and_slot> sorted_slots(int level) const {
     std::vector<Key_and_slot> slots;
-    slots.reserve(27 * number_of_cells);
-    for(std::size_t i = 0; i < number_of_cells; ++i) {
-      const Cell_3 cell = m_octree.cell(level, i);
-      std::uint32_t slot = static_cast<std::uint32_t>(27 * i);
+    slots.reserve(27 * m_octree.number_of_sheets(level));
+    for(std::size_t sheet = 0; sheet < m_octree.number_of_sheets(level); ++sheet) {
+      const Cell_3 cell = m_octree.cell(level, sheet);
+      std::uint32_t slot = static_cast<std::uint32_t>(27 * sheet);
       for(int dz = -1; dz <= 1; ++dz)
         for(int dy = -1; dy <= 1; ++dy)
           for(int dx = -1; dx <= 1; ++dx, ++slot) {
             const Cell_3 center = cell.neighbor(dx, dy, dz);
-            if(!m_octree.meets_element(level, i, dx, dy, dz) ||
-               (m_is_paper_space && !center.is_inside_grid()))
-              continue;
-            slots.push_back(
-                {morton_key({center.index[0] + 1, center.index[1] + 1, center.index[2] + 1}),
-                 slot});
+            if(m_octree.meets_element(level, sheet, dx, dy, dz) &&
+               (!is_paper_space() || center.is_inside_grid()))
+              slots.push_back(
+                  {morton_key({center.index[0] + 1, center.index[1] + 1, center.index[2] + 1}),
+                   slot});
           }
     }
     boost::sort::spreadsort::integer_sort(
         slots.begin(), slots.end(),
         [](const Key_and_slot& s, unsigned offset) { return s.key >> offset; });
-
-    Cell_elements none;
-    none.fill(no_element);
-    l.cell_elements.assign(number_of_cells, none);
-    for(std::size_t i = 0; i < slots.size(); ++i) {
-      const auto [key, slot] = slots[i];
-      if(i == 0 || key != slots[i - 1].key)
-        l.first_slots.push_back(slot);
-      else if(slot < l.first_slots.back())
-        l.first_slots.back() = slot;
-      l.cell_elements[slot / 27][slot % 27] = static_cast<std::uint32_t>(l.first_slots.size() - 1);
-    }
+    return slots;
   }
 
+  /// where a sheet is in the group that starts at `group`
+  struct Position {
+    std::size_t group = (std::numeric_limits<std::size_t>::max)();
+    std::uint32_t position = 0;
+  };
+
+  /// the components of the `size` sheets of one centre
+  void find_components(int level, const Key_and_slot* slots, std::uint32_t size, std::size_t group,
+                       std::vector<Position>& positions,
+                       internal::Disjoint_sets& components) const {
+    components.reset(size);
+    if(!is_split()) {
+      for(std::uint32_t i = 1; i < size; ++i)
+        components.unite(0, i);
+      return;
+    }
+    for(std::uint32_t i = 0; i < size; ++i)
+      positions[slots[i].sheet()] = {group, i};
+    for(std::uint32_t i = 0; i < size; ++i)
+      for(std::uint32_t other : m_octree.links(level, slots[i].sheet())) {
+        if(other > slots[i].sheet())
+          break;
+        if(positions[other].group == group)
+          components.unite(positions[other].position, i);
+      }
+  }
+
+  Spline_space_options m_options;
   Octree_3 m_octree;
-  bool m_is_paper_space;
   std::vector<Level> m_levels;
 };
 

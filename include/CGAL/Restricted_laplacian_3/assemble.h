@@ -12,7 +12,9 @@
 
 #include <Eigen/SparseCore>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,33 +40,31 @@ struct Operators {
 
 namespace internal {
 
-/// Computes the moments of all cells of the levels `coarsest` .. `finest`, those of a cell after
-/// those of its children, and keeps only one cell per level at a time.
+/// Computes the moments of all sheets of the levels `coarsest` .. `finest`, those of a sheet after
+/// those of its children, and keeps only one sheet per level at a time.
 template <class SurfaceIntegration, class Visitor> class Moment_traversal {
 public:
   Moment_traversal(const Octree_3& octree, const SurfaceIntegration& integration, int coarsest,
                    int finest, Visitor& visit)
     : m_octree(octree), m_integration(integration), m_finest(finest), m_visit(visit),
       m_moments(octree.depth() + 1) {
-    for(std::size_t i = 0; i < octree.number_of_cells(coarsest); ++i)
-      compute(coarsest, i);
+    for(std::size_t sheet = 0; sheet < octree.number_of_sheets(coarsest); ++sheet)
+      compute(coarsest, sheet);
   }
 
 private:
-  void compute(int level, std::size_t i) {
+  void compute(int level, std::size_t sheet) {
     Cell_moments& moments = m_moments[level];
     moments.clear();
     if(level == m_octree.depth())
-      m_integration.add_moments(i, moments);
-    else {
-      const auto [first, last] = m_octree.children(level, i);
-      for(std::size_t child = first; child < last; ++child) {
+      m_integration.add_moments(sheet, moments);
+    else
+      for(std::uint32_t child : m_octree.children(level, sheet)) {
         compute(level + 1, child);
         add_child_moments(m_moments[level + 1], m_octree.cell(level + 1, child).octant(), moments);
       }
-    }
     if(level <= m_finest)
-      m_visit(level, i, moments);
+      m_visit(level, sheet, moments);
   }
 
   const Octree_3& m_octree;
@@ -81,12 +81,12 @@ private:
 /// one pass over the surface.
 ///
 /// The surface is integrated on the finest level of the octree only; the coarser levels follow from
-/// the moments of the cells, at a cost that does not depend on the number of triangles. Up to
+/// the moments of the sheets, at a cost that does not depend on the number of triangles. Up to
 /// rounding they are the Galerkin products \f$P^T A P\f$ of the finer ones, if the space is not
 /// that of the paper.
 ///
 /// Takes time proportional to the number of fragments of triangles in cells, plus the number of
-/// cells; holds the matrices (about 75 entries in a row) and little else.
+/// sheets; holds the matrices (about 75 entries in a row) and little else.
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or
 /// `Monte_carlo`
 /// \throws Parameter_error if a level is not in 0 .. depth
@@ -102,17 +102,17 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
     operators.push_back({patterns.back().zero_matrix(), patterns.back().zero_matrix()});
   }
   Cell_block stiffness, mass;
-  const auto add_cell = [&](int level, std::size_t i, const Cell_moments& moments) {
+  const auto add_sheet = [&](int level, std::size_t sheet, const Cell_moments& moments) {
     const double h = space.octree().cell_width(level);
     stiffness_block(moments, stiffness);
     mass_block(moments, mass);
     Operators& to = operators[level - coarsest];
-    internal::add_cell_blocks(space.elements(level, i), stiffness, mass, h * h, to.stiffness,
+    internal::add_cell_blocks(space.elements(level, sheet), stiffness, mass, h * h, to.stiffness,
                               to.mass);
   };
   if(coarsest <= finest)
-    internal::Moment_traversal<SurfaceIntegration, decltype(add_cell)>(space.octree(), integration,
-                                                                       coarsest, finest, add_cell);
+    internal::Moment_traversal<SurfaceIntegration, decltype(add_sheet)>(
+        space.octree(), integration, coarsest, finest, add_sheet);
   return operators;
 }
 
@@ -164,37 +164,39 @@ inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
 
 namespace internal {
 
-/// Visits the cells of the finest level in Morton order, collects the nodes of each cell of `level`
-/// through `add(t, point, weight)` (local coordinate in that cell; weight in units of the squared
-/// width of the finest cells), and calls `finish(cell)` after the last one.
+/// Visits the sheets of `level`, collects the nodes of each of them through `add(t, point, weight)`
+/// (local coordinate in its cell; weight in units of the squared width of the finest cells), and
+/// calls `finish(sheet)` after the last one.
 template <class SurfaceIntegration, class Add, class Finish>
-void for_each_cell_and_node(const Spline_space_3& space, int level,
-                            const SurfaceIntegration& integration, Add&& add, Finish&& finish) {
+void for_each_sheet_and_node(const Spline_space_3& space, int level,
+                             const SurfaceIntegration& integration, Add&& add, Finish&& finish) {
   const Octree_3& octree = space.octree();
   const int depth = octree.depth();
-  std::size_t current = 0;
-  for(std::size_t i = 0; i < octree.number_of_cells(depth); ++i) {
-    const Cell_3 fine = octree.cell(depth, i);
-    std::size_t coarse = i;
-    for(int l = depth; l > level; --l)
-      coarse = octree.parent(l, coarse);
-    if(coarse != current) {
-      finish(current);
-      current = coarse;
+  std::vector<std::uint32_t> descendants, next;
+  for(std::uint32_t sheet = 0; sheet < octree.number_of_sheets(level); ++sheet) {
+    descendants.assign(1, sheet);
+    for(int l = level; l < depth; ++l, descendants.swap(next)) {
+      next.clear();
+      for(std::uint32_t s : descendants)
+        next.insert(next.end(), octree.children(l, s).begin(), octree.children(l, s).end());
     }
+    const Cell_3 coarse = octree.cell(level, sheet);
     // local coordinate in the coarse cell: scale (t + offset)
     const double scale = std::ldexp(1., level - depth);
-    std::array<double, 3> offset;
-    for(int axis = 0; axis < 3; ++axis)
-      offset[axis] = fine.index[axis] - (fine.index[axis] >> (depth - level) << (depth - level));
-    integration.for_each_node(
-        i, [&](const std::array<double, 3>& t, const Surface_location& location, double weight) {
-          add(std::array<double, 3>{scale * (t[0] + offset[0]), scale * (t[1] + offset[1]),
-                                    scale * (t[2] + offset[2])},
-              octree.surface().surface_point(location), weight);
-        });
+    for(std::uint32_t s : descendants) {
+      const Cell_3 fine = octree.cell(depth, s);
+      std::array<double, 3> offset;
+      for(int axis = 0; axis < 3; ++axis)
+        offset[axis] = fine.index[axis] - (coarse.index[axis] << (depth - level));
+      integration.for_each_node(
+          s, [&](const std::array<double, 3>& t, const Surface_location& location, double weight) {
+            add(std::array<double, 3>{scale * (t[0] + offset[0]), scale * (t[1] + offset[1]),
+                                      scale * (t[2] + offset[2])},
+                octree.surface().surface_point(location), weight);
+          });
+    }
+    finish(sheet);
   }
-  finish(current);
 }
 
 inline void add_cell_load(const Cell_elements& elements, const Cell_load::Load& values,
@@ -220,15 +222,15 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, in
   const double h = space.octree().cell_width(space.depth());
   Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
   Cell_load cell_load;
-  internal::for_each_cell_and_node(
+  internal::for_each_sheet_and_node(
       space, level, integration,
       [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
         cell_load.add(t, weight * static_cast<double>(f(p)));
       },
-      [&](std::size_t cell) {
+      [&](std::size_t sheet) {
         Cell_load::Load values = {};
         cell_load.add_values_to(values);
-        internal::add_cell_load(space.elements(level, cell), values, h * h, load);
+        internal::add_cell_load(space.elements(level, sheet), values, h * h, load);
         cell_load = Cell_load();
       });
   return load;
@@ -263,7 +265,7 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
   const double coarse_h = space.octree().cell_width(level);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
   std::array<Cell_load, 3> components;
-  internal::for_each_cell_and_node(
+  internal::for_each_sheet_and_node(
       space, level, integration,
       [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
         const Vector_3 value = v(p);
@@ -271,11 +273,11 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
         for(int axis = 0; axis < 3; ++axis)
           components[axis].add(t, weight * tangential[axis]);
       },
-      [&](std::size_t cell) {
+      [&](std::size_t sheet) {
         Cell_load::Load values = {};
         for(int axis = 0; axis < 3; ++axis)
           components[axis].add_derivatives_to(axis, values);
-        internal::add_cell_load(space.elements(level, cell), values, h * h / coarse_h, load);
+        internal::add_cell_load(space.elements(level, sheet), values, h * h / coarse_h, load);
         components.fill(Cell_load());
       });
   return load;

@@ -35,14 +35,35 @@ struct Fragment {
   double double_area() const {
     std::array<double, 3> sum = {0, 0, 0};
     for(std::size_t i = 2; i < size; ++i) {
-      const auto &o = corners[0].position, &p = corners[i - 1].position, &q = corners[i].position;
-      const double ux = p[0] - o[0], uy = p[1] - o[1], uz = p[2] - o[2];
-      const double vx = q[0] - o[0], vy = q[1] - o[1], vz = q[2] - o[2];
-      sum[0] += uy * vz - uz * vy;
-      sum[1] += uz * vx - ux * vz;
-      sum[2] += ux * vy - uy * vx;
+      const auto c = double_area_vector(i);
+      for(int axis = 0; axis < 3; ++axis)
+        sum[axis] += c[axis];
     }
     return std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+  }
+
+  /// integral over the polygon of a linear function of the position, in units of the squared cell
+  /// width
+  double integral_of_linear(const std::array<double, 3>& coefficients) const {
+    double sum = 0;
+    for(std::size_t i = 2; i < size; ++i) {
+      const auto c = double_area_vector(i);
+      double value = 0;
+      for(int axis = 0; axis < 3; ++axis)
+        value += coefficients[axis] * (corners[0].position[axis] + corners[i - 1].position[axis] +
+                                       corners[i].position[axis]);
+      sum += std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]) * value / 6;
+    }
+    return sum;
+  }
+
+private:
+  /// of the triangle of corners 0, i - 1 and i
+  std::array<double, 3> double_area_vector(std::size_t i) const {
+    const auto &o = corners[0].position, &p = corners[i - 1].position, &q = corners[i].position;
+    const double ux = p[0] - o[0], uy = p[1] - o[1], uz = p[2] - o[2];
+    const double vx = q[0] - o[0], vy = q[1] - o[1], vz = q[2] - o[2];
+    return {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
   }
 };
 
@@ -142,16 +163,20 @@ public:
     return polygon;
   }
 
+  /// a corner as the clipper sees it: on the walls that it is near to, and inside the grid
+  std::array<double, 3> snapped(std::array<double, 3> corner) const {
+    for(double& x : corner)
+      x = (std::min)((std::max)(internal::snap_to_wall(x, m_tolerance), 0.),
+                     static_cast<double>(m_cells_per_side));
+    return corner;
+  }
+
 private:
   Fragment snapped_triangle(const std::array<std::array<double, 3>, 3>& corners) const {
     Fragment polygon;
     polygon.size = 3;
     for(int i = 0; i < 3; ++i) {
-      for(int axis = 0; axis < 3; ++axis) {
-        const double x = internal::snap_to_wall(corners[i][axis], m_tolerance);
-        polygon.corners[i].position[axis] =
-            (std::min)((std::max)(x, 0.), static_cast<double>(m_cells_per_side));
-      }
+      polygon.corners[i].position = snapped(corners[i]);
       polygon.corners[i].barycentric = {i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0.};
     }
     return polygon;

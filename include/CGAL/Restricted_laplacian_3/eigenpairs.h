@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_EIGENPAIRS_H
 
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/connected_components.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
@@ -124,6 +125,8 @@ public:
                   double sigma, double tau)
     : m_mass(m), m_regularization(tau) {
     Eigen::SparseMatrix<double> k = s - sigma * m;
+    if(k.diagonal().minCoeff() < -largest_regularization * k.diagonal().maxCoeff())
+      throw Numerical_error("the shifted stiffness matrix has a negative diagonal entry");
     m_scale = k.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
     // Scaled to a unit diagonal, so that tau is relative to each entry; an empty row gets a 1.
     for(int j = 0; j < k.cols(); ++j)
@@ -162,6 +165,12 @@ public:
     result = m_cholesky.solve_lower(m_scale.cwiseProduct(mx));
     if(m_deflated.cols() > 0)
       result -= m_deflated * m_deflated_values.cwiseProduct(m_deflated.transpose() * y);
+  }
+
+  /// \f$y = R x = R^{-T} K x\f$ for a vector of the kernel of \f$S\f$ with \f$y^T y = 1\f$, up to
+  /// \f$\tau\f$
+  Eigen::VectorXd kernel_vector(const Eigen::VectorXd& x) const {
+    return m_cholesky.solve_lower(m_scale.cwiseProduct(m_mass * x)).normalized();
   }
 
   /// from now on moves further pairs to the far end of the spectrum
@@ -264,18 +273,55 @@ inline std::pair<Eigen::MatrixXd, Eigen::VectorXd> lanczos(Inverted_pencil& penc
   return {std::move(x), solver.eigenvalues()};
 }
 
-/// The `k` largest \f$\nu\f$ with all copies of multiple eigenvalues.
+/// The functions that are constant on one connected component of the graph of \f$S\f$ and 0 on the
+/// others, as far as they are in its kernel: columns of 1 and 0.
+inline Eigen::MatrixXd constants_in_kernel(const Eigen::SparseMatrix<double>& s) {
+  // a thousand times the rounding error of a row sum
+  constexpr double relative_tolerance = 1e-13;
+  const auto [component, number] = connected_components(s);
+  const Eigen::VectorXd sums = s * Eigen::VectorXd::Ones(s.cols()), diagonal = s.diagonal();
+  Eigen::VectorXd largest_sum = Eigen::VectorXd::Zero(number),
+                  largest_diagonal = Eigen::VectorXd::Zero(number);
+  for(Eigen::Index i = 0; i < s.cols(); ++i) {
+    double &sum = largest_sum[component[i]], &entry = largest_diagonal[component[i]];
+    sum = (std::max)(sum, std::abs(sums[i]));
+    entry = (std::max)(entry, std::abs(diagonal[i]));
+  }
+  std::vector<int> column(number, -1);
+  int columns = 0;
+  for(int c = 0; c < number; ++c)
+    if(largest_diagonal[c] > 0 && largest_sum[c] <= relative_tolerance * largest_diagonal[c])
+      column[c] = columns++;
+  Eigen::MatrixXd constants = Eigen::MatrixXd::Zero(s.cols(), columns);
+  for(Eigen::Index i = 0; i < s.cols(); ++i)
+    if(column[component[i]] >= 0)
+      constants(i, column[component[i]]) = 1;
+  return constants;
+}
+
+/// The `k` largest \f$\nu\f$ with all copies of multiple eigenvalues, from the second on; the first
+/// ones, the eigenvalue 0 of \f$S\f$, are known.
 ///
 /// A Krylov space holds one vector of each eigenspace; other copies enter it by rounding only, and
 /// on symmetric surfaces some may still be missing when the iteration has converged. So iterate
 /// again, from another vector and with all known pairs deflated: if that finds a value above the
 /// smallest known one, it was missed. Repeated until it finds none.
-inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, int k, const Eigenpairs_options& options,
+inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, const Eigen::MatrixXd& constants,
+                                  double shift, int k, const Eigenpairs_options& options,
                                   Eigenpairs& pairs) {
   // what is above by less is a copy of the smallest value, of which any number may be cut off
   constexpr double relative_gap = 1e-8;
-  auto [vectors, values] = lanczos(pencil, k, 1, options, pairs);
-  for(int pass = 2; pass < k + 3 && pairs.converged; ++pass) {
+  const Eigen::Index known = (std::min)(constants.cols(), Eigen::Index(k));
+  for(Eigen::Index i = 0; i < known; ++i)
+    pencil.deflate(pencil.kernel_vector(constants.col(i)),
+                   Eigen::VectorXd::Constant(1, -1 / shift));
+  Eigen::MatrixXd result(constants.rows(), k);
+  result.leftCols(known) = constants.leftCols(known);
+  const int wanted = k - static_cast<int>(known);
+  if(wanted == 0)
+    return result;
+  auto [vectors, values] = lanczos(pencil, wanted, 1, options, pairs);
+  for(int pass = 2; pass < wanted + 3 && pairs.converged; ++pass) {
     const auto [vector, value] = lanczos(pencil, 1, pass, options, pairs);
     Eigen::Index smallest;
     const double smallest_value = values.minCoeff(&smallest);
@@ -284,7 +330,9 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, int k, const Eigenpai
     vectors.col(smallest) = vector;
     values[smallest] = value[0];
   }
-  return std::move(vectors);
+  result.conservativeResize(Eigen::NoChange, known + vectors.cols());
+  result.rightCols(vectors.cols()) = vectors;
+  return result;
 }
 
 } // namespace internal
@@ -309,6 +357,9 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, int k, const Eigenpai
 /// the far end of the spectrum. The values returned are Rayleigh quotients with \f$S\f$ itself, in
 /// which \f$\tau\f$ enters squared only. Should a factorization fail, \f$\tau\f$ is multiplied by
 /// 100, up to \f$10^{-8}\f$; the result reports the value used.
+///
+/// *Kernel.* Functions that are constant on a connected component of the graph of \f$S\f$ and in
+/// its kernel are recognized and returned as they are.
 ///
 /// *Multiplicity.* A second iteration, with all pairs found so far deflated, looks for copies of a
 /// multiple eigenvalue that the first one missed, and is repeated until it finds none.
@@ -344,7 +395,8 @@ inline Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& s,
   internal::Inverted_pencil pencil(s, unit_mass, pairs.shift * mass, options.regularization);
   pairs.regularization = pencil.regularization();
   pairs.converged = true;
-  Eigen::MatrixXd vectors = internal::all_copies(pencil, k, options, pairs);
+  Eigen::MatrixXd vectors = internal::all_copies(pencil, internal::constants_in_kernel(s),
+                                                 pairs.shift * mass, k, options, pairs);
   internal::finish_eigenpairs(s, m, std::move(vectors), pairs);
   constexpr double largest_residual = 1e-3;
   pairs.converged = pairs.converged && (pairs.residuals.array() <= largest_residual).all();

@@ -30,8 +30,8 @@ inline Sparse_matrix prolongation_matrix(const Spline_space_3& space, int level)
   if(level < 0 || level >= space.depth())
     throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +
                                        std::to_string(space.depth() - 1));
-  // All coarse elements that contain a fine one act in the parent of any cell in which it acts, so
-  // rows are found through one such cell, and then transposed into columns by a counting sort.
+  // All coarse elements that contain a fine one act on the parent of any sheet on which it acts, so
+  // rows are found through one such sheet, and then transposed into columns by a counting sort.
   struct Entry {
     std::uint32_t coarse;
     double value;

@@ -13,6 +13,7 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -39,12 +40,14 @@ Poisson_solver_options poisson_solver_options(const NamedParameters& np) {
   return options;
 }
 
-/// The coarsest level of a hierarchy: the finest one that is small enough for a dense factorization
-/// whose time does not count.
+/// The coarsest level of a hierarchy: the finest one whose dense factorization takes no time that
+/// counts. It is done for each connected component of the surface, which is a sheet of level 0.
 inline int coarsest_multigrid_level(const Spline_space_3& space) {
-  constexpr std::size_t largest_dense_dimension = 300;
+  constexpr double largest_dense_dimension = 300;
+  const double components = static_cast<double>(space.octree().number_of_sheets(0));
   int level = 0;
-  while(level < space.depth() && space.dimension(level + 1) <= largest_dense_dimension)
+  while(level < space.depth() && static_cast<double>(space.dimension(level + 1)) <=
+                                     largest_dense_dimension * std::sqrt(components))
     ++level;
   return level;
 }

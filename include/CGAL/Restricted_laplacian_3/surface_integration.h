@@ -26,21 +26,21 @@ public:
   /// The space must outlive this object.
   explicit Cubature(const Spline_space_3& space) : m_octree(&space.octree()) {}
 
-  /// adds the moments of cell `i` of the finest level
-  void add_moments(std::size_t i, Cell_moments& moments) const {
-    const Cell_3 cell = m_octree->cell(m_octree->depth(), i);
-    for(std::uint32_t face : m_octree->faces(i))
+  /// adds the moments of a sheet of the finest level
+  void add_moments(std::size_t sheet, Cell_moments& moments) const {
+    const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
+    for(std::uint32_t face : m_octree->faces(sheet))
       add_fragment(m_octree->fragment(cell, face), cell.index, m_octree->surface().normal(face),
                    moments);
   }
 
-  /// Calls `visit(t, location, weight)` for the nodes in cell `i` of the finest level: local
+  /// Calls `visit(t, location, weight)` for the nodes on a sheet of the finest level: local
   /// coordinate in the cell, as `std::array<double, 3>`; `Surface_location`; weight in units of the
   /// squared cell width.
-  template <class Visitor> void for_each_node(std::size_t i, Visitor&& visit) const {
-    const Cell_3 cell = m_octree->cell(m_octree->depth(), i);
+  template <class Visitor> void for_each_node(std::size_t sheet, Visitor&& visit) const {
+    const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
     Surface_location location;
-    for(std::uint32_t face : m_octree->faces(i)) {
+    for(std::uint32_t face : m_octree->faces(sheet)) {
       location.face = face;
       internal::for_each_node(m_octree->fragment(cell, face), cell.index, triangle_quadrature(12),
                               [&](const std::array<double, 3>& t,
@@ -72,39 +72,39 @@ public:
     const int depth = m_octree->depth();
     const double h = m_octree->cell_width(depth);
     m_weight = m_octree->surface().area() / samples.size() / (h * h);
-    const std::size_t number_of_cells = m_octree->number_of_cells(depth);
+    const std::size_t number_of_sheets = m_octree->number_of_sheets(depth);
 
-    // counting sort by cell
-    std::vector<std::size_t> cell_of_sample;
+    // counting sort by sheet
+    std::vector<std::size_t> sheet_of_sample;
     std::vector<std::array<double, 3>> positions;
-    m_first.assign(number_of_cells + 1, 0);
+    m_first.assign(number_of_sheets + 1, 0);
     for(const Surface_location& sample : samples) {
-      const auto [cell, t] =
+      const auto [sheet, t] =
           space.locate(depth, m_octree->surface().surface_point(sample).point, sample.face);
-      if(cell == number_of_cells)
+      if(sheet == number_of_sheets)
         throw Location_error("a sample is not on the surface");
-      cell_of_sample.push_back(cell);
+      sheet_of_sample.push_back(sheet);
       positions.push_back(t);
-      ++m_first[cell + 1];
+      ++m_first[sheet + 1];
     }
-    for(std::size_t i = 0; i < number_of_cells; ++i)
+    for(std::size_t i = 0; i < number_of_sheets; ++i)
       m_first[i + 1] += m_first[i];
     m_samples.resize(samples.size());
     std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
     for(std::size_t k = 0; k < samples.size(); ++k)
-      m_samples[next[cell_of_sample[k]]++] = {positions[k], samples[k]};
+      m_samples[next[sheet_of_sample[k]]++] = {positions[k], samples[k]};
   }
 
-  /// adds the moments of cell `i` of the finest level
-  void add_moments(std::size_t i, Cell_moments& moments) const {
-    for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+  /// adds the moments of a sheet of the finest level
+  void add_moments(std::size_t sheet, Cell_moments& moments) const {
+    for(std::size_t k = m_first[sheet]; k < m_first[sheet + 1]; ++k)
       add_sample(m_samples[k].position, m_octree->surface().normal(m_samples[k].location.face),
                  m_weight, moments);
   }
 
   /// as in `Cubature`
-  template <class Visitor> void for_each_node(std::size_t i, Visitor&& visit) const {
-    for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+  template <class Visitor> void for_each_node(std::size_t sheet, Visitor&& visit) const {
+    for(std::size_t k = m_first[sheet]; k < m_first[sheet + 1]; ++k)
       visit(m_samples[k].position, m_samples[k].location, m_weight);
   }
 

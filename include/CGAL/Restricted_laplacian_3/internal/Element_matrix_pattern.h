@@ -22,27 +22,27 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// The pattern of the matrices of a level: two elements are coupled if they act in the same cell.
+/// The pattern of the matrices of a level: two elements are coupled if they act on the same sheet.
 class Element_matrix_pattern {
 public:
   Element_matrix_pattern(const Spline_space_3& space, int level) {
     const std::size_t n = space.dimension(level);
-    const std::size_t number_of_cells = space.octree().number_of_cells(level);
+    const std::size_t number_of_sheets = space.octree().number_of_sheets(level);
 
-    // cells of each element
+    // sheets of each element
     std::vector<std::size_t> first(n + 1, 0);
-    for(std::size_t i = 0; i < number_of_cells; ++i)
+    for(std::size_t i = 0; i < number_of_sheets; ++i)
       for(std::uint32_t e : space.elements(level, i))
         if(e != Spline_space_3::no_element)
           ++first[e + 1];
     for(std::size_t e = 0; e < n; ++e)
       first[e + 1] += first[e];
-    std::vector<std::uint32_t> cells(first[n]);
+    std::vector<std::uint32_t> sheets(first[n]);
     std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for(std::size_t i = 0; i < number_of_cells; ++i)
+    for(std::size_t i = 0; i < number_of_sheets; ++i)
       for(std::uint32_t e : space.elements(level, i))
         if(e != Spline_space_3::no_element)
-          cells[next[e]++] = static_cast<std::uint32_t>(i);
+          sheets[next[e]++] = static_cast<std::uint32_t>(i);
 
     m_outer.reserve(n + 1);
     m_outer.push_back(0);
@@ -50,7 +50,7 @@ public:
     for(std::size_t e = 0; e < n; ++e) {
       const std::size_t begin = m_inner.size();
       for(std::size_t k = first[e]; k < first[e + 1]; ++k)
-        for(std::uint32_t other : space.elements(level, cells[k]))
+        for(std::uint32_t other : space.elements(level, sheets[k]))
           if(other != Spline_space_3::no_element && last_seen[other] != e) {
             last_seen[other] = static_cast<std::uint32_t>(e);
             m_inner.push_back(static_cast<int>(other));
@@ -76,7 +76,7 @@ private:
   std::vector<int> m_outer, m_inner;
 };
 
-/// Adds the blocks of a cell to two matrices of the same pattern. Both the elements of the cell and
+/// Adds the blocks of a sheet to two matrices of the same pattern. Both the elements of the sheet and
 /// the rows of a column are walked through in ascending order, so each column takes one merge.
 inline void add_cell_blocks(const Cell_elements& elements, const Cell_block& stiffness,
                             const Cell_block& mass, double mass_factor,
