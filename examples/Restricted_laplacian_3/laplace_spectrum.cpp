@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -102,15 +103,14 @@ RL::Eigenpairs solve(const Options& o, Summary& summary, const Progress& progres
 
 // Each of these two returns the eigenvalues that were found, and sets `u` to the eigenfunction that
 // the options ask for, at the vertices.
-RL::Eigenpairs solve_restricted(const Mesh& mesh, const Options& o, Values& u, Summary& summary,
+RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const Options& o,
+                                std::vector<double>& u, Summary& summary,
                                 const Progress& progress) {
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space = make_space(mesh, o);
-  summary.add("depth", space.depth());
-  summary.add("dimension", space.dimension());
-  summary.add("area", space.surface().area());
+  const RL::Spline_space_3 space(surface, o.space);
+  add_space(summary, space);
   summary.add("setup_seconds", timer.time());
 
   const RL::Eigenpairs pairs = solve(o, summary, progress, [&] {
@@ -119,22 +119,21 @@ RL::Eigenpairs solve_restricted(const Mesh& mesh, const Options& o, Values& u, S
     });
   });
   if(o.eigenfunction < pairs.values.size())
-    RL::evaluate_at_vertices(RL::Spline_function_3(space, pairs.vectors.col(o.eigenfunction)), mesh,
-                             u);
+    u = RL::Spline_function_3(space, pairs.vectors.col(o.eigenfunction)).values_at_vertices();
   return pairs;
 }
 
-RL::Eigenpairs solve_cotangent(const Mesh& mesh, const Options& o, Values& u, Summary& summary,
-                               const Progress& progress) {
-  const RL::Triangulated_surface_3 surface = RL::read_surface(mesh);
+RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const Options& o,
+                               std::vector<double>& u, Summary& summary, const Progress& progress) {
   summary.add("dimension", surface.number_of_vertices());
-  summary.add("area", surface.area());
 
   const RL::Eigenpairs pairs = solve(
       o, summary, progress, [&] { return RL::cotangent_operators(surface, o.mass == "lumped"); });
   if(o.eigenfunction < pairs.values.size())
-    for(const Vertex v : mesh.vertices())
-      u[v] = mesh.is_isolated(v) ? std::nan("") : pairs.vectors(v.idx(), o.eigenfunction);
+    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+      if(!surface.is_degenerate(f))
+        for(const std::uint32_t vertex : surface.triangle(f))
+          u[vertex] = pairs.vectors(vertex, o.eigenfunction);
   return pairs;
 }
 
@@ -154,23 +153,23 @@ int main(int argc, char* argv[]) {
     const Progress progress(o.quiet);
 
     progress.show("reading " + o.mesh);
-    Mesh_input input = read_mesh(o.mesh);
-    Values u = input.mesh.add_property_map<Vertex, double>("v:value").first;
+    const Mesh_input input = read_mesh(o.mesh);
+    std::vector<double> u(input.surface.number_of_vertices(), std::nan(""));
 
     Summary summary(input);
     summary.add("threads", 1);
     const RL::Eigenpairs pairs = o.operator_name == "restricted"
-                                     ? solve_restricted(input.mesh, o, u, summary, progress)
-                                     : solve_cotangent(input.mesh, o, u, summary, progress);
+                                     ? solve_restricted(input.surface, o, u, summary, progress)
+                                     : solve_cotangent(input.surface, o, u, summary, progress);
     const std::vector<double> eigenvalues(pairs.values.begin(), pairs.values.end());
 
     progress.show("writing the results");
     if(!o.csv.empty())
       write_csv(o.csv, summary, "index,eigenvalue", eigenvalues);
     if(!o.output.empty())
-      write_mesh(o.output, input.mesh, u);
+      write_mesh(o.output, input.surface, u);
     if(!o.picture.empty())
-      write_picture(o.picture, input.mesh, value_colors(u), u, {o.up == "z", o.isolines});
+      write_picture(o.picture, input.surface, value_colors(u), u, {o.up == "z", o.isolines});
     progress.show("");
     if(!o.quiet) {
       summary.print(std::cout);

@@ -32,16 +32,19 @@
 #include <vector>
 
 using namespace examples;
+namespace params = CGAL::parameters;
 
 const char* const usage =
     "usage: solve_poisson MESH [OPTION]...\n"
     "\n"
     "Solves Laplacian u = f on the surface of MESH (off, obj, ply, stl, ts). The Laplacian is\n"
     "the divergence of the gradient: it is negative, and on the unit sphere f = z gives\n"
-    "u = -z / 2. The surface mean of f is subtracted, and u has surface mean 0.\n"
-    "With --alpha A it solves (A / area) u - Laplacian u = f instead; note the sign.\n"
+    "u = -z / 2. On each connected component of the surface the mean of f is subtracted, and u\n"
+    "has mean 0.\n"
+    "With --alpha A it solves (A / area) u - Laplacian u = f instead, where the mean of f on the\n"
+    "whole surface is subtracted; note the sign.\n"
     "Boundaries of the surface have the natural condition: u does not change across them.\n"
-    "The value is NaN at vertices that no face uses.\n"
+    "The value is NaN at vertices that have no face, or only faces without area.\n"
     "\n"
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "the output was written.\n";
@@ -96,59 +99,65 @@ std::vector<double> random_values(std::size_t number, long long seed) {
   return values;
 }
 
-// f at the vertices of the mesh
-void set_right_hand_side(const Mesh_input& input, const Options& o, Values& f) {
-  if(o.rhs_property.empty() && o.rhs != "random") {
-    for(const Vertex v : input.mesh.vertices())
-      f[v] = input.mesh.point(v)[o.rhs[0] - 'x'];
-    return;
+// f at the vertices
+std::vector<double> right_hand_side(const RL::Triangulated_surface_3& surface, const Options& o) {
+  const std::size_t number = surface.number_of_vertices();
+  if(!o.rhs_property.empty()) {
+    const std::vector<double> f = read_ply_property(o.mesh, o.rhs_property);
+    require(f.size() == number, "not every vertex has a value");
+    return f;
   }
-  const std::vector<double> in_file = o.rhs_property.empty()
-                                          ? random_values(input.vertex_of_file.size(), o.seed)
-                                          : read_ply_property(o.mesh, o.rhs_property);
-  require(in_file.size() == input.vertex_of_file.size(), "not every vertex has a value");
-  for(const Vertex v : input.mesh.vertices()) {
-    f[v] = in_file[input.file_index[v.idx()]];
-    if(!std::isfinite(f[v]) && !input.mesh.is_isolated(v))
-      throw Error("the property '" + o.rhs_property + "' of vertex " +
-                  std::to_string(input.file_index[v.idx()]) + " is not a finite number");
-  }
+  if(o.rhs == "random")
+    return random_values(number, o.seed);
+  std::vector<double> f;
+  for(std::size_t v = 0; v < number; ++v)
+    f.push_back(surface.point(v)[o.rhs[0] - 'x']);
+  return f;
 }
 
-// the mean over the surface of a function that is linear in each triangle
-double surface_mean(const RL::Triangulated_surface_3& surface, const Values& f) {
+// The mean over the surface of the function f that is linear in each triangle. Vertices without a
+// face of positive area are not on the surface, and f may be anything there.
+double surface_mean(const RL::Triangulated_surface_3& surface, const std::vector<double>& f) {
   double sum = 0;
-  for(std::size_t i = 0; i < surface.number_of_faces(); ++i)
-    for(const std::uint32_t vertex : surface.triangle(i))
-      sum += surface.area(i) * f[Vertex(vertex)] / 3;
+  for(std::size_t i = 0; i < surface.number_of_faces(); ++i) {
+    if(surface.is_degenerate(i))
+      continue;
+    for(const std::uint32_t vertex : surface.triangle(i)) {
+      if(!std::isfinite(f[vertex]))
+        throw Error("the right-hand side is not a finite number at vertex " +
+                    std::to_string(vertex));
+      sum += surface.area(i) * f[vertex] / 3;
+    }
+  }
   return sum / surface.area();
 }
 
 // Solves the problem, with the results at the vertices in `u`, and describes what was done.
-RL::Solve_report solve(const Mesh& mesh, const Options& o, Values& f, Values& u, Summary& summary,
+RL::Solve_report solve(const RL::Triangulated_surface_3& surface, const Options& o,
+                       std::vector<double> f, std::vector<double>& u, Summary& summary,
                        const Progress& progress) {
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space = make_space(mesh, o);
-  const double area = space.surface().area();
+  const RL::Spline_space_3 space(surface, o.space);
   const double space_seconds = timer.time();
 
   progress.show("assembling " + std::to_string(space.dimension()) + " unknowns");
-  const double mean = surface_mean(space.surface(), f);
+  const double mean = surface_mean(surface, f);
   for(double& value : f)
     value -= mean;
   RL::Operators operators;
   Eigen::VectorXd load;
   assemble_with(space, o, [&](const auto& integration) {
     operators = RL::assemble_operators(space, space.depth(), integration);
-    load = RL::assemble_load(space, RL::vertex_function(mesh, f), space.depth(), integration);
+    load = RL::assemble_load(space, RL::Linear_surface_function<double>(f), space.depth(),
+                             integration);
   });
   const double assembly_seconds = timer.time() - space_seconds;
 
   progress.show("setting up the solver");
   const RL::Poisson_solver solver = RL::make_poisson_solver(
-      space, operators, o.alpha / area,
+      space, operators, o.alpha / surface.area(),
       params::relative_tolerance(o.tolerance,
                                  params::cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W)));
 
@@ -158,11 +167,11 @@ RL::Solve_report solve(const Mesh& mesh, const Options& o, Values& f, Values& u,
     load = -load;
   Eigen::VectorXd coefficients;
   const RL::Solve_report report = solver.solve(load, coefficients);
-  RL::evaluate_at_vertices(RL::Spline_function_3(space, std::move(coefficients)), mesh, u);
+  u = RL::Spline_function_3(space, std::move(coefficients)).values_at_vertices();
 
-  summary.add("depth", space.depth());
-  summary.add("dimension", space.dimension());
-  summary.add("area", area);
+  add_space(summary, space);
+  if(o.alpha == 0 && !space.is_paper_space())
+    summary.add("kernel_dimension", solver.kernel_dimension());
   summary.add("setup_seconds", space_seconds + report.setup_seconds);
   summary.add("assembly_seconds", assembly_seconds);
   summary.add("solve_seconds", report.solve_seconds);
@@ -179,22 +188,20 @@ int main(int argc, char* argv[]) {
     const Progress progress(o.quiet);
 
     progress.show("reading " + o.mesh);
-    Mesh_input input = read_mesh(o.mesh);
-    Values f = input.mesh.add_property_map<Vertex, double>("v:f").first;
-    Values u = input.mesh.add_property_map<Vertex, double>("v:value").first;
-    set_right_hand_side(input, o, f);
-
+    const Mesh_input input = read_mesh(o.mesh);
     Summary summary(input);
     summary.add("threads", 1);
-    const RL::Solve_report report = solve(input.mesh, o, f, u, summary, progress);
+    std::vector<double> u;
+    const RL::Solve_report report =
+        solve(input.surface, o, right_hand_side(input.surface, o), u, summary, progress);
 
     progress.show("writing the results");
     if(!o.csv.empty())
-      write_csv(o.csv, summary, "vertex,value", values_in_file_order(input, u));
+      write_csv(o.csv, summary, "vertex,value", u);
     if(!o.output.empty())
-      write_mesh(o.output, input.mesh, u);
+      write_mesh(o.output, input.surface, u);
     if(!o.picture.empty())
-      write_picture(o.picture, input.mesh, value_colors(u), u, {o.up == "z", o.isolines});
+      write_picture(o.picture, input.surface, value_colors(u), u, {o.up == "z", o.isolines});
     progress.show("");
     if(!o.quiet)
       summary.print(std::cout);

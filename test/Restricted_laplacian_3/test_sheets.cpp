@@ -360,3 +360,163 @@ TEST_CASE("edges_and_faces_in_walls_tear_nothing", "[sheets]") {
       }
   }
 }
+
+namespace {
+
+/// a polyline in the plane z = 0, swept along z from 0 to 1 and rotated
+Triangles swept(const std::vector<std::array<double, 2>>& profile, bool is_closed, int n) {
+  Triangles t;
+  const auto m = static_cast<std::uint32_t>(profile.size());
+  for(int j = 0; j <= n; ++j)
+    for(const auto& p : profile)
+      t.points.emplace_back(p[0], p[1], double(j) / n);
+  for(std::uint32_t j = 0; j < static_cast<std::uint32_t>(n); ++j)
+    for(std::uint32_t i = 0; i + (is_closed ? 0 : 1) < m; ++i) {
+      const std::uint32_t a = j * m + i, b = j * m + (i + 1) % m;
+      t.faces.push_back({a, b, b + m});
+      t.faces.push_back({a, b + m, a + m});
+    }
+  return rotated(t);
+}
+
+double length(const std::vector<std::array<double, 2>>& profile, bool is_closed) {
+  double sum = 0;
+  for(std::size_t i = is_closed ? 0 : 1; i < profile.size(); ++i) {
+    const auto &p = profile[i], &q = profile[i == 0 ? profile.size() - 1 : i - 1];
+    sum += std::hypot(p[0] - q[0], p[1] - q[1]);
+  }
+  return sum;
+}
+
+/// Folding a rectangle of sides `length` and 1 does not change its spectrum, nor does rolling it up
+/// to a tube, which identifies two sides; the ends have the natural condition.
+Eigen::VectorXd exact_eigenvalues(double length, bool is_closed, int count) {
+  std::vector<double> values;
+  for(int m = 0; m < 40; ++m)
+    for(int n = 0; n < 40; ++n) {
+      const double wave = CGAL_PI * m / length * (is_closed ? 2 : 1);
+      values.insert(values.end(), is_closed && m > 0 ? 2 : 1,
+                    wave * wave + CGAL_PI * CGAL_PI * n * n);
+    }
+  std::sort(values.begin(), values.end());
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), count);
+}
+
+} // namespace
+
+TEST_CASE("near_layers_have_the_spectrum_of_the_unfolded_surface", "[sheets]") {
+  const int depth = 5, count = 20;
+  const double h = 1.1 / 32; // about
+  for(double gap : {h, h / 4, h / 16}) {
+    INFO("gap " << gap / h << " h");
+    // a tube pressed flat, and a band rolled up twice
+    const std::vector<std::array<double, 2>> flat = {{0, 0}, {1, 0}, {1, gap}, {0, gap}};
+    std::vector<std::array<double, 2>> spiral;
+    for(int i = 0; i <= 160; ++i) {
+      const double angle = 4 * CGAL_PI * i / 160, r = 0.4 + gap * angle / (2 * CGAL_PI);
+      spiral.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    for(bool is_closed : {true, false}) {
+      const auto& profile = is_closed ? flat : spiral;
+      const Triangles t = swept(profile, is_closed, 2);
+      const Eigen::VectorXd exact = exact_eigenvalues(length(profile, is_closed), is_closed, count);
+      const Eigen::VectorXd split = eigenvalues(space_of(t, depth), count);
+      INFO(split.transpose() << "\n" << exact.transpose());
+      CHECK(largest_difference(split, exact) <= (is_closed ? 0.006 : 1e-4));
+      if(!is_closed) {
+        // without splitting the turns of the spiral are one
+        const Eigen::VectorXd unsplit = eigenvalues(space_of(t, depth, false), count);
+        CHECK(largest_difference(unsplit, exact) >= 0.5);
+      }
+    }
+  }
+}
+
+TEST_CASE("thin_blades_of_a_rotor", "[sheets]") {
+  const shapes::Mesh mesh = shapes::read(cgal_mesh("rotor_small.off"));
+  if(mesh.is_empty())
+    SKIP_TEST("no such file: rotor_small.off");
+  const Triangles t = shapes::triangles(mesh),
+                  fine = shapes::split_in_four(shapes::split_in_four(t));
+  const int count = 41;
+  const Eigen::VectorXd reference = RL::cotangent_spectrum(shapes::mesh(fine), count).eigenvalues;
+  const Eigen::VectorXd split = eigenvalues(space_of(t, 4), count);
+  CHECK(largest_difference(split, reference) <= 0.02);
+  CHECK(largest_difference(eigenvalues(space_of(t, 4, false), count), reference) >= 0.5);
+}
+
+TEST_CASE("pulley_and_turbine", "[sheets][slow]") {
+  struct Case {
+    std::string file;
+    int depth;
+    std::size_t dimension;
+    std::vector<double> eigenvalues; // times area, from an independent prototype
+  };
+  const std::vector<Case> cases = {
+      {"pulley_28k.ply",
+       5,
+       22740,
+       {22.33, 29.06, 29.06, 53.06, 53.09, 63.75, 75.67, 75.68, 97.86, 111.9}},
+      {"turbine_18k.ply",
+       6,
+       24916,
+       {19.096, 19.096, 63.93, 63.93, 78.29, 97.66, 106.43, 106.43, 122.71, 122.75}}};
+  for(const Case& c : cases) {
+    const shapes::Mesh mesh = shapes::read(shared_mesh(c.file));
+    if(mesh.is_empty())
+      SKIP_TEST("no such file: " << c.file);
+    const RL::Spline_space_3 space(mesh, params::octree_depth(c.depth));
+    CHECK(space.dimension() == c.dimension);
+    const Eigen::VectorXd values = eigenvalues(space, 11) * space.surface().area();
+    for(std::size_t i = 0; i < c.eigenvalues.size(); ++i)
+      CHECK(values[i + 1] == Approx(c.eigenvalues[i]).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("shapes_without_near_parts_keep_their_spectrum", "[sheets]") {
+  std::vector<std::pair<std::string, Triangles>> surfaces = {{"sphere", shapes::sphere(5)}};
+  for(const char* file : {"bunny00.off", "fandisk.off"}) {
+    const shapes::Mesh mesh = shapes::read(cgal_mesh(file));
+    if(mesh.is_empty())
+      SKIP_TEST("no such file: " << file);
+    surfaces.emplace_back(file, shapes::triangles(mesh));
+  }
+  for(const auto& [name, t] : surfaces) {
+    INFO(name);
+    const RL::Spline_space_3 split = space_of(t, 5), unsplit = space_of(t, 5, false);
+    CHECK(split.dimension() >= unsplit.dimension());
+    CHECK(split.dimension() <= 1.15 * unsplit.dimension());
+    CHECK(largest_difference(eigenvalues(split, 30), eigenvalues(unsplit, 30)) <= 1e-3);
+  }
+}
+
+TEST_CASE("splitting_costs_no_iterations", "[sheets]") {
+  const shapes::Mesh mesh = shapes::read(cgal_mesh("bunny00.off"));
+  if(mesh.is_empty())
+    SKIP_TEST("no such file: bunny00.off");
+  for(int axis = 0; axis < 3; ++axis) {
+    int iterations[2];
+    for(bool is_split : {false, true}) {
+      const RL::Spline_space_3 space(mesh,
+                                     params::octree_depth(5, params::split_elements(is_split)));
+      const RL::Poisson_solver solver = RL::make_poisson_solver(
+          space, RL::assemble_operators(space), 0, params::relative_tolerance(5e-3));
+      Eigen::VectorXd eta;
+      const RL::Solve_report report = solver.solve(
+          RL::assemble_load(space, [axis](const RL::Surface_point& p) { return p.point[axis]; }),
+          eta);
+      CHECK(report.converged);
+      iterations[is_split] = report.iterations;
+    }
+    CHECK(iterations[1] <= iterations[0] + 2);
+  }
+}
+
+TEST_CASE("space_of_the_paper_is_not_split", "[sheets]") {
+  const shapes::Mesh mesh = shapes::mesh(rotor(6, 0.05));
+  const RL::Spline_space_3 space(
+      mesh, params::octree_depth(4, params::paper_space(true, params::split_elements(true))));
+  CHECK_FALSE(space.is_split());
+  CHECK(space.number_of_split_elements(4) == 0);
+  CHECK(space.octree().number_of_sheets(4) == space.octree().number_of_cells(4));
+}

@@ -8,6 +8,8 @@
 
 #include "program.h"
 
+#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
+
 #include <boost/program_options.hpp>
 
 #include <cmath>
@@ -25,9 +27,7 @@ constexpr unsigned int help_width = 92;
 
 struct Common_options {
   std::string mesh;
-  int depth = 6;
-  double cube_scale = 0; // 0: the default of the library
-  bool paper = false;
+  RL::Spline_space_options space;
   std::string assembly = "cubature";
   long long samples = 1000000;
   long long seed = 0;
@@ -41,13 +41,22 @@ struct Common_options {
 inline po::options_description space_options(Common_options& o) {
   po::options_description description("Finite elements", help_width);
   auto add = description.add_options();
-  add("depth", po::value(&o.depth)->value_name("D")->default_value(o.depth),
+  int& depth = o.space.octree_depth;
+  add("depth", po::value(&depth)->value_name("D")->default_value(depth),
       "depth of the octree: 2^D cells along each side of the domain cube");
-  add("cube-scale", po::value(&o.cube_scale)->value_name("S"),
+  add("cube-scale", po::value(&o.space.cube_scale)->value_name("S"),
       "side of the domain cube over the longest side of the bounding box "
       "(default: 1.1, or 1.2 with --paper)");
-  add("paper", po::bool_switch(&o.paper),
-      "the space of the paper: only elements that are centred in the 2^D grid");
+  add("unsplit", po::bool_switch(),
+      "do not split elements; by default an element is split into one for each connected "
+      "component of the surface in its support. Parts of the surface that are near to each "
+      "other are connected then");
+  add("join", po::value(&o.space.joining_tolerance)->value_name("T"),
+      "join sides of faces that have no other face, where they run along each other at a "
+      "distance of T or less, in the unit of the coordinates; unsplit elements do not depend on "
+      "this");
+  add("paper", po::bool_switch(&o.space.paper_space),
+      "the space of the paper: only elements that are centred in the 2^D grid, unsplit");
   add("assembly", po::value(&o.assembly)->value_name("METHOD")->default_value(o.assembly),
       "cubature: integrals over the triangles; monte-carlo: sums over random samples");
   add("samples", po::value(&o.samples)->value_name("N")->default_value(o.samples),
@@ -95,6 +104,13 @@ inline void require_positive(const po::variables_map& given, const std::string& 
           "the argument of --" + option + " must be a positive number");
 }
 
+const char* const about_meshes =
+    "The surface is taken as it is in the file: nothing is merged, cut or turned. It continues\n"
+    "across an edge from each of its faces to each other one, any number of them, whatever their\n"
+    "orientation. Vertices at the same place remain different vertices, and the edges between\n"
+    "them different edges, unless --join is given. Faces that are not triangles are triangulated,\n"
+    "and faces without area are left out of all integrals.\n";
+
 // Reads the command line; the remaining argument without a name is the mesh. Returns false if
 // --help was given: the usage and all options have been printed then.
 inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
@@ -110,13 +126,17 @@ inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
       po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
       given);
   if(given.count("help")) {
-    std::cout << usage << '\n' << visible;
+    std::cout << usage << '\n' << about_meshes << '\n' << visible;
     return false;
   }
   po::notify(given);
 
   require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
-  require_positive(given, "cube-scale", o.cube_scale);
+  require_positive(given, "cube-scale", o.space.cube_scale);
+  o.space.split_elements = !given["unsplit"].as<bool>();
+  require(given.count("join") == 0 ||
+              (o.space.joining_tolerance >= 0 && std::isfinite(o.space.joining_tolerance)),
+          "the argument of --join must be a number that is not negative");
   require_choice("assembly", o.assembly, {"cubature", "monte-carlo"});
   require(given["samples"].defaulted() || o.assembly == "monte-carlo",
           "--samples needs --assembly monte-carlo");

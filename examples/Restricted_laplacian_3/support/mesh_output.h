@@ -7,32 +7,53 @@
 // Writes colored meshes.
 
 #include "color_map.h"
-#include "mesh_input.h"
 #include "program.h"
 
-#include <CGAL/IO/Color.h>
-#include <CGAL/IO/io.h>
-#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <iostream>
 #include <string>
 #include <vector>
 
 namespace examples {
 
-// Writes a binary PLY file of a mesh with all its property maps, and a color for each vertex that
-// shows `values`.
-inline void write_mesh(const std::string& file, Mesh mesh, const Values& values) {
-  auto color_map = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
+namespace internal {
+
+// the bytes of a number, in the order of the machine
+template <typename Number> void write_bytes(std::ostream& out, Number number) {
+  out.write(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+} // namespace internal
+
+// Writes a binary PLY file of a surface with a value for each vertex, and a color that shows it.
+// Like the writers of CGAL it is for machines that store the lowest byte of a number first.
+inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3& surface,
+                       const std::vector<double>& values) {
+  using internal::write_bytes;
   const std::vector<Color> colors = value_colors(values);
-  for(const Vertex v : mesh.vertices()) {
-    const Color& c = colors[v.idx()];
-    color_map[v] =
-        CGAL::IO::Color(linear_to_srgb(c[0]), linear_to_srgb(c[1]), linear_to_srgb(c[2]));
-  }
   write_file(file, [&](std::ostream& out) {
-    CGAL::IO::set_binary_mode(out);
-    CGAL::IO::write_PLY(out, mesh);
+    out << "ply\nformat binary_little_endian 1.0\n"
+        << "element vertex " << surface.number_of_vertices() << '\n'
+        << "property double x\nproperty double y\nproperty double z\n"
+        << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+        << "property double value\n"
+        << "element face " << surface.number_of_faces() << '\n'
+        << "property list uchar int vertex_indices\nend_header\n";
+    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
+      for(int axis = 0; axis < 3; ++axis)
+        write_bytes(out, surface.point(v)[axis]);
+      for(const double component : colors[v])
+        write_bytes(out, linear_to_srgb(component));
+      write_bytes(out, values[v]);
+    }
+    for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+      write_bytes(out, std::uint8_t(3));
+      for(const std::uint32_t vertex : surface.triangle(f))
+        write_bytes(out, vertex);
+    }
   });
 }
 

@@ -8,10 +8,9 @@
 // shading except across sharp edges, and each pixel the mean of 2 x 2.
 
 #include "color_map.h"
-#include "mesh_input.h"
 #include "program.h"
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 
 #include <png.h>
 
@@ -35,7 +34,7 @@ struct Picture_options {
 
 namespace internal {
 
-using Vector = Kernel::Vector_3;
+using Vector = RL::Vector_3;
 
 inline Vector unit(const Vector& v) {
   const double length = std::sqrt(v.squared_length());
@@ -170,54 +169,48 @@ private:
   std::vector<Color> m_color;
 };
 
-// Area-weighted normals of the faces.
-inline std::vector<Vector> face_normals(const Mesh& mesh) {
-  std::vector<Vector> normals;
-  for(const auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    const Point& p = mesh.point(mesh.target(h));
-    normals.push_back(CGAL::cross_product(mesh.point(mesh.target(mesh.next(h))) - p,
-                                          mesh.point(mesh.source(h)) - p));
-  }
-  return normals;
+// for each vertex, the faces around it
+inline std::vector<std::vector<std::uint32_t>>
+faces_around_vertices(const RL::Triangulated_surface_3& surface) {
+  std::vector<std::vector<std::uint32_t>> faces(surface.number_of_vertices());
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(const std::uint32_t vertex : surface.triangle(f))
+      faces[vertex].push_back(static_cast<std::uint32_t>(f));
+  return faces;
 }
 
-// The normal of the corner of a face that halfedge `h` points to: the mean over those faces around
-// the vertex, less weight the more they turn away, so that sharp edges stay sharp.
-inline Vector corner_normal(const Mesh& mesh, Mesh::Halfedge_index h,
-                            const std::vector<Vector>& normals) {
-  const Vector& own = normals[mesh.face(h).idx()];
-  Vector sum = own;
-  for(const auto g : CGAL::halfedges_around_target(h, mesh)) {
-    if(g == h || mesh.is_border(g))
-      continue;
-    const Vector& other = normals[mesh.face(g).idx()];
-    const double cosine = std::max(0., unit(own) * unit(other));
-    sum += cosine * cosine * other;
+// The normal of a corner of a face: the mean over the faces around the vertex by area, less weight
+// the more they turn away, so that sharp edges stay sharp. The faces may be oriented differently:
+// the sign of the cosine turns their normals to the side of this one.
+inline Vector corner_normal(const RL::Triangulated_surface_3& surface, std::size_t face,
+                            const std::vector<std::uint32_t>& faces_around_vertex) {
+  Vector sum(0, 0, 0);
+  for(const std::uint32_t other : faces_around_vertex) {
+    const double cosine = surface.normal(face) * surface.normal(other);
+    sum += cosine * std::abs(cosine) * surface.area(other) * surface.normal(other);
   }
   return sum;
 }
 
 } // namespace internal
 
-// Draws the mesh with one color and one value for each vertex, in the order of their indices; the
-// values serve the level lines only. The picture has the shape of what it shows.
-inline void write_picture(const std::string& file, const Mesh& mesh,
-                          const std::vector<Color>& colors, const Values& values,
+// Draws a surface with one color and one value for each vertex; the values serve the level lines
+// only. The picture has the shape of what it shows.
+inline void write_picture(const std::string& file, const RL::Triangulated_surface_3& surface,
+                          const std::vector<Color>& colors, const std::vector<double>& values,
                           const Picture_options& options) {
   using internal::Vector;
   constexpr int samples = 2; // along each side of a pixel
   const internal::View view(options.z_is_up);
   const double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> low = {infinity, infinity}, high = {-infinity, -infinity};
-  std::vector<Vector> positions(mesh.number_of_vertices());
-  for(const Vertex v : mesh.vertices()) {
-    const Vector p = positions[v.idx()] = view(mesh.point(v) - CGAL::ORIGIN);
-    if(mesh.is_isolated(v))
-      continue;
-    low = {std::min(low[0], p.x()), std::min(low[1], p.y())};
-    high = {std::max(high[0], p.x()), std::max(high[1], p.y())};
-  }
+  std::vector<Vector> positions(surface.number_of_vertices());
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(const std::uint32_t vertex : surface.triangle(f)) {
+      const Vector p = positions[vertex] = view(surface.point(vertex) - CGAL::ORIGIN);
+      low = {std::min(low[0], p.x()), std::min(low[1], p.y())};
+      high = {std::max(high[0], p.x()), std::max(high[1], p.y())};
+    }
 
   const double extent = std::max(high[0] - low[0], high[1] - low[1]);
   const int margin = options.size / 40;
@@ -234,15 +227,14 @@ inline void write_picture(const std::string& file, const Mesh& mesh,
   // the half keeps lines away from the extrema of symmetric functions
   const double interval =
       options.isolines > 0 ? (range.high - range.low) / (options.isolines + 0.5) : 0;
-  const std::vector<Vector> normals = internal::face_normals(mesh);
-  for(const auto f : mesh.faces()) {
+  const auto faces_around = internal::faces_around_vertices(surface);
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
     internal::Triangle triangle;
     auto corner = triangle.begin();
-    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
-      const Vertex v = mesh.target(h);
-      *corner++ = {scale * (positions[v.idx()] - origin) + offset,
-                   view(internal::corner_normal(mesh, h, normals)), colors[v.idx()], values[v]};
-    }
+    for(const std::uint32_t vertex : surface.triangle(f))
+      *corner++ = {scale * (positions[vertex] - origin) + offset,
+                   view(internal::corner_normal(surface, f, faces_around[vertex])), colors[vertex],
+                   values[vertex]};
     canvas.draw(triangle, interval);
   }
   canvas.write(file, samples);

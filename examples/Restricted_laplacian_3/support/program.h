@@ -22,7 +22,11 @@
 #include <stdexcept>
 #include <string>
 
+namespace CGAL::Restricted_laplacian_3 {} // namespace CGAL::Restricted_laplacian_3
+
 namespace examples {
+
+namespace RL = CGAL::Restricted_laplacian_3;
 
 // The exit status of a program.
 enum Exit_status { success = 0, failure = 1, not_converged = 2 };

@@ -4,10 +4,11 @@
 #ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_SPACE_H
 #define RESTRICTED_LAPLACIAN_3_EXAMPLES_SPACE_H
 
-// From the options of a program to a spline space, and to integrals over its surface.
+// What both programs do with a spline space: describe it, and integrate over its surface.
 
 #include "command_line.h"
-#include "mesh_input.h"
+#include "program.h"
+#include "table.h"
 
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface_integration.h>
@@ -17,15 +18,16 @@
 
 namespace examples {
 
-namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
-
-inline RL::Spline_space_3 make_space(const Mesh& mesh, const Common_options& o) {
-  const double cube_scale =
-      o.cube_scale > 0 ? o.cube_scale : RL::Spline_space_3::default_cube_scale(o.paper);
-  return RL::Spline_space_3(
-      mesh,
-      params::octree_depth(o.depth, params::paper_space(o.paper, params::cube_scale(cube_scale))));
+inline void add_space(Summary& summary, const RL::Spline_space_3& space) {
+  const RL::Octree_3& octree = space.octree();
+  summary.add("depth", space.depth());
+  summary.add("dimension", space.dimension());
+  summary.add("cells", octree.number_of_cells(space.depth()));
+  summary.add("sheets", octree.number_of_sheets(space.depth()));
+  summary.add("split_elements", space.number_of_split_elements(space.depth()));
+  // the whole surface is in the one cell of level 0
+  if(space.is_split())
+    summary.add("components", octree.number_of_sheets(0));
 }
 
 // Calls `assemble` with the way to integrate over the surface that the options ask for.

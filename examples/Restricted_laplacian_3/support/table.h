@@ -24,12 +24,13 @@ class Summary {
 public:
   // starts with what was read
   explicit Summary(const Mesh_input& input) {
-    add("vertices", input.vertex_of_file.size());
-    add("faces", input.mesh.number_of_faces());
+    add("vertices", input.surface.number_of_vertices());
+    add("faces", input.surface.number_of_faces());
     if(input.is_triangulated)
       add("triangulated", "yes");
-    if(input.is_repaired)
-      add("repaired", "yes");
+    if(input.surface.number_of_degenerate_faces() > 0)
+      add("degenerate_faces", input.surface.number_of_degenerate_faces());
+    add("area", input.surface.area());
   }
 
   template <typename Number> void add(const std::string& name, Number value) {

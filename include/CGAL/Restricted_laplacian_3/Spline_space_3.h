@@ -88,10 +88,23 @@ public:
   ///
   /// The mesh is read once, and not needed any more. Time and memory are proportional to the number
   /// of triangles plus the number of cells that meet the surface (times its logarithm for sorting).
-  template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
+  template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+            internal::Require_named_parameters<NamedParameters> = 0>
   explicit Spline_space_3(const FaceGraph& tm,
                           const NamedParameters& np = parameters::default_values())
     : Spline_space_3(read_surface(tm, np), spline_space_options(np)) {}
+
+  /// The spaces of a triangle soup, which need not be a manifold: two triangles are joined if they
+  /// have two indices in common, any number of them at one edge.
+  /// \param points a range of 3D points
+  /// \param triangles a range of ranges of three indices into `points`
+  /// \param np all named parameters of the constructor above but the vertex point map
+  template <class PointRange, class TriangleRange,
+            class NamedParameters = parameters::Default_named_parameters,
+            internal::Require_no_named_parameters<TriangleRange> = 0>
+  Spline_space_3(const PointRange& points, const TriangleRange& triangles,
+                 const NamedParameters& np = parameters::default_values())
+    : Spline_space_3(read_surface(points, triangles), spline_space_options(np)) {}
 
   /// the spaces of a surface given as points and triangles, which need not be a manifold
   explicit Spline_space_3(Triangulated_surface_3 surface,

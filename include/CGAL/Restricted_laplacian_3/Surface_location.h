@@ -113,6 +113,19 @@ Linear_surface_function<double> vertex_function(const FaceGraph& tm, VertexMap m
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// The same for a triangle soup.
+/// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`,
+/// and a number type as value, for example `CGAL::make_property_map()` of a vector
+template <class IndexMap>
+Linear_surface_function<double> index_function(std::size_t number_of_points, IndexMap map) {
+  std::vector<double> values;
+  values.reserve(number_of_points);
+  for(std::size_t i = 0; i < number_of_points; ++i)
+    values.push_back(CGAL::to_double(get(map, i)));
+  return Linear_surface_function<double>(std::move(values));
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
 /// The vector field that is linear in each triangle and takes the values of a vertex property map,
 /// as a function object on `Surface_point`.
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D vector

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/parameters.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -37,12 +39,17 @@ public:
   static constexpr double largest_extent = 1e100;
   static constexpr double smallest_extent = 1e-100;
 
-  /// \throws Empty_surface_error, Invalid_vertex_error (a vertex of a face is not finite),
-  /// Zero_area_error, Parameter_error (extent outside of `smallest_extent` .. `largest_extent`)
+  /// The triangles need not form a manifold, nor be oriented alike, nor differ from each other.
+  /// \throws Empty_surface_error, Invalid_face_error (a face names a vertex that does not exist),
+  /// Invalid_vertex_error (a vertex of a face is not finite), Zero_area_error, Parameter_error (extent outside of `smallest_extent` .. `largest_extent`)
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles)
     : m_points(std::move(points)), m_triangles(std::move(triangles)) {
     if(m_triangles.empty())
       throw Empty_surface_error();
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+      for(std::uint32_t v : m_triangles[f])
+        if(v >= m_points.size())
+          throw Invalid_face_error(f, "names a vertex that does not exist");
     compute_bounding_box();
     compute_normals_and_areas();
   }
@@ -163,7 +170,8 @@ private:
 /// kernel as value; default `get_const_property_map(CGAL::vertex_point, tm)`
 /// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
 /// `Triangulated_surface_3` throws
-template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
+template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
 Triangulated_surface_3 read_surface(const FaceGraph& tm,
                                     const NamedParameters& np = parameters::default_values()) {
   using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
@@ -190,6 +198,34 @@ Triangulated_surface_3 read_surface(const FaceGraph& tm,
                          get(index_map, target(next(h, tm), tm))});
   }
   return Triangulated_surface_3(std::move(points), std::move(triangles));
+}
+
+/// Reads a triangle soup: a surface that need not be a manifold.
+/// \param points a range of 3D points of any \cgal kernel
+/// \param triangles a range of ranges of three indices into `points`, each of any integer type
+/// \throws Invalid_face_error if a face is not a triangle or names a point that does not exist, and
+/// what the constructor of `Triangulated_surface_3` throws
+template <class PointRange, class TriangleRange,
+          internal::Require_no_named_parameters<TriangleRange> = 0>
+Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRange& triangles) {
+  std::vector<Point_3> own_points;
+  for(const auto& p : points)
+    own_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  std::vector<Triangulated_surface_3::Triangle> own_triangles;
+  for(const auto& triangle : triangles) {
+    if(std::distance(std::begin(triangle), std::end(triangle)) != 3)
+      throw Invalid_face_error(own_triangles.size(), "is not a triangle");
+    Triangulated_surface_3::Triangle own;
+    auto corner = own.begin();
+    for(const auto index : triangle) {
+      const auto i = static_cast<long long>(index);
+      if(i < 0 || i >= static_cast<long long>(own_points.size()))
+        throw Invalid_face_error(own_triangles.size(), "names a vertex that does not exist");
+      *corner++ = static_cast<std::uint32_t>(i);
+    }
+    own_triangles.push_back(own);
+  }
+  return Triangulated_surface_3(std::move(own_points), std::move(own_triangles));
 }
 
 } // namespace Restricted_laplacian_3

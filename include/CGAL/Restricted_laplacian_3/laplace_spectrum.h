@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -79,22 +80,43 @@ inline Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k) {
   return spectrum;
 }
 
+namespace internal {
+
+template <class MakeSpace> Laplace_spectrum laplace_spectrum(MakeSpace&& make_space, int k) {
+  CGAL::Real_timer timer;
+  timer.start();
+  const Spline_space_3 space = make_space();
+  const double space_seconds = timer.time();
+  Laplace_spectrum spectrum = Restricted_laplacian_3::laplace_spectrum(space, k);
+  spectrum.report.space_seconds = space_seconds;
+  return spectrum;
+}
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
 /// the natural boundary condition if it is open.
 /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
 /// \param np optional named parameters: those of `Spline_space_3`
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
+template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
                                   const NamedParameters& np = parameters::default_values()) {
-  CGAL::Real_timer timer;
-  timer.start();
-  const Spline_space_3 space(tm, np);
-  const double space_seconds = timer.time();
-  Laplace_spectrum spectrum = laplace_spectrum(space, k);
-  spectrum.report.space_seconds = space_seconds;
-  return spectrum;
+  return internal::laplace_spectrum([&] { return Spline_space_3(tm, np); }, k);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The same on a triangle soup, which need not be a manifold, nor orientable.
+/// \param points a range of 3D points
+/// \param triangles a range of ranges of three indices into `points`
+template <class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
+Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange& triangles, int k,
+                                  const NamedParameters& np = parameters::default_values()) {
+  return internal::laplace_spectrum([&] { return Spline_space_3(points, triangles, np); }, k);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref

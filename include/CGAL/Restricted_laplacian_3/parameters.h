@@ -6,6 +6,9 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <type_traits>
+#include <utility>
+
 /// \file
 /// The named parameters of this package, beside those of \cgal. They are created by free
 /// functions and chained through their second argument:
@@ -42,7 +45,35 @@ CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(cycle)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(smoothing_steps)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(stand_alone_multigrid)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(lumped_mass)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(boundary_values)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(constraint_values)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(constraint_weight)
 
 #undef CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// tells overloads apart whose last argument may be named parameters
+template <class T> struct Is_named_parameters : std::false_type {};
+template <class T, class Tag, class Base>
+struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type {};
+
+/// whether a parameter is among some named parameters
+template <class NamedParameters, class Tag>
+constexpr bool is_given_v =
+    !std::is_same<std::decay_t<decltype(parameters::get_parameter(
+                      std::declval<const NamedParameters&>(), std::declval<Tag>()))>,
+                  internal_np::Param_not_found>::value;
+
+template <class T>
+using Require_named_parameters = std::enable_if_t<Is_named_parameters<T>::value, int>;
+template <class T>
+using Require_no_named_parameters = std::enable_if_t<!Is_named_parameters<T>::value, int>;
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_H

@@ -4,6 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVE_POISSON_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVE_POISSON_H
 
+#include <CGAL/Restricted_laplacian_3/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/Point_constraints.h>
 #include <CGAL/Restricted_laplacian_3/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
@@ -13,10 +15,16 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -52,20 +60,137 @@ inline int coarsest_multigrid_level(const Spline_space_3& space) {
   return level;
 }
 
-/// a function object on `Surface_point` is taken as it is, a vertex property map is interpolated
-template <class FaceGraph, class Function>
-auto surface_function(const FaceGraph& tm, const Function& f) {
+/// \f$\int b_i\f$
+inline Eigen::VectorXd element_integrals(const Spline_space_3& space, const Operators& operators) {
+  return space.is_paper_space()
+             ? assemble_element_integrals(space)
+             : Eigen::VectorXd(operators.mass * Eigen::VectorXd::Ones(operators.mass.cols()));
+}
+
+/// A mesh as the source of a surface: `Vertex` is the key of property maps of its vertices.
+template <class FaceGraph> class Mesh_source {
+public:
+  explicit Mesh_source(const FaceGraph& tm) : m_mesh(tm) {}
+
+  template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
+    return Spline_space_3(m_mesh, np);
+  }
+  template <class VertexMap> Linear_surface_function<double> interpolated(VertexMap map) const {
+    return vertex_function(m_mesh, map);
+  }
+  /// calls `visit(i, v)` for all vertices in the order in which they are numbered
+  template <class Visitor> void for_each_vertex(Visitor&& visit) const {
+    std::size_t i = 0;
+    for(auto v : vertices(m_mesh))
+      visit(i++, v);
+  }
+
+private:
+  const FaceGraph& m_mesh;
+};
+
+/// a triangle soup as the source of a surface: keys of property maps are the indices of points
+template <class PointRange, class TriangleRange> class Soup_source {
+public:
+  Soup_source(const PointRange& points, const TriangleRange& triangles)
+    : m_points(points), m_triangles(triangles) {}
+
+  template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
+    return Spline_space_3(m_points, m_triangles, np);
+  }
+  template <class IndexMap> Linear_surface_function<double> interpolated(IndexMap map) const {
+    return index_function(size(), map);
+  }
+  template <class Visitor> void for_each_vertex(Visitor&& visit) const {
+    for(std::size_t i = 0; i < size(); ++i)
+      visit(i, i);
+  }
+
+private:
+  std::size_t size() const {
+    return static_cast<std::size_t>(std::distance(std::begin(m_points), std::end(m_points)));
+  }
+
+  const PointRange& m_points;
+  const TriangleRange& m_triangles;
+};
+
+/// a function object on `Surface_point` is taken as it is, a property map is interpolated
+template <class Source, class Function>
+auto surface_function(const Source& source, const Function& f) {
   if constexpr(std::is_invocable_v<const Function&, const Surface_point&>)
     return f;
   else
-    return vertex_function(tm, f);
+    return source.interpolated(f);
 }
 
-template <class FaceGraph, class Function, class VertexMap, class NamedParameters>
-Solve_report solve_poisson(const FaceGraph& tm, const Function& f, double alpha, VertexMap u,
+/// the constraints at the vertices that `vertex_is_constrained_map` marks
+template <class Source, class NamedParameters>
+Point_constraints vertex_constraints(const Source& source, const Spline_space_3& space,
+                                     const NamedParameters& np) {
+  constexpr double default_weight = 1e4;
+  const auto is_constrained = parameters::get_parameter(np, internal_np::vertex_is_constrained);
+  const auto values = parameters::get_parameter(np, internal_np::constraint_values);
+  const double weight = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::constraint_weight), default_weight);
+  const Triangulated_surface_3& surface = space.surface();
+  // a location of each vertex
+  std::vector<Surface_location> locations(surface.number_of_vertices());
+  std::vector<char> is_on_surface(surface.number_of_vertices(), 0);
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(int corner = 0; corner < 3 && !surface.is_degenerate(f); ++corner) {
+      const std::uint32_t v = surface.triangle(f)[corner];
+      is_on_surface[v] = 1;
+      locations[v].face = f;
+      locations[v].barycentric.fill(0);
+      locations[v].barycentric[corner] = 1;
+    }
+  Point_constraints constraints(space);
+  source.for_each_vertex([&](std::size_t i, const auto& v) {
+    if(!get(is_constrained, v))
+      return;
+    if(!is_on_surface[i])
+      throw Invalid_vertex_error(i, "is constrained, but has no face of positive area");
+    constraints.add(locations[i], static_cast<double>(get(values, v)), weight);
+  });
+  return constraints;
+}
+
+template <class Source, class Function, class Alpha, class VertexMap, class NamedParameters>
+Solve_report solve_poisson(const Source& source, const Function& f, const Alpha& alpha, VertexMap u,
                            const NamedParameters& np);
 
+/// Prescribed values enter the right-hand side with large factors, and its norm with them: the
+/// same relative residual means less.
+constexpr double tolerance_with_constraints = 1e-6;
+
+/// refuses a screening weight that is a number and not positive
+template <class Alpha> void check_screening_weight(const Alpha& alpha) {
+  if constexpr(std::is_arithmetic_v<Alpha>)
+    if(!(alpha > 0))
+      throw Parameter_error("alpha", "is " + std::to_string(alpha) + ", but must be positive");
+}
+
 } // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// A solver for \f$A \eta = b\f$ on the finest level of a space, where \f$A\f$ is the stiffness
+/// matrix with other matrices of its pattern added, such as those of `Dirichlet_boundary` and
+/// `Point_constraints`.
+/// \param element_integrals \f$\int b_i\f$
+/// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
+/// \throws Parameter_error if a parameter is outside its domain
+inline Poisson_solver
+make_poisson_solver(const Spline_space_3& space, Sparse_matrix a, Eigen::VectorXd element_integrals,
+                    double alpha = 0,
+                    const Poisson_solver_options& options = Poisson_solver_options()) {
+  if(!(alpha >= 0 && std::isfinite(alpha)))
+    throw Parameter_error("alpha", "is " + std::to_string(alpha) +
+                                       ", but must be a finite number that is not negative");
+  return Poisson_solver(std::move(a),
+                        prolongation_matrices(space, internal::coarsest_multigrid_level(space)),
+                        std::move(element_integrals), alpha, options);
+}
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space.
@@ -83,20 +208,12 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators& operators,
                                    double alpha = 0,
                                    const NamedParameters& np = parameters::default_values()) {
-  if(!(alpha >= 0 && std::isfinite(alpha)))
-    throw Parameter_error("alpha", "is " + std::to_string(alpha) +
-                                       ", but must be a finite number that is not negative");
-  const Eigen::VectorXd integrals =
-      space.is_paper_space()
-          ? assemble_element_integrals(space)
-          : Eigen::VectorXd(operators.mass * Eigen::VectorXd::Ones(operators.mass.cols()));
   // The patterns are the same, so values can be added without a merge.
   Sparse_matrix a = operators.stiffness;
-  if(alpha > 0)
+  if(alpha != 0)
     a.coeffs() += alpha * operators.mass.coeffs();
-  return Poisson_solver(std::move(a),
-                        prolongation_matrices(space, internal::coarsest_multigrid_level(space)),
-                        integrals, alpha, internal::poisson_solver_options(np));
+  return make_poisson_solver(space, std::move(a), internal::element_integrals(space, operators),
+                             alpha, internal::poisson_solver_options(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -105,68 +222,155 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
 /// paper).
 ///
 /// On a closed surface, and on an open one with the natural boundary condition
-/// \f$\partial u / \partial \nu = 0\f$, which holds here, a solution exists only if \f$f\f$ has
-/// mean 0: its mean is subtracted. The solution has surface mean 0.
-/// Both hold on each component of the surface, where two components that come within three cells of
-/// each other count as one.
+/// \f$\partial u / \partial \nu = 0\f$, which holds where no other is given, a solution exists only
+/// if \f$f\f$ has mean 0: its mean is subtracted, and the solution has surface mean 0. Both hold on
+/// each connected component of the surface (not split into components if `split_elements` is
+/// `false`: then two that come within three cells of each other count as one). Components on which
+/// values are prescribed are solved as they are.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
+/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
+/// triangles
 /// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key and a number as
 /// value, interpolated linearly; or a function object that takes a `const Surface_point&` and
 /// returns a number
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point
 /// number as value, receives the solution; NaN at vertices without a face of positive area
-/// \param np optional named parameters: those of `Spline_space_3` and `make_poisson_solver()`
+/// \param np optional named parameters: those of `Spline_space_3` and `make_poisson_solver()`, and
+/// - `boundary_values`: values on the boundary of an open surface, given as `f` is, see
+///   `Dirichlet_boundary`; by default the natural condition holds
+/// - `vertex_is_constrained_map`: a model of `ReadablePropertyMap` that maps a vertex descriptor to
+///   `true` if the value there is prescribed, see `Point_constraints`; by default none is
+/// - `constraint_values`: a model of `ReadablePropertyMap` with these values; required with the
+///   former
+/// - `constraint_weight`: how strongly they are held; default 1e4
+///
+/// With prescribed values the default of `relative_tolerance` is 1e-6: they enter the right-hand
+/// side with large factors.
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 ///
 /// Takes time and memory proportional to the number of triangles plus the number of elements, times
 /// the number of iterations.
 template <class FaceGraph, class Function, class VertexMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
 Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
                            const NamedParameters& np = parameters::default_values()) {
-  return internal::solve_poisson(tm, f, 0, u, np);
+  return internal::solve_poisson(internal::Mesh_source<FaceGraph>(tm), f, 0, u, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The same on a triangle soup, which need not be a manifold, nor orientable.
+/// \param points a range of 3D points
+/// \param triangles a range of ranges of three indices into `points`
+/// \param f,u,np as above, where property maps have the index of a point as key, a `std::size_t`
+template <class PointRange, class TriangleRange, class Function, class IndexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_no_named_parameters<IndexMap> = 0>
+Solve_report solve_poisson(const PointRange& points, const TriangleRange& triangles,
+                           const Function& f, IndexMap u,
+                           const NamedParameters& np = parameters::default_values()) {
+  return internal::solve_poisson(
+      internal::Soup_source<PointRange, TriangleRange>(points, triangles), f, 0, u, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Solves the screened Poisson problem \f$\alpha u - \Delta_{\mathcal M} u = f\f$, in the form
 /// \f$(S + \alpha M)\, \eta = \phi\f$. Note the sign of \f$f\f$, which is not that of
 /// `solve_poisson()`.
-/// \param alpha positive, in units of 1 / area: multiply by the area to compare surfaces of
-/// different size
+///
+/// With \f$f = \alpha g\f$ the solution minimizes
+/// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled towards \f$g\f$ where
+/// \f$\alpha\f$ is large, a soft constraint.
+/// \param alpha in units of 1 / area: a positive number (multiply by the area to compare surfaces
+/// of different size); or weights that are not negative, given as `f` is
 ///
 /// All else is as in `solve_poisson()`.
-template <class FaceGraph, class Function, class VertexMap,
-          class NamedParameters = parameters::Default_named_parameters>
-Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, double alpha,
+template <class FaceGraph, class Function, class Alpha, class VertexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, const Alpha& alpha,
                                     VertexMap u,
                                     const NamedParameters& np = parameters::default_values()) {
-  if(!(alpha > 0))
-    throw Parameter_error("alpha", "is " + std::to_string(alpha) + ", but must be positive");
-  return internal::solve_poisson(tm, f, alpha, u, np);
+  internal::check_screening_weight(alpha);
+  return internal::solve_poisson(internal::Mesh_source<FaceGraph>(tm), f, alpha, u, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The same on a triangle soup.
+template <class PointRange, class TriangleRange, class Function, class Alpha, class IndexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_no_named_parameters<IndexMap> = 0>
+Solve_report solve_screened_poisson(const PointRange& points, const TriangleRange& triangles,
+                                    const Function& f, const Alpha& alpha, IndexMap u,
+                                    const NamedParameters& np = parameters::default_values()) {
+  internal::check_screening_weight(alpha);
+  return internal::solve_poisson(
+      internal::Soup_source<PointRange, TriangleRange>(points, triangles), f, alpha, u, np);
 }
 
 namespace internal {
 
-template <class FaceGraph, class Function, class VertexMap, class NamedParameters>
-Solve_report solve_poisson(const FaceGraph& tm, const Function& f, double alpha, VertexMap u,
+template <class Source, class Function, class Alpha, class VertexMap, class NamedParameters>
+Solve_report solve_poisson(const Source& source, const Function& f, const Alpha& alpha, VertexMap u,
                            const NamedParameters& np) {
+  using Value = typename boost::property_traits<VertexMap>::value_type;
+  constexpr bool has_weight_function = !std::is_arithmetic_v<Alpha>;
+  constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
+  constexpr bool has_constraints =
+      is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>;
   CGAL::Real_timer timer;
   timer.start();
-  const Spline_space_3 space(tm, np);
+  const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
-  const Eigen::VectorXd load = assemble_load(space, surface_function(tm, f));
-  Operators operators = assemble_operators(space);
-  const double assembly_seconds = timer.time() - space_seconds;
-  const Poisson_solver solver = make_poisson_solver(space, operators, alpha, np);
-  operators = Operators(); // the solver has its own copy
 
+  Eigen::VectorXd load = assemble_load(space, surface_function(source, f));
+  Operators operators = assemble_operators(space);
+  Eigen::VectorXd integrals = element_integrals(space, operators);
+  Sparse_matrix a = std::move(operators.stiffness);
+  double constant_alpha = 0;
+  bool is_screened = has_weight_function;
+  if constexpr(has_weight_function) {
+    const Cubature cubature(space);
+    const auto weight = surface_function(source, alpha);
+    const Weighted_integration<Cubature, decltype(weight)> weighted(space, cubature, weight);
+    a.coeffs() += assemble_operators(space, space.depth(), weighted).mass.coeffs();
+  } else {
+    constant_alpha = static_cast<double>(alpha);
+    is_screened = constant_alpha > 0;
+    if(is_screened)
+      a.coeffs() += constant_alpha * operators.mass.coeffs();
+  }
+  operators = Operators();
+  if(!is_screened)
+    load = -load;
+  if constexpr(has_boundary_values) {
+    const Dirichlet_boundary boundary(space);
+    boundary.add_to_matrix(a);
+    load += boundary.load(
+        surface_function(source, parameters::get_parameter(np, internal_np::boundary_values)));
+  }
+  if constexpr(has_constraints) {
+    const Point_constraints constraints = vertex_constraints(source, space, np);
+    constraints.add_to_matrix(a);
+    load += constraints.load();
+  }
+  const double assembly_seconds = timer.time() - space_seconds;
+
+  Poisson_solver_options options = poisson_solver_options(np);
+  if((has_boundary_values || has_constraints) &&
+     !is_given_v<NamedParameters, internal_np::relative_tolerance_t>)
+    options.relative_tolerance = tolerance_with_constraints;
+  const Poisson_solver solver =
+      make_poisson_solver(space, std::move(a), std::move(integrals), constant_alpha, options);
   Eigen::VectorXd coefficients;
-  Solve_report report = solver.solve(alpha > 0 ? load : Eigen::VectorXd(-load), coefficients);
+  Solve_report report = solver.solve(load, coefficients);
   report.space_seconds = space_seconds;
   report.assembly_seconds = assembly_seconds;
-  evaluate_at_vertices(Spline_function_3(space, std::move(coefficients)), tm, u);
+  const std::vector<double> values =
+      Spline_function_3(space, std::move(coefficients)).values_at_vertices();
+  source.for_each_vertex(
+      [&](std::size_t i, const auto& v) { put(u, v, static_cast<Value>(values[i])); });
   return report;
 }
 

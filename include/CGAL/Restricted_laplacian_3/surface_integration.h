@@ -9,8 +9,11 @@
 #include <CGAL/Restricted_laplacian_3/sample_surface.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -118,6 +121,47 @@ private:
   double m_weight;
   std::vector<std::size_t> m_first;
   std::vector<Sample> m_samples;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Integration over the surface with a weight: \f$\int w f\f$ in place of \f$\int f\f$, by the
+/// nodes of another integration. The mass matrix becomes \f$\int w\, b_i b_j\f$. With `Cubature`
+/// it is exact up to rounding if \f$w\f$ is constant on each triangle; a linear \f$w\f$ makes the
+/// integrand one degree higher than the rule.
+///
+/// \cgalModels `SurfaceIntegration_3`
+template <class SurfaceIntegration, class Weight> class Weighted_integration {
+public:
+  /// \param weight a function object that takes a `const Surface_point&` and returns a number
+  /// \param integration,space must outlive this object
+  Weighted_integration(const Spline_space_3& space, const SurfaceIntegration& integration,
+                       Weight weight)
+    : m_surface(&space.surface()), m_integration(&integration), m_weight(std::move(weight)) {}
+
+  /// \throws Parameter_error if a weight is negative or not finite
+  void add_moments(std::size_t sheet, Cell_moments& moments) const {
+    for_each_node(sheet, [&](const std::array<double, 3>& t, const Surface_location& location,
+                             double weight) {
+      add_sample(t, m_surface->normal(location.face), weight, moments);
+    });
+  }
+
+  /// as in `Cubature`
+  template <class Visitor> void for_each_node(std::size_t sheet, Visitor&& visit) const {
+    m_integration->for_each_node(sheet, [&](const std::array<double, 3>& t,
+                                            const Surface_location& location, double weight) {
+      const double factor = static_cast<double>(m_weight(m_surface->surface_point(location)));
+      if(!(factor >= 0 && std::isfinite(factor)))
+        throw Parameter_error("alpha",
+                              "is negative or not finite in face " + std::to_string(location.face));
+      visit(t, location, weight * factor);
+    });
+  }
+
+private:
+  const Triangulated_surface_3* m_surface;
+  const SurfaceIntegration* m_integration;
+  Weight m_weight;
 };
 
 } // namespace Restricted_laplacian_3

@@ -145,7 +145,7 @@ make_sphere 4 > small.off
 
 # The tests.
 
-common_options="depth cube-scale paper assembly samples seed threads csv output quiet"
+common_options="depth cube-scale unsplit join paper assembly samples seed threads csv output quiet"
 
 test_help() {
   local program option
@@ -176,6 +176,7 @@ test_bad_input() {
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n' > line.off
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' > bad_index.off
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n' > negative_index.off
+  printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n' > two_corners.off
   head -n 500 sphere.off > truncated.off
   {
     printf 'ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n'
@@ -201,6 +202,7 @@ test_bad_input() {
     fails "area\|degenerate" "$program" line.off
     fails "bad_index.off" "$program" bad_index.off
     fails "negative_index.off" "$program" negative_index.off
+    fails "two_corners.off.*face 1.*corner" "$program" two_corners.off
     fails "truncated.off" "$program" truncated.off
     fails "folder.off" "$program" folder.off
     fails "positional" "$program" small.off small.off
@@ -265,8 +267,9 @@ test_poisson_table() {
     check "prints $name" grep -q "$name" out
   done
   check "format of the table" has_table_format table.csv vertex,value
-  for name in vertices faces depth dimension area setup_seconds assembly_seconds solve_seconds \
-    iterations relative_residual; do
+  for name in vertices faces depth dimension cells sheets split_elements components \
+    kernel_dimension area setup_seconds assembly_seconds solve_seconds iterations \
+    relative_residual; do
     check "comment $name is a number" is_near "$(comment $name table.csv)" 0 1e6
   done
   check "vertices" [ "$(comment vertices table.csv)" = 1026 ]
@@ -348,8 +351,11 @@ test_poisson_options() {
   # 504 elements at depth 3: Table 1 of the paper
   succeeds solve_poisson sphere.off --depth 3 --paper --csv paper.csv
   check "dimension of the space of the paper" [ "$(comment dimension paper.csv)" = 504 ]
+  succeeds solve_poisson sphere.off --depth 3 --unsplit --csv unsplit.csv
+  check "dimension of the unsplit space" [ "$(comment dimension unsplit.csv)" = 816 ]
+  # the support of an element may contain several pieces of the sphere, at its corners
   succeeds solve_poisson sphere.off --depth 3 --csv default.csv
-  check "dimension of the default space" [ "$(comment dimension default.csv)" = 816 ]
+  check "dimension of the default space" [ "$(comment dimension default.csv)" = 864 ]
 
   succeeds solve_poisson sphere.off --depth 3 --assembly monte-carlo --samples 200000 --csv u.csv
   check "monte-carlo: close to the solution" is_below "$(largest_difference u.csv 3 -0.5)" 5e-2
@@ -418,7 +424,8 @@ test_spectrum() {
   check "format of the table" has_table_format s.csv index,eigenvalue
   check "as many eigenvalues as asked for" [ "$(numbers s.csv | wc -l)" -eq 16 ]
   check "eigenvalues of the sphere" has_sphere_spectrum s.csv 1e-2
-  for name in vertices faces depth dimension area assembly_seconds solve_seconds; do
+  for name in vertices faces depth dimension cells sheets split_elements components area \
+    assembly_seconds solve_seconds; do
     check "comment $name is a number" is_near "$(comment $name s.csv)" 0 1e6
   done
   check "prints the eigenvalues" grep -q "[^0-9]2\.0" out
@@ -474,26 +481,47 @@ CUBE
     "numbers cube.csv | awk 'NR <= 4 && \$1 <= 0 || NR > 4 && \$1 >= 0 { exit bad = 1 }
                              END { exit bad }'"
 
-  # Three triangles on one edge, one vertex that no face uses, one that occurs twice: a soup.
-  cat > soup.off << 'SOUP'
+  # A hexagon that is not convex, a pentagon that crosses itself, and a square and a triangle that
+  # name a vertex twice.
+  cat > polygons.off << 'POLYGONS'
 OFF
-7 3 0
+10 4 0
 0 0 0
-1 0 0
-9 9 9
-0 1 0
-0 -1 0.5
+1 0.8 0
+2 0 0
+2 2 0
+1 1.2 0
+0 2 0
 0 0 1
-0 0 0
-3 0 1 3
-3 1 6 4
-3 0 1 5
-SOUP
-  succeeds solve_poisson soup.off --depth 3 --csv soup.csv
-  check "a soup is repaired, and the table says so" grep -qi "repair" out
-  check "the vertices are those of the file" [ "$(numbers soup.csv | wc -l)" -eq 7 ]
-  check "vertices at the same place have the same value" \
-    [ "$(numbers soup.csv | sed -n 1p)" = "$(numbers soup.csv | sed -n 7p)" ]
+1 0 1
+1 1 1
+0 1 1
+6 0 1 2 3 4 5
+5 6 8 1 7 9
+4 6 6 7 8
+3 6 6 7
+POLYGONS
+  succeeds solve_poisson polygons.off --depth 3 --csv polygons.csv
+  check "every polygon is triangulated on its own" [ "$(comment faces polygons.csv)" = 9 ]
+  check "a triangle that names a vertex twice has no area" \
+    [ "$(comment degenerate_faces polygons.csv)" = 1 ]
+
+  # coordinates of a vertex that no face uses
+  {
+    printf 'ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\n'
+    printf 'property float y\nproperty float z\nelement face 1\n'
+    printf 'property list uchar int vertex_indices\nend_header\n'
+    printf '\0\0\0\0\0\0\300\177\0\0\0\0'         # 0 nan 0
+    printf '\0\0\0\0\0\0\0\0\0\0\0\0'             # 0 0 0
+    printf '\0\0\200\077\0\0\0\0\0\0\0\0'         # 1 0 0
+    printf '\0\0\0\0\0\0\200\077\0\0\0\0'         # 0 1 0
+    printf '\003\001\0\0\0\002\0\0\0\003\0\0\0'
+  } > unused.ply
+  succeeds solve_poisson unused.ply --depth 3 --rhs y --csv unused.csv --output again.ply \
+    --picture unused.png
+  check "only vertices of faces have to be finite" \
+    [ "$(numbers unused.csv | sed 's/-//' | grep -n nan)" = 1:nan ]
+  succeeds solve_poisson again.ply --depth 3 --rhs-property value
 
   # other formats
   {
@@ -517,6 +545,141 @@ SOUP
   } > sphere.stl
   succeeds solve_poisson sphere.stl --depth 3 --csv stl.csv
   check "the points of an stl file are merged" [ "$(comment vertices stl.csv)" = 1026 ]
+}
+
+# explode MESH.off: the same triangles, each with vertices of its own
+explode() {
+  awk '
+    NR == 2 { n = $1; n_faces = $2 }
+    NR > 2 && NF == 3 { p[i++] = $0 }
+    NF == 4 { for(k = 2; k <= 4; ++k) q[n_vertices++] = p[$k] }
+    END {
+      print "OFF\n" n_vertices " " n_faces " 0"
+      for(i = 0; i < n_vertices; ++i) print q[i]
+      for(i = 0; i < n_vertices; i += 3) print "3", i, i + 1, i + 2
+    }' "$1"
+}
+
+# make_moebius_strip N: 3 N vertices on a circle of radius 1, with half a turn
+make_moebius_strip() {
+  awk -v n="$1" '
+    function vertex(i, j) { return i < n ? 3 * i + j : 2 - j }
+    BEGIN {
+      print "OFF\n" 3 * n, 4 * n, 0
+      for(i = 0; i < n; ++i) for(j = 0; j < 3; ++j) {
+        t = 2 * atan2(0, -1) * i / n
+        r = 1 + 0.1 * (j - 1) * cos(t / 2)
+        printf "%.17g %.17g %.17g\n", r * cos(t), r * sin(t), 0.1 * (j - 1) * sin(t / 2)
+      }
+      for(i = 0; i < n; ++i) for(j = 0; j < 2; ++j) {
+        print 3, vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)
+        print 3, vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)
+      }
+    }'
+}
+
+test_soups() {
+  local program
+  # Three triangles on one edge, one vertex that no face uses, and a fourth triangle with a vertex of
+  # its own at the place of another one.
+  cat > soup.off << 'SOUP'
+OFF
+8 4 0
+0 0 0
+1 0 0
+9 9 9
+0 1 0
+0 -1 0.5
+0 0 1
+0 1 0
+1 1 1
+3 0 1 3
+3 0 1 4
+3 0 1 5
+3 1 6 7
+SOUP
+  succeeds solve_poisson soup.off --depth 3 --csv soup.csv
+  check "all faces on an edge are connected, faces without a common edge are not" \
+    [ "$(comment components soup.csv)" = 2 ]
+  check "the constants of both are in the kernel" [ "$(comment kernel_dimension soup.csv)" = 2 ]
+  check "all have one row, NaN if no face uses them" \
+    [ "$(numbers soup.csv | sed 's/-nan/nan/' | grep -n nan)" = 3:nan ]
+  check "vertices at the same place are different" eval \
+    "[ '$(numbers soup.csv | sed -n 4p)' != '$(numbers soup.csv | sed -n 7p)' ]"
+  succeeds solve_poisson soup.off --depth 3 --join 0 --csv soup.csv
+  check "--join connects across them" [ "$(comment components soup.csv)" = 1 ]
+  check "and gives them the same value" \
+    is_near "$(numbers soup.csv | sed -n 4p)" "$(numbers soup.csv | sed -n 7p)" 1e-9
+
+  # no two faces have a vertex in common
+  explode small.off > exploded.off
+  for program in solve_poisson laplace_spectrum; do
+    succeeds "$program" exploded.off --depth 3 --csv apart.csv
+    check "$program: as many components as faces" \
+      [ "$(comment components apart.csv)" = "$(comment faces apart.csv)" ]
+    succeeds "$program" exploded.off --depth 3 --join 0 --csv joined.csv
+    check "$program --join 0: one component" [ "$(comment components joined.csv)" = 1 ]
+    succeeds "$program" small.off --depth 3 --csv small.csv
+    check "$program --join 0: the space of the closed mesh" \
+      [ "$(comment dimension joined.csv)" = "$(comment dimension small.csv)" ]
+    fails "join" "$program" small.off --join -1
+    fails "join" "$program" small.off --join x
+    fails "join" "$program" small.off --join nan
+    fails "join" "$program" small.off --join
+  done
+
+  # Along the strip u is about -y: it would jump if the strip were cut where its orientation
+  # changes, at y = 0.
+  make_moebius_strip 60 > moebius.off
+  succeeds solve_poisson moebius.off --depth 5 --rhs y --csv moebius.csv --output moebius.ply \
+    --picture moebius.png
+  check "a Moebius strip is one component" [ "$(comment components moebius.csv)" = 1 ]
+  numbers moebius.csv > u
+  check "and its solution does not jump" is_below "$(awk '
+    NR == FNR { u[FNR - 1] = $1; next }
+    NF == 4 {
+      for(k = 2; k <= 4; ++k) {
+        d = u[$k] - u[$(k == 4 ? 2 : k + 1)]
+        if(d * d > largest) largest = d * d
+      }
+    }
+    END { print sqrt(largest) }' u moebius.off)" 0.2
+  succeeds solve_poisson moebius.ply --depth 5 --rhs-property value
+
+  # two squares that are much nearer to each other than the width of the cells, and a third one
+  cat > plates.off << 'PLATES'
+OFF
+12 3 0
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0 0 0.01
+1 0 0.01
+1 1 0.01
+0 1 0.01
+0 0 0.5
+1 0 0.5
+1 1 0.5
+0 1 0.5
+4 0 1 2 3
+4 4 5 6 7
+4 8 9 10 11
+PLATES
+  succeeds solve_poisson plates.off --depth 4 --rhs x --csv split.csv
+  succeeds solve_poisson plates.off --depth 4 --rhs x --unsplit --csv unsplit.csv
+  check "plates that are near have a sheet each in a cell" \
+    [ $((2 * $(comment sheets split.csv))) -eq $((3 * $(comment cells split.csv))) ]
+  check "and share no element" \
+    [ $((3 * $(comment split_elements split.csv))) -eq $((2 * $(comment dimension split.csv))) ]
+  check "each has its constants" [ "$(comment kernel_dimension split.csv)" = 3 ]
+  check "--unsplit: they are one" \
+    [ $((3 * $(comment dimension unsplit.csv))) -eq $((2 * $(comment dimension split.csv))) ]
+  check "--unsplit: and have one constant" [ "$(comment kernel_dimension unsplit.csv)" = 2 ]
+  for options in --unsplit --paper; do
+    succeeds laplace_spectrum plates.off --depth 4 $options --csv unsplit.csv
+    check "$options: no element is split" [ "$(comment split_elements unsplit.csv)" = 0 ]
+  done
 }
 
 test_short_programs() {

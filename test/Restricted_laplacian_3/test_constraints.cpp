@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Prescribed values: along the boundary, at vertices, and by weights.
+
+#include "catch.h"
+#include "special_shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = CGAL::parameters;
+using shapes::Mesh;
+using shapes::Triangles;
+
+/// the unit square in a plane that is parallel to no axis
+struct Tilted_square {
+  RL::Vector_3 x{0.36, -0.8, 0.48}, y{0.48, 0.6, 0.64};
+  Triangles triangles;
+
+  explicit Tilted_square(int n) {
+    const auto m = static_cast<std::uint32_t>(n + 1);
+    for(std::uint32_t j = 0; j < m; ++j)
+      for(std::uint32_t i = 0; i < m; ++i)
+        triangles.points.push_back(CGAL::ORIGIN + x * (double(i) / n) + y * (double(j) / n));
+    for(std::uint32_t j = 0; j + 1 < m; ++j)
+      for(std::uint32_t i = 0; i + 1 < m; ++i) {
+        const std::uint32_t a = j * m + i;
+        triangles.faces.push_back({a, a + 1, a + m + 1});
+        triangles.faces.push_back({a, a + m + 1, a + m});
+      }
+  }
+  std::array<double, 2> coordinates(const RL::Point_3& p) const {
+    return {(p - CGAL::ORIGIN) * x, (p - CGAL::ORIGIN) * y};
+  }
+  double solution(const RL::Point_3& p) const {
+    const auto [a, b] = coordinates(p);
+    return std::exp(a) * std::sin(b) + a * a * a;
+  }
+  double laplacian(const RL::Point_3& p) const { return 6 * coordinates(p)[0]; }
+};
+
+} // namespace
+
+TEST_CASE("boundary_values_are_met_with_order_three", "[constraints]") {
+  const Tilted_square square(12);
+  const auto f = [&](const RL::Surface_point& p) { return square.laplacian(p.point); };
+  const auto g = [&](const RL::Surface_point& p) { return square.solution(p.point); };
+  std::vector<double> errors, boundary_errors;
+  for(int depth = 3; depth <= 5; ++depth) {
+    const RL::Spline_space_3 space(square.triangles.points, square.triangles.faces,
+                                   params::octree_depth(depth));
+    const RL::Dirichlet_boundary boundary(space);
+    CHECK(boundary.length() == Approx(4).epsilon(1e-12));
+    const RL::Operators operators = RL::assemble_operators(space);
+    RL::Sparse_matrix a = operators.stiffness;
+    boundary.add_to_matrix(a);
+    CHECK(RL::Sparse_matrix(a - RL::Sparse_matrix(a.transpose())).norm() <= 1e-14 * a.norm());
+    // definite, up to what the common near-kernel of all matrices leaves
+    const Eigen::VectorXd scale = a.diagonal().cwiseSqrt().cwiseInverse();
+    if(depth == 3) {
+      const Eigen::MatrixXd scaled = scale.asDiagonal() * Eigen::MatrixXd(a) * scale.asDiagonal();
+      CHECK(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues()[0] >= -1e-10);
+    }
+    RL::Poisson_solver_options options;
+    options.relative_tolerance = 1e-8;
+    const RL::Poisson_solver solver = RL::make_poisson_solver(
+        space, a, operators.mass * Eigen::VectorXd::Ones(a.cols()), 0, options);
+    CHECK(solver.kernel_dimension() == 0);
+    Eigen::VectorXd eta;
+    CHECK(solver.solve(boundary.load(g) - RL::assemble_load(space, f), eta).converged);
+    boundary_errors.push_back(boundary.root_mean_square_error(eta, g));
+    const RL::Spline_function_3 u(space, eta);
+    double sum = 0;
+    const auto values = u.values_at_vertices();
+    for(std::size_t v = 0; v < values.size(); ++v)
+      sum += std::pow(values[v] - square.solution(square.triangles.points[v]), 2);
+    errors.push_back(std::sqrt(sum / double(values.size())));
+  }
+  INFO("errors " << errors[0] << " " << errors[1] << " " << errors[2] << ", at the boundary "
+                 << boundary_errors[0] << " " << boundary_errors[1] << " " << boundary_errors[2]);
+  CHECK(std::log2(errors[0] / errors[2]) / 2 >= 2.7);
+  CHECK(std::log2(boundary_errors[0] / boundary_errors[2]) / 2 >= 2.3); // 2.5 in theory
+}
+
+TEST_CASE("boundary_values_through_named_parameters", "[constraints]") {
+  const Tilted_square square(8);
+  Mesh mesh = shapes::mesh(square.triangles);
+  auto g = mesh.add_property_map<Mesh::Vertex_index, double>("v:g").first;
+  auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+  // a linear function is in the space, and harmonic
+  for(Mesh::Vertex_index v : mesh.vertices())
+    g[v] = 1 + 2 * mesh.point(v).x() - mesh.point(v).y() + mesh.point(v).z();
+  const auto zero = [](const RL::Surface_point&) { return 0.; };
+  const RL::Solve_report report =
+      RL::solve_poisson(mesh, zero, u, params::octree_depth(4, params::boundary_values(g)));
+  CHECK(report.converged);
+  CHECK(report.relative_residual <= 1e-6);
+  for(Mesh::Vertex_index v : mesh.vertices())
+    REQUIRE(u[v] == Approx(g[v]).margin(1e-5));
+
+  // with screening: u - 0.1 Laplacian u = g is solved by g as well
+  RL::solve_screened_poisson(mesh,
+                             boost::make_function_property_map<Mesh::Vertex_index>(
+                                 [&](Mesh::Vertex_index v) { return 10 * g[v]; }),
+                             10., u, params::octree_depth(4, params::boundary_values(g)));
+  for(Mesh::Vertex_index v : mesh.vertices())
+    REQUIRE(u[v] == Approx(g[v]).margin(1e-5));
+
+  Mesh closed = shapes::mesh(shapes::sphere(2));
+  auto w = closed.add_property_map<Mesh::Vertex_index, double>("v:w").first;
+  CHECK_THROWS_AS(
+      RL::solve_poisson(closed, zero, w, params::octree_depth(3, params::boundary_values(zero))),
+      RL::Parameter_error);
+}
+
+TEST_CASE("components_without_boundary_keep_their_mean", "[constraints]") {
+  const Tilted_square square(4);
+  const Triangles t =
+      shapes::joined(square.triangles, shapes::moved(shapes::sphere(4), {2.5, 0, 0}));
+  const auto on_sphere = [](const RL::Surface_point& p) { return p.point.x() > 1.2; };
+  const auto f = [&](const RL::Surface_point& p) { return on_sphere(p) ? p.point.z() : 0.; };
+  const auto g = [](const RL::Surface_point&) { return 7.; };
+  std::vector<double> u(t.points.size());
+  const RL::Solve_report report =
+      RL::solve_poisson(t.points, t.faces, f, CGAL::make_property_map(u),
+                        params::octree_depth(5, params::boundary_values(g)));
+  CHECK(report.converged);
+  for(std::size_t i = 0; i < u.size(); ++i)
+    REQUIRE(u[i] ==
+            Approx(i < square.triangles.points.size() ? 7 : -t.points[i].z() / 2).margin(5e-3));
+}
+
+TEST_CASE("values_at_vertices_are_held", "[constraints]") {
+  // two poles of a sphere: the solution is odd, and between the two values
+  const Triangles sphere = shapes::sphere(4);
+  Mesh mesh = shapes::mesh(sphere);
+  auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+  auto value = mesh.add_property_map<Mesh::Vertex_index, double>("v:g", 0).first;
+  auto is_constrained = mesh.add_property_map<Mesh::Vertex_index, bool>("v:c", false).first;
+  const Mesh::Vertex_index north(4), south(5);
+  for(const auto& [v, g] : {std::pair<Mesh::Vertex_index, double>{north, 3}, {south, -1}}) {
+    is_constrained[v] = true;
+    value[v] = g;
+  }
+  const auto zero = [](const RL::Surface_point&) { return 0.; };
+  double last_miss = 1;
+  for(double weight : {1e1, 1e2, 1e4}) {
+    const RL::Solve_report report = RL::solve_poisson(
+        mesh, zero, u,
+        params::octree_depth(
+            4, params::constraint_values(
+                   value, params::constraint_weight(
+                              weight, params::vertex_is_constrained_map(is_constrained)))));
+    CHECK(report.converged);
+    const double miss = std::abs(u[north] - 3);
+    CHECK(miss <= 0.5 * last_miss);
+    CHECK(miss <= 20 / weight);
+    last_miss = miss;
+    for(Mesh::Vertex_index v : mesh.vertices()) {
+      REQUIRE(u[v] <= 3);
+      REQUIRE(u[v] >= -1);
+      const RL::Point_3 p = mesh.point(v);
+      if(p.z() == 0)
+        REQUIRE(u[v] == Approx(1).margin(5e-3));
+    }
+  }
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  RL::Point_constraints constraints(space);
+  RL::Surface_location nowhere;
+  nowhere.face = 1000000;
+  CHECK_THROWS_AS(constraints.add(nowhere, 1, 1), RL::Location_error);
+  CHECK_THROWS_AS(constraints.add(RL::Surface_location(), 1, -1), RL::Parameter_error);
+  CHECK_THROWS_AS(constraints.add(RL::Surface_location(), std::nan(""), 1), RL::Parameter_error);
+  CHECK(constraints.size() == 0);
+}
+
+TEST_CASE("weights_pull_the_solution", "[constraints]") {
+  const Triangles sphere = shapes::sphere(4);
+  const auto np = params::octree_depth(4, params::relative_tolerance(1e-5));
+  std::vector<double> by_number(sphere.points.size()), by_map = by_number, pulled = by_number;
+  const auto f = [](const RL::Surface_point& p) { return 8 * p.point.z(); };
+  RL::solve_screened_poisson(sphere.points, sphere.faces, f, 2., CGAL::make_property_map(by_number),
+                             np);
+  std::vector<double> twos(sphere.points.size(), 2);
+  RL::solve_screened_poisson(sphere.points, sphere.faces, f, CGAL::make_property_map(twos),
+                             CGAL::make_property_map(by_map), np);
+  for(std::size_t i = 0; i < by_map.size(); ++i) {
+    // 2 u - Laplacian u = 8 z: u = 2 z
+    REQUIRE(by_number[i] == Approx(2 * sphere.points[i].z()).margin(0.02));
+    REQUIRE(by_map[i] == Approx(by_number[i]).margin(1e-4));
+  }
+  // strong weights on the upper half only: u is g there, and harmonic below
+  const auto weight = [](const RL::Surface_point& p) { return p.point.z() > 0 ? 1e5 : 0.; };
+  const auto weighted_g = [&](const RL::Surface_point& p) { return weight(p) * (1 + p.point.x()); };
+  const RL::Solve_report report = RL::solve_screened_poisson(
+      sphere.points, sphere.faces, weighted_g, weight, CGAL::make_property_map(pulled), np);
+  CHECK(report.converged);
+  for(std::size_t i = 0; i < pulled.size(); ++i) {
+    const RL::Point_3& p = sphere.points[i];
+    if(p.z() > 0.2)
+      REQUIRE(pulled[i] == Approx(1 + p.x()).margin(0.02));
+    if(p.z() < -0.95)
+      REQUIRE(pulled[i] == Approx(1).margin(0.2));
+  }
+  for(double bad : {-1., std::nan("")})
+    CHECK_THROWS_AS(RL::solve_screened_poisson(
+                        sphere.points, sphere.faces, f,
+                        [bad](const RL::Surface_point&) { return bad; },
+                        CGAL::make_property_map(pulled), params::octree_depth(2)),
+                    RL::Parameter_error);
+}
