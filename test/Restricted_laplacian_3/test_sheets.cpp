@@ -520,3 +520,31 @@ TEST_CASE("space_of_the_paper_is_not_split", "[sheets]") {
   CHECK(space.number_of_split_elements(4) == 0);
   CHECK(space.octree().number_of_sheets(4) == space.octree().number_of_cells(4));
 }
+
+TEST_CASE("results_follow_the_surface_when_it_is_moved", "[sheets]") {
+  const Triangles t = rotated(rotor(5, 0.08));
+  const RL::Spline_space_3 space = space_of(t, 5);
+  const RL::Operators operators = RL::assemble_operators(space);
+  const Eigen::VectorXd values = eigenvalues(space, 15);
+  // scaling: to rounding; the stiffness matrix has no unit, the mass matrix that of area
+  for(double factor : {1e-6, 0.37, 3., 1e9}) {
+    INFO("factor " << factor);
+    const RL::Spline_space_3 scaled = space_of(shapes::scaled(t, factor), 5);
+    REQUIRE(scaled.dimension() == space.dimension());
+    CHECK(scaled.number_of_split_elements(5) == space.number_of_split_elements(5));
+    const RL::Operators of_scaled = RL::assemble_operators(scaled);
+    CHECK(relative_difference(of_scaled.stiffness, operators.stiffness) <= 1e-11);
+    CHECK(relative_difference(of_scaled.mass / (factor * factor), operators.mass) <= 1e-11);
+  }
+  // translation: the domain cube moves along, so to the rounding of the coordinates
+  for(double distance : {10., 1e6}) {
+    INFO("distance " << distance);
+    const RL::Spline_space_3 moved =
+        space_of(shapes::moved(t, {distance, 0.7 * distance, -0.3 * distance}), 5);
+    CHECK(moved.octree().number_of_sheets(0) == 1);
+    CHECK(largest_difference(eigenvalues(moved, 15), values) <= 1e-12 * distance + 1e-8);
+  }
+  // rotation: to the error of discretization
+  CHECK(largest_difference(eigenvalues(space_of(rotated(t), 5), 15), values) <= 0.02);
+  CHECK(largest_difference(eigenvalues(space_of(rotor(5, 0.08), 5), 15), values) <= 0.02);
+}

@@ -154,6 +154,19 @@ TEST_CASE("three_half_planes_on_one_edge_are_joined", "[soups]") {
   const Eigen::VectorXd values = eigenvalues(t, 10, 5);
   for(std::size_t i = 1; i < exact.size(); ++i)
     CHECK(values[i] == Approx(exact[i]).epsilon(0.02));
+
+  // the third with vertices of its own: its side is alone, those of the others are not
+  Triangles apart = t;
+  const auto copy = static_cast<std::uint32_t>(apart.points.size());
+  apart.points.push_back(t.points[0]);
+  apart.points.push_back(t.points[1]);
+  for(std::size_t f = 4; f < 6; ++f)
+    for(std::uint32_t& v : apart.faces[f])
+      if(v < 2)
+        v += copy;
+  CHECK(number_of_components(apart) == 2);
+  CHECK(number_of_joined_components(apart, 0) == 1);
+  CHECK((eigenvalues(apart, 10, 5, 0) - values).cwiseAbs().maxCoeff() <= 1e-8);
 }
 
 TEST_CASE("moebius_strip", "[soups]") {

@@ -139,6 +139,11 @@ public:
   std::size_t dimension(int level) const { return m_levels[level].first_slots.size(); }
   /// number of elements of the finest level
   std::size_t dimension() const { return dimension(depth()); }
+  /// number of cells of a level that meet the surface
+  std::size_t number_of_cells(int level) const { return m_octree.number_of_cells(level); }
+  /// number of connected pieces of the surface in these cells; on level 0 the number of connected
+  /// components of the surface. Without splitting all surface in a cell counts as one piece.
+  std::size_t number_of_sheets(int level) const { return m_octree.number_of_sheets(level); }
   /// number of elements of a level that are one of several into which an element was split
   std::size_t number_of_split_elements(int level) const {
     return m_levels[level].number_of_split_elements;

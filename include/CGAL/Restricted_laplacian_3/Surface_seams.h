@@ -29,14 +29,15 @@ namespace Restricted_laplacian_3 {
 /// not matter. Beyond that,
 /// - the three sides of a thin face, whose height over its longest side is at most `thinness`, are
 ///   one seam: it may have no fragment in a cell where its neighbours have one;
-/// - if a joining tolerance is given, two sides that are alone so far are one seam if they run
-///   along each other: of their four ends, two that are farther apart than the tolerance are each
-///   within the tolerance of the other side. That closes duplicate vertices and T-junctions.
+/// - if a joining tolerance is given, a side that is alone so far and another side are one seam if
+///   they run along each other: of their four ends, two that are farther apart than the tolerance
+///   are each within the tolerance of the other side. That closes duplicate vertices and
+///   T-junctions.
 ///
 /// Side `i` of a face goes from corner `i` to corner `(i + 1) % 3`.
 ///
-/// Linear in the number of faces; joining takes \f$O(b \log b)\f$ for \f$b\f$ sides that are alone,
-/// as long as few of them are near to each other.
+/// Linear in the number of faces; joining takes \f$O(F \log F)\f$, as long as few sides are near
+/// to each other.
 class Surface_seams {
 public:
   /// \param thinness in the unit of the coordinates
@@ -148,34 +149,39 @@ private:
     for(const auto& seams : m_seams)
       for(std::uint32_t seam : seams)
         ++number_of_sides[seam];
-    struct Lone_side {
+    struct Edge {
       std::uint32_t seam;
       std::array<Point_3, 2> ends;
     };
-    std::vector<Lone_side> sides;
-    for(std::size_t f = 0; f < m_seams.size(); ++f)
-      for(int side = 0; side < 3; ++side)
-        if(number_of_sides[m_seams[f][side]] == 1)
-          sides.push_back(
-              {m_seams[f][side], {surface.point(f, side), surface.point(f, (side + 1) % 3)}});
-
     using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-    std::vector<Box> boxes;
-    for(std::size_t i = 0; i < sides.size(); ++i) {
-      const CGAL::Bbox_3 b = sides[i].ends[0].bbox() + sides[i].ends[1].bbox();
-      const double r = tolerance / 2;
-      boxes.emplace_back(CGAL::Bbox_3(b.xmin() - r, b.ymin() - r, b.zmin() - r, b.xmax() + r,
-                                      b.ymax() + r, b.zmax() + r),
-                         i);
-    }
-    bool united = false;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      const Lone_side &s = sides[a.info()], &t = sides[b.info()];
-      if(run_along_each_other(s.ends, t.ends, tolerance)) {
-        sets.unite(s.seam, t.seam);
-        united = true;
+    std::vector<Edge> edges;
+    std::vector<Box> boxes, lone_boxes;
+    std::vector<char> is_seen(m_number_of_seams, 0);
+    for(std::size_t f = 0; f < m_seams.size(); ++f)
+      for(int side = 0; side < 3; ++side) {
+        const std::uint32_t seam = m_seams[f][side];
+        if(is_seen[seam])
+          continue;
+        is_seen[seam] = 1;
+        edges.push_back({seam, {surface.point(f, side), surface.point(f, (side + 1) % 3)}});
+        const CGAL::Bbox_3 b = edges.back().ends[0].bbox() + edges.back().ends[1].bbox();
+        const double r = tolerance / 2;
+        boxes.emplace_back(CGAL::Bbox_3(b.xmin() - r, b.ymin() - r, b.zmin() - r, b.xmax() + r,
+                                        b.ymax() + r, b.zmax() + r),
+                           edges.size() - 1);
+        if(number_of_sides[seam] == 1)
+          lone_boxes.push_back(boxes.back());
       }
-    });
+    bool united = false;
+    CGAL::box_intersection_d(lone_boxes.begin(), lone_boxes.end(), boxes.begin(), boxes.end(),
+                             [&](const Box& a, const Box& b) {
+                               const Edge &s = edges[a.info()], &t = edges[b.info()];
+                               if(s.seam != t.seam &&
+                                  run_along_each_other(s.ends, t.ends, tolerance)) {
+                                 sets.unite(s.seam, t.seam);
+                                 united = true;
+                               }
+                             });
     return united;
   }
 

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Three ways to tell a Poisson problem which values to take: along the boundary, at some vertices,
+// and softly, by a weight for each vertex. The surface is the square [-1, 1] x [-1, 1], on which
+// x^2 - y^2 and x y are harmonic.
+
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = CGAL::parameters;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = Mesh::Vertex_index;
+
+double largest_difference(const Mesh& mesh, const Mesh::Property_map<Vertex, double>& u,
+                          double (*exact)(const Point&)) {
+  double result = 0;
+  for(Vertex v : mesh.vertices())
+    result = std::max(result, std::abs(u[v] - exact(mesh.point(v))));
+  return result;
+}
+
+int main() {
+  Mesh mesh;
+  CGAL::make_grid(
+      20, 20, mesh, [](std::size_t i, std::size_t j) { return Point(i / 10. - 1, j / 10. - 1, 0); },
+      true);
+  auto u = mesh.add_property_map<Vertex, double>("v:u").first;
+  const auto zero = [](const RL::Surface_point&) { return 0.; };
+
+  // Laplacian u = 0 with u = x^2 - y^2 on the boundary
+  const auto saddle = [](const RL::Surface_point& p) {
+    return p.point.x() * p.point.x() - p.point.y() * p.point.y();
+  };
+  RL::solve_poisson(mesh, zero, u, params::octree_depth(4, params::boundary_values(saddle)));
+  std::cout << "boundary values, largest error: "
+            << largest_difference(mesh, u,
+                                  [](const Point& p) { return p.x() * p.x() - p.y() * p.y(); })
+            << '\n';
+
+  // Laplacian u = 0 with u = 1 in one corner and -1 in the opposite one
+  auto value = mesh.add_property_map<Vertex, double>("v:value", 0).first;
+  auto is_fixed = mesh.add_property_map<Vertex, bool>("v:is_fixed", false).first;
+  for(Vertex v : mesh.vertices()) {
+    const Point& p = mesh.point(v);
+    if(std::abs(p.x() + p.y()) == 2) {
+      is_fixed[v] = true;
+      value[v] = p.x();
+    }
+  }
+  // parameters of CGAL come last in a chain
+  RL::solve_poisson(
+      mesh, zero, u,
+      params::octree_depth(
+          4, params::constraint_values(value, params::vertex_is_constrained_map(is_fixed))));
+  for(Vertex v : mesh.vertices())
+    if(is_fixed[v])
+      std::cout << "fixed vertex: wanted " << value[v] << ", got " << u[v] << '\n';
+
+  // minimal: integral of |grad u|^2 + w (u - x y)^2, with a large weight w on the left half
+  const auto weight = [](const RL::Surface_point& p) { return p.point.x() < 0 ? 1e4 : 0.; };
+  const auto weighted_target = [&](const RL::Surface_point& p) {
+    return weight(p) * p.point.x() * p.point.y();
+  };
+  RL::solve_screened_poisson(mesh, weighted_target, weight, u, params::octree_depth(4));
+  double on_the_left = 0;
+  for(Vertex v : mesh.vertices())
+    if(mesh.point(v).x() < -0.2)
+      on_the_left = std::max(on_the_left, std::abs(u[v] - mesh.point(v).x() * mesh.point(v).y()));
+  std::cout << "weights, largest difference where they are large: " << on_the_left << '\n';
+}
