@@ -6,7 +6,6 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -128,13 +127,9 @@ inline Triangles box(double x, double y, double z, int n, unsigned seed) {
   return t;
 }
 
-/// reads a mesh file; the mesh is empty if there is no such file
-inline Mesh read(const std::string& path) {
-  Mesh result;
-  if(!path.empty())
-    CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(path, result);
-  return result;
-}
+/// Reads a mesh file; the mesh is empty if there is no such file. Not inline, because the readers
+/// of all formats take long to compile.
+Mesh read(const std::string& path);
 
 } // namespace shapes
 

@@ -322,7 +322,7 @@ TEST_CASE("splitting_does_not_depend_on_the_triangulation", "[sheets]") {
   }
 }
 
-TEST_CASE("edges_and_faces_in_walls_tear_nothing", "[sheets]") {
+TEST_CASE("edges_and_faces_in_walls_tear_nothing", "[sheets][slow]") {
   // In these positions edges, vertices or whole faces lie in walls at all depths. The spectrum has
   // to be that of the same shape in a general position, up to the error of discretization.
   struct Case {
@@ -404,7 +404,7 @@ Eigen::VectorXd exact_eigenvalues(double length, bool is_closed, int count) {
 
 } // namespace
 
-TEST_CASE("near_layers_have_the_spectrum_of_the_unfolded_surface", "[sheets]") {
+TEST_CASE("near_layers_have_the_spectrum_of_the_unfolded_surface", "[sheets][slow]") {
   const int depth = 5, count = 20;
   const double h = 1.1 / 32; // about
   for(double gap : {h, h / 4, h / 16}) {
@@ -432,7 +432,7 @@ TEST_CASE("near_layers_have_the_spectrum_of_the_unfolded_surface", "[sheets]") {
   }
 }
 
-TEST_CASE("thin_blades_of_a_rotor", "[sheets]") {
+TEST_CASE("thin_blades_of_a_rotor", "[sheets][slow]") {
   const shapes::Mesh mesh = shapes::read(cgal_mesh("rotor_small.off"));
   if(mesh.is_empty())
     SKIP_TEST("no such file: rotor_small.off");
@@ -473,7 +473,7 @@ TEST_CASE("pulley_and_turbine", "[sheets][slow]") {
   }
 }
 
-TEST_CASE("shapes_without_near_parts_keep_their_spectrum", "[sheets]") {
+TEST_CASE("shapes_without_near_parts_keep_their_spectrum", "[sheets][slow]") {
   std::vector<std::pair<std::string, Triangles>> surfaces = {{"sphere", shapes::sphere(5)}};
   for(const char* file : {"bunny00.off", "fandisk.off"}) {
     const shapes::Mesh mesh = shapes::read(cgal_mesh(file));
@@ -490,7 +490,7 @@ TEST_CASE("shapes_without_near_parts_keep_their_spectrum", "[sheets]") {
   }
 }
 
-TEST_CASE("splitting_costs_no_iterations", "[sheets]") {
+TEST_CASE("splitting_costs_no_iterations", "[sheets][slow]") {
   const shapes::Mesh mesh = shapes::read(cgal_mesh("bunny00.off"));
   if(mesh.is_empty())
     SKIP_TEST("no such file: bunny00.off");
@@ -521,7 +521,7 @@ TEST_CASE("space_of_the_paper_is_not_split", "[sheets]") {
   CHECK(space.octree().number_of_sheets(4) == space.octree().number_of_cells(4));
 }
 
-TEST_CASE("results_follow_the_surface_when_it_is_moved", "[sheets]") {
+TEST_CASE("results_follow_the_surface_when_it_is_moved", "[sheets][slow]") {
   const Triangles t = rotated(rotor(5, 0.08));
   const RL::Spline_space_3 space = space_of(t, 5);
   const RL::Operators operators = RL::assemble_operators(space);

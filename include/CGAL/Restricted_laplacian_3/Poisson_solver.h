@@ -187,12 +187,9 @@ public:
     timer.start();
     x.derived().resize(b.rows(), b.cols());
     for(Eigen::Index column = 0; column < b.cols();) {
-      switch(b.cols() - column) {
-      case 1: column += solve_block<1>(b, x, column, report); break;
-      case 2: column += solve_block<2>(b, x, column, report); break;
-      case 3: column += solve_block<3>(b, x, column, report); break;
-      default: column += solve_block<4>(b, x, column, report);
-      }
+      // Two and three columns travel with empty ones: a pass over the matrices takes hardly longer.
+      column += b.cols() - column == 1 ? solve_block<1>(b, x, column, report)
+                                       : solve_block<4>(b, x, column, report);
     }
     report.solve_seconds = timer.time();
     return report;
@@ -244,14 +241,15 @@ private:
   }
 
   template <int K, class RightHandSides, class Solutions>
-  int solve_block(const Eigen::MatrixBase<RightHandSides>& b_all,
-                  Eigen::PlainObjectBase<Solutions>& x_all, Eigen::Index column,
-                  Solve_report& report) const {
+  Eigen::Index solve_block(const Eigen::MatrixBase<RightHandSides>& b_all,
+                           Eigen::PlainObjectBase<Solutions>& x_all, Eigen::Index column,
+                           Solve_report& report) const {
     using Block = internal::Block_vector<K>;
     using Row = internal::Block_row<K>;
-    Block load(b_all.rows(), K), b, x, r;
+    const Eigen::Index count = (std::min)(b_all.cols() - column, Eigen::Index(K));
+    Block load = Block::Zero(b_all.rows(), K), b, x, r;
     for(Eigen::Index i = 0; i < load.rows(); ++i)
-      load.row(i) = b_all.row(m_multigrid.order()[i]).template segment<K>(column);
+      load.row(i).head(count) = b_all.row(m_multigrid.order()[i]).segment(column, count);
     // Squares of very small or large loads would leave the range of numbers.
     const Row scale = load.cwiseAbs().colwise().maxCoeff().array().unaryExpr(
         [](double largest) { return largest > 0 ? largest : 1.; });
@@ -300,15 +298,15 @@ private:
     m_constants.shift_solution<K>(load, x);
     x = x * scale.matrix().asDiagonal();
     for(Eigen::Index i = 0; i < x.rows(); ++i)
-      x_all.row(m_multigrid.order()[i]).template segment<K>(column) = x.row(i);
+      x_all.row(m_multigrid.order()[i]).segment(column, count) = x.row(i).head(count);
     report.iterations = (std::max)(report.iterations, iterations);
-    for(int k = 0; k < K; ++k) {
+    for(Eigen::Index k = 0; k < count; ++k) {
       const double relative = norm[k] > 0 ? residual[k] / norm[k] : 0;
       report.relative_residuals.push_back(relative);
       report.relative_residual = (std::max)(report.relative_residual, relative);
       report.converged = report.converged && relative <= m_options.relative_tolerance;
     }
-    return K;
+    return count;
   }
 
   /// a restart has to reduce a residual by this factor at least, else the iteration ends

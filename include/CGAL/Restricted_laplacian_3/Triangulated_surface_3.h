@@ -40,8 +40,10 @@ public:
   static constexpr double smallest_extent = 1e-100;
 
   /// The triangles need not form a manifold, nor be oriented alike, nor differ from each other.
-  /// \throws Empty_surface_error, Invalid_face_error (a face names a vertex that does not exist),
-  /// Invalid_vertex_error (a vertex of a face is not finite), Zero_area_error, Parameter_error (extent outside of `smallest_extent` .. `largest_extent`)
+  /// \throws Empty_surface_error, Zero_area_error
+  /// \throws Invalid_face_error a face names a vertex that does not exist
+  /// \throws Invalid_vertex_error a vertex of a face is not finite
+  /// \throws Parameter_error the extent is outside of `smallest_extent` .. `largest_extent`
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles)
     : m_points(std::move(points)), m_triangles(std::move(triangles)) {
     if(m_triangles.empty())
