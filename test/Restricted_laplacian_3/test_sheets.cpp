@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Sheets and split elements: against a search by brute force, on shapes whose edges and faces lie in
-// walls, and through what they do to spectra.
+// Sheets and split elements: against a search by brute force, on shapes whose edges and faces lie
+// in walls, and through what they do to spectra.
 
 #include "catch.h"
 #include "special_shapes.h"
@@ -170,8 +170,8 @@ Triangles prism(int sides, double radius, double height) {
   return t;
 }
 
-/// A rotor with `blades` thin blades around a hub, all edges of whose mid-plane z = 0 exist as edges
-/// of the mesh: that plane is a wall at all depths.
+/// A rotor with `blades` thin blades around a hub, all edges of whose mid-plane z = 0 exist as
+/// edges of the mesh: that plane is a wall at all depths.
 Triangles rotor(int blades, double thickness) {
   // outline: hub corner, out along a blade, back, next hub corner
   std::vector<std::array<double, 2>> outline;

@@ -56,7 +56,8 @@ inline void check_face(const std::vector<RL::Point_3>& points, const Polygon& po
   }
 }
 
-// Appends the triangles of a polygon, which need not be plane, convex or free of self-intersections.
+// Appends the triangles of a polygon, which need not be plane, convex or free of
+// self-intersections.
 inline void triangulate(const std::vector<RL::Point_3>& points, Polygon polygon,
                         Triangles& triangles) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;

@@ -397,8 +397,8 @@ private:
     return places;
   }
 
-  /// Sets `firsts` to the representatives of the sets of the numbers `begin` .. `end` - 1, sorted by
-  /// the position of their centroids, and appends their places to `places`.
+  /// Sets `firsts` to the representatives of the sets of the numbers `begin` .. `end` - 1, sorted
+  /// by the position of their centroids, and appends their places to `places`.
   template <class PlaceOf>
   static void sort_by_place(std::uint32_t begin, std::uint32_t end, internal::Disjoint_sets& sets,
                             PlaceOf&& place_of, std::vector<std::uint32_t>& firsts,

@@ -149,8 +149,8 @@ public:
   /// \param prolongations from each level to the next finer one, coarsest first
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param alpha the screening weight that `a` contains, if any
-  /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry of
-  /// the matrix is not finite, or a diagonal entry negative beyond rounding
+  /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry
+  /// of the matrix is not finite, or a diagonal entry negative beyond rounding
   Poisson_solver(Sparse_matrix a, std::vector<Sparse_matrix> prolongations,
                  Eigen::VectorXd element_integrals, double alpha = 0,
                  const Options& options = Options())

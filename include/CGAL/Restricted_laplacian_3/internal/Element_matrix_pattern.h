@@ -76,8 +76,8 @@ private:
   std::vector<int> m_outer, m_inner;
 };
 
-/// Adds the blocks of a sheet to two matrices of the same pattern. Both the elements of the sheet and
-/// the rows of a column are walked through in ascending order, so each column takes one merge.
+/// Adds the blocks of a sheet to two matrices of the same pattern. Both the elements of the sheet
+/// and the rows of a column are walked through in ascending order, so each column takes one merge.
 inline void add_cell_blocks(const Cell_elements& elements, const Cell_block& stiffness,
                             const Cell_block& mass, double mass_factor,
                             Eigen::SparseMatrix<double>& stiffness_matrix,
