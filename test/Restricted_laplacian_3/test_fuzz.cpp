@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Random hostile surfaces: nothing crashes, hangs or turns into NaN, and the identities hold. The
-// number of rounds is that of the environment variable RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS, 40 if it
+// number of rounds is that of the environment variable RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS, 30 if it
 // is not set; a failure names the seed of its round.
 
 #include "catch.h"
@@ -161,7 +161,7 @@ void check(const RL::Spline_space_3& space) {
 
 TEST_CASE("random_hostile_surfaces", "[fuzz]") {
   const char* given = std::getenv("RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS");
-  const unsigned rounds = given ? static_cast<unsigned>(std::atoi(given)) : 40;
+  const unsigned rounds = given ? static_cast<unsigned>(std::atoi(given)) : 30;
   unsigned accepted = 0;
   for(unsigned seed = 1; seed <= rounds; ++seed) {
     INFO("seed " << seed);

@@ -174,7 +174,7 @@ TEST_CASE("matrices_are_symmetric_and_positive_after_scaling", "[operators]") {
   }
 }
 
-TEST_CASE("quadratic_forms_of_polynomials_are_exact", "[operators]") {
+TEST_CASE("quadratic_forms_of_polynomials_are_exact", "[operators][slow]") {
   // An independent path to the same numbers: the polynomial itself, integrated over whole
   // triangles.
   for(const Named_mesh& s : surfaces()) {
@@ -286,7 +286,7 @@ TEST_CASE("prolongation_preserves_functions", "[operators]") {
   }
 }
 
-TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators]") {
+TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators][slow]") {
   const auto check = [](const shapes::Triangles& a, const shapes::Triangles& b, int depth) {
     RL::Spline_space_options options;
     options.octree_depth = depth;

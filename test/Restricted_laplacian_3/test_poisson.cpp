@@ -60,7 +60,7 @@ Eigen::VectorXd random_load(const RL::Spline_space_3& space, unsigned seed) {
 
 } // namespace
 
-TEST_CASE("poisson_on_the_sphere_converges_with_order_three", "[poisson]") {
+TEST_CASE("poisson_on_the_sphere_converges_with_order_three", "[poisson][slow]") {
   // fine enough that its own error, of order 1/vertices, is below that of the splines
   const Mesh mesh = shapes::mesh(shapes::sphere(7));
   std::vector<double> errors;

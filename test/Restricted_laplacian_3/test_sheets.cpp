@@ -285,9 +285,9 @@ TEST_CASE("levels_of_a_split_space_equal_spaces_of_that_depth", "[sheets]") {
       {"stairs", shapes::stairs(8, 0.1)}};
   for(const auto& [name, t] : surfaces) {
     INFO(name);
-    const RL::Spline_space_3 deep = space_of(t, 6);
+    const RL::Spline_space_3 deep = space_of(t, 5);
     check_identities(deep);
-    for(int depth = 1; depth < 6; ++depth) {
+    for(int depth = 1; depth < 5; ++depth) {
       const RL::Spline_space_3 shallow = space_of(t, depth);
       REQUIRE(shallow.octree().number_of_sheets(depth) == deep.octree().number_of_sheets(depth));
       REQUIRE(shallow.dimension() == deep.dimension(depth));
@@ -312,7 +312,7 @@ TEST_CASE("splitting_does_not_depend_on_the_triangulation", "[sheets]") {
       CHECK(relative_difference(s.mass, t.mass) <= 1e-10);
     }
   };
-  for(int depth = 2; depth <= 5; ++depth) {
+  for(int depth = 2; depth <= 4; ++depth) {
     for(const Triangles& t :
         {rotor(6, 0.05), rotated(rotor(6, 0.05)), folded_strip(0.03, 2), prism(6, 1, 0.1)})
       check_same(t, shapes::split_in_four(shapes::split_in_four(t)), depth);
