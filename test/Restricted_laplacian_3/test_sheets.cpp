@@ -361,6 +361,19 @@ TEST_CASE("edges_and_faces_in_walls_tear_nothing", "[sheets][slow]") {
   }
 }
 
+TEST_CASE("surface_along_diagonals_of_cells_is_not_torn", "[sheets]") {
+  // In the plane x = y only cells that share an edge follow each other, none that share a wall.
+  const Triangles t = {{{0, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
+  for(double cube_scale : {1., 2.})
+    for(int depth = 1; depth <= 5; ++depth) {
+      INFO("depth " << depth << ", cube scale " << cube_scale);
+      const RL::Spline_space_3 space = space_of(t, depth, true, cube_scale);
+      CHECK(space.octree().number_of_sheets(0) == 1);
+      if(depth >= 3)
+        CHECK(eigenvalues(space, 2)[1] == Approx(CGAL_PI * CGAL_PI / 2).epsilon(1e-3));
+    }
+}
+
 namespace {
 
 /// a polyline in the plane z = 0, swept along z from 0 to 1 and rotated
