@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How do the times of octree, numbering and exact assembly grow with depth and with the number of
-// triangles? Two series: one mesh (the argument, or CGAL's bunny) at depths 5 to 8, and spheres of
-// 8 thousand to 2 million triangles at depth 6. One core. Prints a table that gnuplot reads; for
+// triangles? One mesh (the argument, or CGAL's bunny) at depths 5 to 8, the same with elements that
+// are not split, and spheres of 8 thousand to 2 million triangles at depth 6. One core. Prints a table that gnuplot reads; for
 // each run also the time per unknown and per fragment (part of a triangle in a cell): both are flat
 // where the growth is linear.
 //
@@ -25,7 +25,8 @@ namespace RL = CGAL::Restricted_laplacian_3;
 
 namespace {
 
-void run(const char* name, const RL::Triangulated_surface_3& surface, int depth) {
+void run(const char* name, const RL::Triangulated_surface_3& surface, int depth,
+         bool is_split = true) {
   // the best of three: other programs share the machine
   double space_seconds = 1e9, assembly_seconds = 1e9;
   std::size_t unknowns = 0, fragments = 0, entries = 0;
@@ -34,6 +35,7 @@ void run(const char* name, const RL::Triangulated_surface_3& surface, int depth)
     timer.start();
     RL::Spline_space_options options;
     options.octree_depth = depth;
+    options.split_elements = is_split;
     const RL::Spline_space_3 space(surface, options);
     const double space_end = timer.time();
     const RL::Operators operators = RL::assemble_operators(space);
@@ -68,6 +70,9 @@ int main(int argc, char* argv[]) {
   const RL::Triangulated_surface_3 surface = RL::read_surface(mesh);
   for(int depth = 5; depth <= 8; ++depth)
     run("mesh", surface, depth);
+  std::printf("\n\n");
+  for(int depth = 5; depth <= 8; ++depth)
+    run("unsplit", surface, depth, false);
   std::printf("\n\n");
   for(int n = 5; n <= 9; ++n)
     run("sphere", sphere(n), 6);

@@ -40,6 +40,8 @@ public:
     distort(t);
     for(RL::Point_3& p : t.points)
       p = RL::Point_3(scale * (p.x() + offset), scale * (p.y() - offset), scale * p.z());
+    // no face uses it, so it may lie anywhere
+    t.points.emplace_back(std::nan(""), 1e300, 0);
     return t;
   }
 
@@ -105,10 +107,7 @@ private:
       case 3: t.faces.push_back(any_face()); break;
       case 4: any_face()[0] = any_face()[1]; break;
       case 5: any_point() = any_point() + RL::Vector_3(1e-14 * uniform(), 0, 0); break;
-      case 6:
-        t.points.emplace_back(std::nan(""), 1e300, 0);
-        t.points.back() = point();
-        break;
+      case 6: t.points.push_back(point()); break;
       }
   }
 
@@ -155,6 +154,17 @@ void check(const RL::Spline_space_3& space) {
       eta);
   REQUIRE(eta.allFinite());
   REQUIRE(std::isfinite(report.relative_residual));
+
+  try {
+    const RL::Dirichlet_boundary boundary(space);
+    RL::Sparse_matrix a = operators.stiffness;
+    boundary.add_to_matrix(a);
+    REQUIRE(a.coeffs().allFinite());
+    REQUIRE(a.diagonal().minCoeff() >= -1e-12 * a.diagonal().maxCoeff());
+    REQUIRE(boundary.load([](const RL::Surface_point&) { return 1.; }).allFinite());
+  } catch(const RL::Parameter_error&) {
+    // a closed surface
+  }
 }
 
 } // namespace

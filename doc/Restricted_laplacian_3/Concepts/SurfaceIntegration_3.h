@@ -19,8 +19,8 @@ The functions that assemble matrices and right-hand sides take a model as argume
 class SurfaceIntegration_3 {
 public:
   /*!
-  adds the moments of the a sheet of the finest level to `moments`, which need not be
-  0 before: for a node at the local coordinate \f$t\f$ with weight \f$w\f$ and unit normal \f$n\f$,
+  adds the moments of a sheet of the finest level to `moments`, which need not be 0 before: for a
+  node at the local coordinate \f$t\f$ with weight \f$w\f$ and unit normal \f$n\f$,
   \f$w\, B_a(t_x) B_b(t_y) B_c(t_z)\f$ to the mass, and that times \f$I - n n^T\f$ to the tensor.
   */
   void add_moments(std::size_t sheet, CGAL::Restricted_laplacian_3::Cell_moments& moments) const;

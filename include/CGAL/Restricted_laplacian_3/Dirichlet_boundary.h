@@ -50,7 +50,7 @@ namespace Restricted_laplacian_3 {
 /// Where the boundary only clips a corner of a cell, \f$\lambda\f$ grows without limit and would
 /// dominate all norms. There \f$\beta\f$ is at most `largest_penalty` over the cell width, and the
 /// terms with \f$\partial_\nu\f$ are multiplied by \f$\sqrt{\beta / 2 \lambda}\f$, which keeps
-/// the matrix positive semi-definite. It concerns pieces of about a thousandth of a cell.
+/// the matrix positive semi-definite.
 ///
 /// The boundary consists of all sides of faces that are joined to no other face, see
 /// `Surface_seams`.
@@ -258,15 +258,17 @@ private:
         solver.eigenvectors().rightCols(rank) *
         solver.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
     const Eigen::MatrixXd reduced = basis.transpose() * boundary * basis;
+    // a sheet without energy, by underflow, gets the largest penalty and no flux
     const double lambda =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(reduced, Eigen::EigenvaluesOnly)
-            .eigenvalues()
-            .maxCoeff();
+        rank == 0 ? std::numeric_limits<double>::infinity()
+                  : Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(reduced, Eigen::EigenvaluesOnly)
+                        .eigenvalues()
+                        .maxCoeff();
     const double largest = largest_penalty / m_space->octree().cell_width(m_space->depth());
     const double beta = (std::min)(2 * lambda, largest);
     for(std::size_t k = first; k < last; ++k) {
       m_nodes[k].beta = beta;
-      m_nodes[k].flux = std::sqrt(beta / (2 * lambda));
+      m_nodes[k].flux = beta < 2 * lambda ? std::sqrt(beta / (2 * lambda)) : 1;
     }
   }
 

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,12 +27,11 @@ namespace Restricted_laplacian_3 {
 ///
 /// The weights have the unit of the stiffness matrix: none. With weight \f$w\f$ the solution misses
 /// the value by \f$1 / w\f$ times the flux that it takes to hold it, so \f$10^3\f$ or
-/// \f$10^4\f$ hold a value to three or four digits, while small weights pull gently. Each
-/// constraint costs the solver a few iterations; for values along a boundary take
-/// `Dirichlet_boundary`.
+/// \f$10^4\f$ hold a value to three or four digits, while small weights pull gently. For
+/// values along a boundary take `Dirichlet_boundary`.
 ///
 /// A value at a point of a surface has no meaning for the differential equation: the finer the
-/// space, the narrower the peak by which it is met (it falls with the logarithm of the cell width).
+/// space, the narrower the peak by which it is met.
 class Point_constraints {
 public:
   /// \param space must outlive this object

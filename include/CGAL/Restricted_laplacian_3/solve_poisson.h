@@ -351,6 +351,8 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
         surface_function(source, parameters::get_parameter(np, internal_np::boundary_values)));
   }
   if constexpr(has_constraints) {
+    static_assert(is_given_v<NamedParameters, internal_np::constraint_values_t>,
+                  "vertex_is_constrained_map needs constraint_values");
     const Point_constraints constraints = vertex_constraints(source, space, np);
     constraints.add_to_matrix(a);
     load += constraints.load();

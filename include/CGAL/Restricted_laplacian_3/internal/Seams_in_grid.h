@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  /// of both ends of a piece, in units of the cell width: shorter ones count as points
+  /// length, in units of the cell width, up to which a piece counts as a point
   static constexpr double shortest_piece = 1e-9;
 
   /// from the lower to the upper vertex, so that all faces of an edge see the same
