@@ -3,9 +3,9 @@
 
 // How do the times of octree, numbering and exact assembly grow with depth and with the number of
 // triangles? One mesh (the argument, or CGAL's bunny) at depths 5 to 8, the same with elements that
-// are not split, and spheres of 8 thousand to 2 million triangles at depth 6. One core. Prints a table that gnuplot reads; for
-// each run also the time per unknown and per fragment (part of a triangle in a cell): both are flat
-// where the growth is linear.
+// are not split, and spheres of 8 thousand to 2 million triangles at depth 6. One core. Prints a
+// table that gnuplot reads; for each run also the time per unknown and per fragment (part of a
+// triangle in a cell): both are flat where the growth is linear.
 //
 // usage: assembly_scaling [MESH]
 
