@@ -11,7 +11,10 @@
 #include <CGAL/Restricted_laplacian_3/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/prolongation.h>
 
+#include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -372,4 +375,141 @@ TEST_CASE("monte_carlo_converges_to_cubature", "[operators]") {
   CHECK(errors[0] < 0.2);
   CHECK(errors[1] < errors[0] / 6);
   CHECK(errors[1] > errors[0] / 16);
+}
+
+namespace {
+
+/// N of `assemble_operators()`, from the element functions themselves: the volume integrals by the
+/// Gauss rule of three nodes per axis, the average of the normals from the fragments.
+Eigen::MatrixXd normal_derivative_matrix(const RL::Spline_space_3& space) {
+  const RL::Octree_3& octree = space.octree();
+  const int depth = space.depth();
+  const double h = octree.cell_width(depth);
+  const double node = std::sqrt(0.6) / 2;
+  const std::array<double, 3> nodes = {0.5 - node, 0.5, 0.5 + node},
+                              weights = {5. / 18, 4. / 9, 5. / 18};
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(space.dimension(), space.dimension());
+  for(std::size_t sheet = 0; sheet < octree.number_of_sheets(depth); ++sheet) {
+    Eigen::Matrix3d average = Eigen::Matrix3d::Zero();
+    double area = 0;
+    for(std::uint32_t face : octree.faces(sheet)) {
+      const double a = octree.fragment(octree.cell(depth, sheet), face).double_area();
+      const RL::Vector_3& v = octree.surface().normal(face);
+      const Eigen::Vector3d n(v.x(), v.y(), v.z());
+      average += a * n * n.transpose();
+      area += a;
+    }
+    average /= area;
+    for(int q = 0; q < 27; ++q) {
+      const std::array<int, 3> at = {q % 3, q / 3 % 3, q / 9};
+      std::array<std::array<double, 3>, 3> b, d;
+      for(int axis = 0; axis < 3; ++axis) {
+        b[axis] = RL::B_spline_1::values(nodes[at[axis]]);
+        d[axis] = RL::B_spline_1::derivatives(nodes[at[axis]]);
+      }
+      Eigen::Matrix<double, 3, 27> gradients;
+      for(int e = 0; e < 27; ++e) {
+        const int i = e % 3, j = e / 3 % 3, k = e / 9;
+        gradients.col(e) << d[0][i] * b[1][j] * b[2][k], b[0][i] * d[1][j] * b[2][k],
+            b[0][i] * b[1][j] * d[2][k];
+      }
+      gradients /= h;
+      const double weight = weights[at[0]] * weights[at[1]] * weights[at[2]] * h * h * h;
+      const auto& elements = space.elements(depth, sheet);
+      for(int i = 0; i < 27; ++i)
+        for(int j = 0; j < 27; ++j)
+          if(elements[i] != RL::Spline_space_3::no_element &&
+             elements[j] != RL::Spline_space_3::no_element)
+            result(elements[i], elements[j]) +=
+                weight * gradients.col(i).dot(average * gradients.col(j));
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("stabilization_is_the_normal_derivative_in_the_cells", "[operators]") {
+  for(bool is_split : {true, false}) {
+    const Mesh mesh = shapes::mesh(shapes::sphere(3));
+    const RL::Spline_space_3 space(mesh, params::octree_depth(3, params::split_elements(is_split)));
+    const RL::Cubature cubature(space);
+    const double c = 0.7, h = space.octree().cell_width(space.depth());
+    const RL::Operators plain = RL::assemble_operators(space),
+                        zero = RL::assemble_operators(space, space.depth(), cubature, 0),
+                        stabilized = RL::assemble_operators(space, space.depth(), cubature, c);
+    CHECK(relative_difference(zero.stiffness, plain.stiffness) == 0);
+    CHECK(relative_difference(zero.mass, plain.mass) == 0);
+    const Eigen::MatrixXd n = normal_derivative_matrix(space);
+    const Eigen::MatrixXd of_stiffness = (h / c) * (stabilized.stiffness - plain.stiffness),
+                          of_mass = (1 / (c * h)) * (stabilized.mass - plain.mass);
+    CHECK((of_stiffness - n).cwiseAbs().maxCoeff() <= 1e-13 * n.cwiseAbs().maxCoeff());
+    CHECK((of_mass - n).cwiseAbs().maxCoeff() <= 1e-13 * n.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
+  for(const Named_mesh& s : surfaces())
+    for(bool is_split : {true, false}) {
+      INFO(s.name << (is_split ? ", split" : ", unsplit"));
+      const RL::Spline_space_3 space(
+          s.mesh, params::octree_depth(s.depth, params::split_elements(is_split)));
+      const RL::Cubature cubature(space);
+      const double c = 0.3;
+      const std::vector<RL::Operators> all = RL::assemble_operators(space, 0, s.depth, cubature, c);
+      for(int level = 0; level <= s.depth; ++level) {
+        INFO("level " << level);
+        const RL::Operators& of_level = all[level];
+        const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension(level));
+        CHECK((of_level.stiffness * ones).cwiseAbs().maxCoeff() <=
+              1e-13 * of_level.stiffness.coeffs().maxCoeff());
+        CHECK(ones.dot(of_level.mass * ones) == Approx(space.surface().area()).epsilon(1e-12));
+        const auto alone =
+            RL::internal::assemble_stiffness_and_integrals(space, level, cubature, c);
+        CHECK(relative_difference(alone.stiffness, of_level.stiffness) <= 1e-14);
+        const Eigen::VectorXd integrals = RL::assemble_element_integrals(space, level);
+        CHECK((alone.integrals - integrals).cwiseAbs().maxCoeff() <= 1e-13 * integrals.maxCoeff());
+        for(const RL::Sparse_matrix* a : {&of_level.stiffness, &of_level.mass})
+          CHECK(RL::Sparse_matrix(*a - RL::Sparse_matrix(a->transpose())).coeffs().isZero(0));
+        if(level == s.depth)
+          continue;
+        const RL::Sparse_matrix p = RL::prolongation_matrix(space, level);
+        CHECK(relative_difference(RL::galerkin_product(all[level + 1].stiffness, p),
+                                  of_level.stiffness) <= 1e-12);
+        CHECK(relative_difference(RL::galerkin_product(all[level + 1].mass, p), of_level.mass) <=
+              1e-12);
+        const RL::Operators direct = RL::assemble_operators(space, level, cubature, c);
+        CHECK(relative_difference(direct.stiffness, of_level.stiffness) <= 1e-14);
+        CHECK(relative_difference(direct.mass, of_level.mass) <= 1e-14);
+      }
+    }
+}
+
+TEST_CASE("stabilization_does_not_depend_on_the_unit_of_length", "[operators]") {
+  const shapes::Triangles original = shapes::sphere(3);
+  RL::Spline_space_options options;
+  options.octree_depth = 4;
+  const auto assemble = [&options](const shapes::Triangles& t) {
+    const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);
+    return RL::assemble_operators(space, 4, RL::Cubature(space), 0.1);
+  };
+  const RL::Operators expected = assemble(original);
+  for(double scale : {1e-6, 3e5}) {
+    shapes::Triangles scaled = original;
+    for(auto& p : scaled.points)
+      p = {scale * p.x(), scale * p.y(), scale * p.z()};
+    const RL::Operators operators = assemble(scaled);
+    CHECK(relative_difference(operators.stiffness, expected.stiffness) <= 1e-12);
+    CHECK(relative_difference(operators.mass / (scale * scale), expected.mass) <= 1e-12);
+  }
+}
+
+TEST_CASE("stabilization_must_be_a_non_negative_number", "[operators]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(1));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(2));
+  for(double c : {-1e-300, -1., std::nan(""), std::numeric_limits<double>::infinity()}) {
+    CHECK_THROWS_AS(RL::assemble_operators(space, 2, RL::Cubature(space), c), RL::Parameter_error);
+    CHECK_THROWS_AS(RL::assemble_stiffness_matrix(space, 2, RL::Cubature(space), c),
+                    RL::Parameter_error);
+  }
 }

@@ -40,13 +40,31 @@ struct Operators {
 
 namespace internal {
 
+inline double checked_normal_stabilization(double c) {
+  if(!(c >= 0 && std::isfinite(c)))
+    throw Parameter_error("normal_stabilization",
+                          "is " + std::to_string(c) +
+                              ", but must be a finite number that is not negative");
+  return c;
+}
+
+/// Moments of a sheet, and those of the stabilisation alone, which the mass matrix takes as well.
+struct Stabilized_moments {
+  Cell_moments moments;
+  Cell_moments::Tensor_moments stabilization;
+};
+
 /// Computes the moments of all sheets of the levels `coarsest` .. `finest`, those of a sheet after
 /// those of its children, and keeps only one sheet per level at a time.
 template <class SurfaceIntegration, class Visitor> class Moment_traversal {
 public:
+  /// \param keeps_stabilization whether `Stabilized_moments::stabilization` is wanted
   Moment_traversal(const Octree_3& octree, const SurfaceIntegration& integration, int coarsest,
-                   int finest, Visitor& visit)
-    : m_octree(octree), m_integration(integration), m_finest(finest), m_visit(visit),
+                   int finest, double normal_stabilization, bool keeps_stabilization,
+                   Visitor& visit)
+    : m_octree(octree), m_integration(integration), m_finest(finest),
+      m_normal_stabilization(normal_stabilization),
+      m_keeps_stabilization(keeps_stabilization && normal_stabilization != 0), m_visit(visit),
       m_moments(octree.depth() + 1) {
     for(std::size_t sheet = 0; sheet < octree.number_of_sheets(coarsest); ++sheet)
       compute(coarsest, sheet);
@@ -54,25 +72,55 @@ public:
 
 private:
   void compute(int level, std::size_t sheet) {
-    Cell_moments& moments = m_moments[level];
-    moments.clear();
-    if(level == m_octree.depth())
-      m_integration.add_moments(sheet, moments);
-    else
+    Stabilized_moments& of_sheet = m_moments[level];
+    of_sheet.moments.clear();
+    if(m_keeps_stabilization)
+      for(Cell_moments::Moments& m : of_sheet.stabilization)
+        m.fill(0);
+    if(level == m_octree.depth()) {
+      m_integration.add_moments(sheet, of_sheet.moments);
+      if(m_normal_stabilization != 0)
+        stabilize(of_sheet);
+    } else
       for(std::uint32_t child : m_octree.children(level, sheet)) {
         compute(level + 1, child);
-        add_child_moments(m_moments[level + 1], m_octree.cell(level + 1, child).octant(), moments);
+        const Stabilized_moments& of_child = m_moments[level + 1];
+        const int octant = m_octree.cell(level + 1, child).octant();
+        add_child_moments(of_child.moments, octant, of_sheet.moments);
+        if(m_keeps_stabilization)
+          for(int k = 0; k < 6; ++k)
+            add_child_moments(of_child.stabilization[k], octant, 0.25, of_sheet.stabilization[k]);
       }
     if(level <= m_finest)
-      m_visit(level, sheet, moments);
+      m_visit(level, sheet, of_sheet);
+  }
+
+  void stabilize(Stabilized_moments& of_sheet) const {
+    const auto values = stabilization_moments(of_sheet.moments, m_normal_stabilization);
+    for(int k = 0; k < 6; ++k) {
+      for(double& m : of_sheet.moments.tensor[k])
+        m += values[k];
+      if(m_keeps_stabilization)
+        of_sheet.stabilization[k].fill(values[k]);
+    }
   }
 
   const Octree_3& m_octree;
   const SurfaceIntegration& m_integration;
   int m_finest;
+  double m_normal_stabilization;
+  bool m_keeps_stabilization;
   Visitor& m_visit;
-  std::vector<Cell_moments> m_moments;
+  std::vector<Stabilized_moments> m_moments;
 };
+
+template <class SurfaceIntegration, class Visitor>
+void for_each_sheet_moments(const Spline_space_3& space, int coarsest, int finest,
+                            const SurfaceIntegration& integration, double normal_stabilization,
+                            bool keeps_stabilization, Visitor&& visit) {
+  Moment_traversal<SurfaceIntegration, Visitor>(space.octree(), integration, coarsest, finest,
+                                                normal_stabilization, keeps_stabilization, visit);
+}
 
 } // namespace internal
 
@@ -85,34 +133,61 @@ private:
 /// rounding they are the Galerkin products \f$P^T A P\f$ of the finer ones, if the space is not
 /// that of the paper.
 ///
+/// *Stabilisation.* Restricted splines are nearly linearly dependent, because a function that
+/// varies only along the normal hardly shows on the surface. With \f$c > 0\f$ the matrices are
+/// \f[ S + \frac{c}{h} N, \qquad M + c\, h\, N, \qquad
+///     N_{ij} = \sum_{\mathrm{sheets}} \int_{\mathrm{cell}} \nabla b_i^T A\, \nabla b_j, \f]
+/// where the sum is over the sheets of the finest level of the octree, the integrals over the
+/// volumes of their cells, \f$h\f$ is the width of these cells, whatever the level of the matrix,
+/// and \f$A\f$ the average of \f$n n^T\f$ over the sheet (by area): a penalty on the derivative
+/// along the normal. Since \f$N 1 = 0\f$, constants remain in the kernel of the stiffness matrix,
+/// and the entries of the mass matrix sum to the area. The error of the solution that it causes is
+/// of the order of the discretisation error for \f$c\f$ from the order of 1 down to that of
+/// \f$h^2\f$. See J. Grande, C. Lehrenfeld, A. Reusken, *Analysis of a high-order trace finite
+/// element method for PDEs on level set surfaces*, SIAM J. Numer. Anal. 56 (2018), and E. Burman,
+/// P. Hansbo, M. G. Larson, A. Massing, *Cut finite element methods for partial differential
+/// equations on embedded manifolds of arbitrary codimensions*, ESAIM: M2AN 52 (2018).
+///
 /// Takes time proportional to the number of fragments of triangles in cells, plus the number of
 /// sheets; holds the matrices (about 75 entries in a row) and little else.
+/// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or
 /// `Monte_carlo`
-/// \throws Parameter_error if a level is not in 0 .. depth
+/// \throws Parameter_error if a level is not in 0 .. depth, or if `normal_stabilization` is
+/// negative or not finite
 template <class SurfaceIntegration>
 std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
-                                          const SurfaceIntegration& integration) {
+                                          const SurfaceIntegration& integration,
+                                          double normal_stabilization = 0) {
   space.checked_level(coarsest);
   space.checked_level(finest);
+  internal::checked_normal_stabilization(normal_stabilization);
   std::vector<Operators> operators;
   std::vector<internal::Element_matrix_pattern> patterns;
   for(int level = coarsest; level <= finest; ++level) {
     patterns.emplace_back(space, level);
     operators.push_back({patterns.back().zero_matrix(), patterns.back().zero_matrix()});
   }
-  Cell_block stiffness, mass;
-  const auto add_sheet = [&](int level, std::size_t sheet, const Cell_moments& moments) {
+  const double finest_h = space.octree().cell_width(space.depth());
+  Cell_block stiffness, mass, stabilization;
+  const auto add_sheet = [&](int level, std::size_t sheet,
+                             const internal::Stabilized_moments& of_sheet) {
     const double h = space.octree().cell_width(level);
-    stiffness_block(moments, stiffness);
-    mass_block(moments, mass);
+    stiffness_block(of_sheet.moments.tensor, stiffness);
+    mass_block(of_sheet.moments, mass);
+    if(normal_stabilization != 0) {
+      stiffness_block(of_sheet.stabilization, stabilization);
+      const double ratio = finest_h / h;
+      for(std::size_t i = 0; i < mass.size(); ++i)
+        mass[i] += ratio * ratio * stabilization[i];
+    }
     Operators& to = operators[level - coarsest];
     internal::add_cell_blocks(space.elements(level, sheet), stiffness, mass, h * h, to.stiffness,
                               to.mass);
   };
   if(coarsest <= finest)
-    internal::Moment_traversal<SurfaceIntegration, decltype(add_sheet)>(
-        space.octree(), integration, coarsest, finest, add_sheet);
+    internal::for_each_sheet_moments(space, coarsest, finest, integration, normal_stabilization,
+                                     true, add_sheet);
   return operators;
 }
 
@@ -120,8 +195,10 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
 /// Stiffness and mass matrix of one level, at the cost of one of them.
 template <class SurfaceIntegration>
 Operators assemble_operators(const Spline_space_3& space, int level,
-                             const SurfaceIntegration& integration) {
-  return std::move(assemble_operators(space, level, level, integration).front());
+                             const SurfaceIntegration& integration,
+                             double normal_stabilization = 0) {
+  return std::move(
+      assemble_operators(space, level, level, integration, normal_stabilization).front());
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -136,13 +213,65 @@ inline Operators assemble_operators(const Spline_space_3& space) {
   return assemble_operators(space, space.depth());
 }
 
+namespace internal {
+
+/// A stiffness matrix and \f$ \int_{\mathcal M} b_i \f$.
+struct Stiffness_and_integrals {
+  Sparse_matrix stiffness;
+  Eigen::VectorXd integrals;
+};
+
+/// In one pass over the surface, without a mass matrix.
+template <class SurfaceIntegration>
+Stiffness_and_integrals assemble_stiffness_and_integrals(const Spline_space_3& space, int level,
+                                                         const SurfaceIntegration& integration,
+                                                         double normal_stabilization = 0) {
+  space.checked_level(level);
+  checked_normal_stabilization(normal_stabilization);
+  Stiffness_and_integrals result = {Element_matrix_pattern(space, level).zero_matrix(),
+                                    Eigen::VectorXd::Zero(space.dimension(level))};
+  const double h = space.octree().cell_width(level);
+  Cell_block block;
+  const auto add_sheet = [&](int at, std::size_t sheet, const Stabilized_moments& of_sheet) {
+    if(at != level)
+      return;
+    const Cell_elements& elements = space.elements(level, sheet);
+    stiffness_block(of_sheet.moments.tensor, block);
+    add_cell_block(elements, block, 1, result.stiffness);
+    const auto integrals = element_integrals(of_sheet.moments);
+    for(int i = 0; i < 27; ++i)
+      if(elements[i] != Spline_space_3::no_element)
+        result.integrals[elements[i]] += h * h * integrals[i];
+  };
+  for_each_sheet_moments(space, level, level, integration, normal_stabilization, false, add_sheet);
+  return result;
+}
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The stiffness matrix of one level alone: no mass matrix is formed or held meanwhile.
+/// \param normal_stabilization as in `assemble_operators()`; with \f$c > 0\f$ the matrix is
+/// \f$S + \frac{c}{h} N\f$
+/// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
+/// \throws Parameter_error if the level is not in 0 .. depth, or if `normal_stabilization` is
+/// negative or not finite
+template <class SurfaceIntegration>
+Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
+                                        const SurfaceIntegration& integration,
+                                        double normal_stabilization = 0) {
+  return std::move(
+      internal::assemble_stiffness_and_integrals(space, level, integration, normal_stabilization)
+          .stiffness);
+}
+
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j \rangle
 /// \f$, positive semi-definite (minus the matrix \f$L\f$ of the paper, equation 5),
 /// `dimension(level)` rows. Constants are in its kernel (not in the space of the paper, where the
 /// surface comes within a cell of the boundary of the domain cube).
 inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level) {
-  return std::move(assemble_operators(space, level).stiffness);
+  return assemble_stiffness_matrix(space, level, Cubature(space));
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// \overload

@@ -8,9 +8,11 @@
 #include <CGAL/Restricted_laplacian_3/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/triangle_quadrature.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -36,10 +38,11 @@ struct Cell_moments {
   static constexpr int size = 125;
   /// number \f$a + 5 b + 25 c\f$
   using Moments = std::array<double, size>;
+  /// tensor components xx, yy, zz, xy, xz, yz
+  using Tensor_moments = std::array<Moments, 6>;
 
   Moments mass;
-  /// tensor components xx, yy, zz, xy, xz, yz
-  std::array<Moments, 6> tensor;
+  Tensor_moments tensor;
 
   void clear() {
     mass.fill(0);
@@ -239,11 +242,48 @@ inline void add_sample(const std::array<double, 3>& t, const Vector_3& normal, d
     internal::add_scaled(own, projector[k], moments.tensor[k]);
 }
 
-/// Adds the moments of a child to those of its parent. Along an axis, for a child of parity 0
-/// \f$t_{parent} = t/2\f$ and \f$ B_n(t/2) = 2^{-k} \sum_{k \ge n} \binom{k}{n} B_k(t) \f$ (de
-/// Casteljau subdivision, again without cancellation); parity 1 is its mirror image. The area unit
-/// of the parent is four times that of the child.
-inline void add_child_moments(const Cell_moments& child, int octant, Cell_moments& parent) {
+namespace internal {
+
+/// The moments of the stabilisation of a finest cell. It adds to the stiffness block the integral
+/// over the *volume* of the cell of \f$c\, \nabla b_i^T A\, \nabla b_j\f$, \f$A\f$ the average of
+/// \f$n n^T\f$ over the surface in the cell: the block of the tensor moments
+/// \f$c\, A_{kl} \int B_a B_b B_c = c\, A_{kl} / 125\f$. All are equal, so one of them is returned
+/// for each component.
+///
+/// With \f$\tau_{kl}\f$ the sums of the tensor moments, \f$\int n_x^2 = (\tau_{yy} + \tau_{zz} -
+/// \tau_{xx}) / 2\f$: the identity does not enter, whose part would cancel.
+inline std::array<double, 6> stabilization_moments(const Cell_moments& moments,
+                                                   double normal_stabilization) {
+  const auto sum = [](const Cell_moments::Moments& m) {
+    double result = 0;
+    for(double value : m)
+      result += value;
+    return result;
+  };
+  const double area = sum(moments.mass);
+  if(!(area > 0)) // no sample in the cell
+    return {0, 0, 0, 0, 0, 0};
+  std::array<double, 6> tau;
+  for(int k = 0; k < 6; ++k)
+    tau[k] = sum(moments.tensor[k]);
+  const double trace = (tau[0] + tau[1] + tau[2]) / 2;
+  const double factor = normal_stabilization / (Cell_moments::size * area);
+  std::array<double, 6> result;
+  for(int k = 0; k < 3; ++k)
+    result[k] = factor * (std::max)(trace - tau[k], 0.);
+  for(int k = 3; k < 6; ++k)
+    result[k] = -factor * tau[k];
+  return result;
+}
+
+} // namespace internal
+
+/// Adds the moments of a child to those of its parent, each times `factor`. Along an axis, for a
+/// child of parity 0 \f$t_{parent} = t/2\f$ and
+/// \f$ B_n(t/2) = 2^{-k} \sum_{k \ge n} \binom{k}{n} B_k(t) \f$ (de Casteljau subdivision, again
+/// without cancellation); parity 1 is its mirror image.
+inline void add_child_moments(const Cell_moments::Moments& child, int octant, double factor,
+                              Cell_moments::Moments& parent) {
   using Change = std::array<std::array<double, 5>, 5>;
   static constexpr Change lower = {{{1, 1. / 2, 1. / 4, 1. / 8, 1. / 16},
                                     {0, 1. / 2, 2. / 4, 3. / 8, 4. / 16},
@@ -259,12 +299,16 @@ inline void add_child_moments(const Cell_moments& child, int octant, Cell_moment
   const Change& y = octant >> 1 & 1 ? upper : lower;
   const Change& z = octant >> 2 & 1 ? upper : lower;
   Cell_moments::Moments shifted;
-  internal::contract(x, y, z, child.mass, shifted);
-  internal::add_scaled(shifted, 0.25, parent.mass);
-  for(int k = 0; k < 6; ++k) {
-    internal::contract(x, y, z, child.tensor[k], shifted);
-    internal::add_scaled(shifted, 0.25, parent.tensor[k]);
-  }
+  internal::contract(x, y, z, child, shifted);
+  internal::add_scaled(shifted, factor, parent);
+}
+
+/// Adds the moments of a child to those of its parent, whose area unit is four times that of the
+/// child.
+inline void add_child_moments(const Cell_moments& child, int octant, Cell_moments& parent) {
+  add_child_moments(child.mass, octant, 0.25, parent.mass);
+  for(int k = 0; k < 6; ++k)
+    add_child_moments(child.tensor[k], octant, 0.25, parent.tensor[k]);
 }
 
 /// A symmetric 27 x 27 block: entry \f$27 i + j\f$, elements numbered as in `Cell_elements`.
@@ -288,7 +332,7 @@ inline void mass_block(const Cell_moments& moments, Cell_block& block) {
 }
 
 /// \f$\int \nabla b_i^T (I - n n^T) \nabla b_j\f$ over the surface in one cell; it has no unit.
-inline void stiffness_block(const Cell_moments& moments, Cell_block& block) {
+inline void stiffness_block(const Cell_moments::Tensor_moments& tensor, Cell_block& block) {
   const auto& products = internal::Spline_products::get();
   const auto& v = products.values;
   const auto& d = products.derivatives;
@@ -296,13 +340,13 @@ inline void stiffness_block(const Cell_moments& moments, Cell_block& block) {
   static const auto mt = internal::Spline_products::transposed(m);
   std::array<double, 216> xx, yy, zz;
   std::array<double, 486> xy, xz, yz;
-  internal::contract(d, v, v, moments.tensor[0], xx);
-  internal::contract(v, d, v, moments.tensor[1], yy);
-  internal::contract(v, v, d, moments.tensor[2], zz);
+  internal::contract(d, v, v, tensor[0], xx);
+  internal::contract(v, d, v, tensor[1], yy);
+  internal::contract(v, v, d, tensor[2], zz);
   // d_x b_i d_y b_j and so on; its transpose is the entry with i and j exchanged
-  internal::contract(m, mt, v, moments.tensor[3], xy);
-  internal::contract(m, v, mt, moments.tensor[4], xz);
-  internal::contract(v, m, mt, moments.tensor[5], yz);
+  internal::contract(m, mt, v, tensor[3], xy);
+  internal::contract(m, v, mt, tensor[4], xz);
+  internal::contract(v, m, mt, tensor[5], yz);
 
   std::size_t entry = 0;
   for(int iz = 0; iz < 3; ++iz)
@@ -322,6 +366,25 @@ inline void stiffness_block(const Cell_moments& moments, Cell_block& block) {
                                (yz[px + 6 * (y + 9 * z)] + yz[px + 6 * (yt + 9 * zt)]);
             }
           }
+}
+
+inline void stiffness_block(const Cell_moments& moments, Cell_block& block) {
+  stiffness_block(moments.tensor, block);
+}
+
+/// \f$\int b_i\f$ over the surface in one cell, in units of the squared cell width: Bernstein
+/// polynomials of degree 2 are combinations, without negative coefficients, of those of degree 4.
+inline std::array<double, 27> element_integrals(const Cell_moments& moments) {
+  static const auto pieces = [] {
+    std::array<std::array<double, 5>, 3> result;
+    const auto b = B_spline_1::bernstein_coefficients();
+    for(int i = 0; i < 3; ++i)
+      result[i] = internal::product(b[i], {1, 1, 1});
+    return result;
+  }();
+  std::array<double, 27> integrals;
+  internal::contract(pieces, pieces, pieces, moments.mass, integrals);
+  return integrals;
 }
 
 /// Values of a function against the 27 elements of a cell: \f$\int f b_i\f$ over the surface in the

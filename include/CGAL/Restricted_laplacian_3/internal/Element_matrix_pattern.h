@@ -76,12 +76,12 @@ private:
   std::vector<int> m_outer, m_inner;
 };
 
-/// Adds the blocks of a sheet to two matrices of the same pattern. Both the elements of the sheet
-/// and the rows of a column are walked through in ascending order, so each column takes one merge.
-inline void add_cell_blocks(const Cell_elements& elements, const Cell_block& stiffness,
-                            const Cell_block& mass, double mass_factor,
-                            Eigen::SparseMatrix<double>& stiffness_matrix,
-                            Eigen::SparseMatrix<double>& mass_matrix) {
+/// Calls `visit(position, entry)` for the entries of the block of a sheet: position in the arrays
+/// of a matrix, number in the block. Both the elements of the sheet and the rows of a column are
+/// walked through in ascending order, so each column takes one merge.
+template <class Visitor>
+void for_each_block_entry(const Cell_elements& elements, const Eigen::SparseMatrix<double>& matrix,
+                          Visitor&& visit) {
   std::array<std::pair<std::uint32_t, int>, 27> sorted;
   int count = 0;
   for(int i = 0; i < 27; ++i)
@@ -89,19 +89,38 @@ inline void add_cell_blocks(const Cell_elements& elements, const Cell_block& sti
       sorted[count++] = {elements[i], i};
   std::sort(sorted.begin(), sorted.begin() + count);
 
-  const int* inner = stiffness_matrix.innerIndexPtr();
-  double *stiffness_values = stiffness_matrix.valuePtr(), *mass_values = mass_matrix.valuePtr();
+  const int* inner = matrix.innerIndexPtr();
   for(int j = 0; j < count; ++j) {
-    std::size_t position = stiffness_matrix.outerIndexPtr()[sorted[j].first];
+    std::size_t position = matrix.outerIndexPtr()[sorted[j].first];
     const int column = 27 * sorted[j].second;
     for(int i = 0; i < count; ++i, ++position) {
       const int row = static_cast<int>(sorted[i].first);
       while(inner[position] != row)
         ++position;
-      stiffness_values[position] += stiffness[column + sorted[i].second];
-      mass_values[position] += mass_factor * mass[column + sorted[i].second];
+      visit(position, column + sorted[i].second);
     }
   }
+}
+
+/// adds the block of a sheet to a matrix
+inline void add_cell_block(const Cell_elements& elements, const Cell_block& block, double factor,
+                           Eigen::SparseMatrix<double>& matrix) {
+  double* values = matrix.valuePtr();
+  for_each_block_entry(elements, matrix, [&](std::size_t position, int entry) {
+    values[position] += factor * block[entry];
+  });
+}
+
+/// adds the blocks of a sheet to two matrices of the same pattern
+inline void add_cell_blocks(const Cell_elements& elements, const Cell_block& stiffness,
+                            const Cell_block& mass, double mass_factor,
+                            Eigen::SparseMatrix<double>& stiffness_matrix,
+                            Eigen::SparseMatrix<double>& mass_matrix) {
+  double *stiffness_values = stiffness_matrix.valuePtr(), *mass_values = mass_matrix.valuePtr();
+  for_each_block_entry(elements, stiffness_matrix, [&](std::size_t position, int entry) {
+    stiffness_values[position] += stiffness[entry];
+    mass_values[position] += mass_factor * mass[entry];
+  });
 }
 
 } // namespace internal
