@@ -45,6 +45,9 @@ struct Spline_space_options {
   /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
   /// are joined if they run along each other; negative: they are not
   double joining_tolerance = -1;
+  /// whether octree, numbering and assembly use several threads; no effect unless the program is
+  /// linked with TBB. The results are the same.
+  bool is_parallel = false;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Ref

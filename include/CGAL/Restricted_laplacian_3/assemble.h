@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/cell_integrals.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/internal/Element_matrix_pattern.h>
+#include <CGAL/Restricted_laplacian_3/internal/Operator_assembly.h>
 #include <CGAL/Restricted_laplacian_3/surface_integration.h>
 
 #include <Eigen/SparseCore>
@@ -46,80 +47,6 @@ inline double checked_normal_stabilization(double c) {
                           "is " + std::to_string(c) +
                               ", but must be a finite number that is not negative");
   return c;
-}
-
-/// Moments of a sheet, and those of the stabilisation alone, which the mass matrix takes as well.
-struct Stabilized_moments {
-  Cell_moments moments;
-  Cell_moments::Tensor_moments stabilization;
-};
-
-/// Computes the moments of all sheets of the levels `coarsest` .. `finest`, those of a sheet after
-/// those of its children, and keeps only one sheet per level at a time.
-template <class SurfaceIntegration, class Visitor> class Moment_traversal {
-public:
-  /// \param keeps_stabilization whether `Stabilized_moments::stabilization` is wanted
-  Moment_traversal(const Octree_3& octree, const SurfaceIntegration& integration, int coarsest,
-                   int finest, double normal_stabilization, bool keeps_stabilization,
-                   Visitor& visit)
-    : m_octree(octree), m_integration(integration), m_finest(finest),
-      m_normal_stabilization(normal_stabilization),
-      m_keeps_stabilization(keeps_stabilization && normal_stabilization != 0), m_visit(visit),
-      m_moments(octree.depth() + 1) {
-    for(std::size_t sheet = 0; sheet < octree.number_of_sheets(coarsest); ++sheet)
-      compute(coarsest, sheet);
-  }
-
-private:
-  void compute(int level, std::size_t sheet) {
-    Stabilized_moments& of_sheet = m_moments[level];
-    of_sheet.moments.clear();
-    if(m_keeps_stabilization)
-      for(Cell_moments::Moments& m : of_sheet.stabilization)
-        m.fill(0);
-    if(level == m_octree.depth()) {
-      m_integration.add_moments(sheet, of_sheet.moments);
-      if(m_normal_stabilization != 0)
-        stabilize(of_sheet);
-    } else
-      for(std::uint32_t child : m_octree.children(level, sheet)) {
-        compute(level + 1, child);
-        const Stabilized_moments& of_child = m_moments[level + 1];
-        const int octant = m_octree.cell(level + 1, child).octant();
-        add_child_moments(of_child.moments, octant, of_sheet.moments);
-        if(m_keeps_stabilization)
-          for(int k = 0; k < 6; ++k)
-            add_child_moments(of_child.stabilization[k], octant, 0.25, of_sheet.stabilization[k]);
-      }
-    if(level <= m_finest)
-      m_visit(level, sheet, of_sheet);
-  }
-
-  void stabilize(Stabilized_moments& of_sheet) const {
-    const auto values = stabilization_moments(of_sheet.moments, m_normal_stabilization);
-    for(int k = 0; k < 6; ++k) {
-      for(double& m : of_sheet.moments.tensor[k])
-        m += values[k];
-      if(m_keeps_stabilization)
-        of_sheet.stabilization[k].fill(values[k]);
-    }
-  }
-
-  const Octree_3& m_octree;
-  const SurfaceIntegration& m_integration;
-  int m_finest;
-  double m_normal_stabilization;
-  bool m_keeps_stabilization;
-  Visitor& m_visit;
-  std::vector<Stabilized_moments> m_moments;
-};
-
-template <class SurfaceIntegration, class Visitor>
-void for_each_sheet_moments(const Spline_space_3& space, int coarsest, int finest,
-                            const SurfaceIntegration& integration, double normal_stabilization,
-                            bool keeps_stabilization, Visitor&& visit) {
-  Moment_traversal<SurfaceIntegration, Visitor>(space.octree(), integration, coarsest, finest,
-                                                normal_stabilization, keeps_stabilization, visit);
 }
 
 } // namespace internal
@@ -163,31 +90,19 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
   space.checked_level(finest);
   internal::checked_normal_stabilization(normal_stabilization);
   std::vector<Operators> operators;
-  std::vector<internal::Element_matrix_pattern> patterns;
+  if(coarsest > finest)
+    return operators;
+  operators.resize(static_cast<std::size_t>(finest - coarsest) + 1);
+  std::vector<internal::Assembly_targets> targets(space.depth() + 1);
   for(int level = coarsest; level <= finest; ++level) {
-    patterns.emplace_back(space, level);
-    operators.push_back({patterns.back().zero_matrix(), patterns.back().zero_matrix()});
+    Operators& o = operators[level - coarsest];
+    o.stiffness = internal::Element_matrix_pattern(space, level).zero_matrix();
+    o.mass = o.stiffness;
+    targets[level].stiffness = &o.stiffness;
+    targets[level].mass = &o.mass;
   }
-  const double finest_h = space.octree().cell_width(space.depth());
-  Cell_block stiffness, mass, stabilization;
-  const auto add_sheet = [&](int level, std::size_t sheet,
-                             const internal::Stabilized_moments& of_sheet) {
-    const double h = space.octree().cell_width(level);
-    stiffness_block(of_sheet.moments.tensor, stiffness);
-    mass_block(of_sheet.moments, mass);
-    if(normal_stabilization != 0) {
-      stiffness_block(of_sheet.stabilization, stabilization);
-      const double ratio = finest_h / h;
-      for(std::size_t i = 0; i < mass.size(); ++i)
-        mass[i] += ratio * ratio * stabilization[i];
-    }
-    Operators& to = operators[level - coarsest];
-    internal::add_cell_blocks(space.elements(level, sheet), stiffness, mass, h * h, to.stiffness,
-                              to.mass);
-  };
-  if(coarsest <= finest)
-    internal::for_each_sheet_moments(space, coarsest, finest, integration, normal_stabilization,
-                                     true, add_sheet);
+  internal::Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization,
+                                                  std::move(targets));
   return operators;
 }
 
@@ -230,20 +145,11 @@ Stiffness_and_integrals assemble_stiffness_and_integrals(const Spline_space_3& s
   checked_normal_stabilization(normal_stabilization);
   Stiffness_and_integrals result = {Element_matrix_pattern(space, level).zero_matrix(),
                                     Eigen::VectorXd::Zero(space.dimension(level))};
-  const double h = space.octree().cell_width(level);
-  Cell_block block;
-  const auto add_sheet = [&](int at, std::size_t sheet, const Stabilized_moments& of_sheet) {
-    if(at != level)
-      return;
-    const Cell_elements& elements = space.elements(level, sheet);
-    stiffness_block(of_sheet.moments.tensor, block);
-    add_cell_block(elements, block, 1, result.stiffness);
-    const auto integrals = element_integrals(of_sheet.moments);
-    for(int i = 0; i < 27; ++i)
-      if(elements[i] != Spline_space_3::no_element)
-        result.integrals[elements[i]] += h * h * integrals[i];
-  };
-  for_each_sheet_moments(space, level, level, integration, normal_stabilization, false, add_sheet);
+  std::vector<Assembly_targets> targets(space.depth() + 1);
+  targets[level].stiffness = &result.stiffness;
+  targets[level].element_integrals = &result.integrals;
+  Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization,
+                                        std::move(targets));
   return result;
 }
 

@@ -94,6 +94,14 @@ inline void add_scaled(const Cell_moments::Moments& from, double factor,
     to[i] += factor * from[i];
 }
 
+inline double triangle_area(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                            const std::array<double, 3>& r) {
+  const double ux = q[0] - p[0], uy = q[1] - p[1], uz = q[2] - p[2];
+  const double vx = r[0] - p[0], vy = r[1] - p[1], vz = r[2] - p[2];
+  const double cx = uy * vz - uz * vy, cy = uz * vx - ux * vz, cz = ux * vy - uy * vx;
+  return std::sqrt(cx * cx + cy * cy + cz * cz) / 2;
+}
+
 /// Calls `visit(t, barycentric, weight)` for the nodes of a cubature rule on the triangles of a
 /// fragment, fanned out from its first corner; `t` is the local coordinate in the cell, weights are
 /// in units of the squared cell width.
@@ -115,14 +123,7 @@ void for_each_node(const Fragment& fragment, const std::array<int, 3>& cell,
   for(std::size_t i = 2; i < fragment.size; ++i) {
     t[1] = t[2];
     t[2] = local(i);
-    std::array<double, 3> u, v;
-    for(int axis = 0; axis < 3; ++axis) {
-      u[axis] = t[1][axis] - t[0][axis];
-      v[axis] = t[2][axis] - t[0][axis];
-    }
-    const double cx = u[1] * v[2] - u[2] * v[1], cy = u[2] * v[0] - u[0] * v[2],
-                 cz = u[0] * v[1] - u[1] * v[0];
-    const double area = std::sqrt(cx * cx + cy * cy + cz * cz) / 2;
+    const double area = triangle_area(t[0], t[1], t[2]);
     const auto &l1 = fragment.corners[i - 1].barycentric, &l2 = fragment.corners[i].barycentric;
     for(const Triangle_quadrature_node& node : rule) {
       std::array<double, 3> p, l;
@@ -173,9 +174,9 @@ constexpr int pair_number(int i, int j) {
 /// Bernstein coefficients, of degree 4, of the product of two polynomials given by their Bernstein
 /// coefficients of degree 2: \f$ r_k = \sum_{i + j = k} \binom{2}{i} \binom{2}{j} / \binom{4}{k}\,
 /// p_i q_j \f$
-inline std::array<double, 5> product(const std::array<double, 3>& p,
-                                     const std::array<double, 3>& q) {
-  constexpr double two[3] = {1, 2, 1}, four[5] = {1, 4, 6, 4, 1};
+constexpr std::array<double, 5> product(const std::array<double, 3>& p,
+                                        const std::array<double, 3>& q) {
+  const double two[3] = {1, 2, 1}, four[5] = {1, 4, 6, 4, 1};
   std::array<double, 5> result = {};
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j)
@@ -183,33 +184,57 @@ inline std::array<double, 5> product(const std::array<double, 3>& p,
   return result;
 }
 
-/// Bernstein coefficients of the products of two pieces, of two derivatives, and of a derivative
-/// (first index of the ordered pair) with a piece
+using Pieces = std::array<std::array<double, 3>, 3>;
+
+/// products of the unordered pairs of pieces
+constexpr Pair_polynomials pair_products(const Pieces& p) {
+  Pair_polynomials result = {};
+  for(int i = 0; i < 3; ++i)
+    for(int j = i; j < 3; ++j)
+      result[pair_number(i, j)] = product(p[i], p[j]);
+  return result;
+}
+
+/// products of a piece of `p`, number \f$i\f$, and one of `q`, number \f$j\f$, in place
+/// \f$i + 3 j\f$
+constexpr Ordered_pair_polynomials ordered_pair_products(const Pieces& p, const Pieces& q) {
+  Ordered_pair_polynomials result = {};
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      result[i + 3 * j] = product(p[i], q[j]);
+  return result;
+}
+
+/// Bernstein coefficients of the products of two pieces, of two derivatives, of a derivative (first
+/// index of the ordered pair) with a piece, and the other way round
 struct Spline_products {
-  Pair_polynomials values, derivatives;
-  Ordered_pair_polynomials mixed;
-
-  Spline_products() {
-    const auto b = B_spline_1::bernstein_coefficients(),
-               d = B_spline_1::derivative_bernstein_coefficients();
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j) {
-        values[pair_number(i, j)] = product(b[i], b[j]);
-        derivatives[pair_number(i, j)] = product(d[i], d[j]);
-        mixed[i + 3 * j] = product(d[i], b[j]);
-      }
-  }
-
-  static const Spline_products& get() {
-    static const Spline_products products;
-    return products;
-  }
-
-  /// the same with the indices of the ordered pair exchanged
-  static Ordered_pair_polynomials transposed(const Ordered_pair_polynomials& p) {
-    return {p[0], p[3], p[6], p[1], p[4], p[7], p[2], p[5], p[8]};
-  }
+  static constexpr Pieces pieces = B_spline_1::bernstein_coefficients(),
+                          slopes = B_spline_1::derivative_bernstein_coefficients();
+  static constexpr Pair_polynomials values = pair_products(pieces),
+                                    derivatives = pair_products(slopes);
+  static constexpr Ordered_pair_polynomials mixed = ordered_pair_products(slopes, pieces),
+                                            transposed = ordered_pair_products(pieces, slopes);
 };
+
+/// Along an axis, for a child of parity 0, \f$t_{parent} = t/2\f$ and
+/// \f$ B_n(t/2) = 2^{-k} \sum_{k \ge n} \binom{k}{n} B_k(t) \f$ (de Casteljau subdivision, again
+/// without cancellation).
+constexpr std::array<std::array<double, 5>, 5> lower_child_factor() {
+  return {{{1, 1. / 2, 1. / 4, 1. / 8, 1. / 16},
+           {0, 1. / 2, 2. / 4, 3. / 8, 4. / 16},
+           {0, 0, 1. / 4, 3. / 8, 6. / 16},
+           {0, 0, 0, 1. / 8, 4. / 16},
+           {0, 0, 0, 0, 1. / 16}}};
+}
+
+/// the mirror image, for a child of parity 1
+constexpr std::array<std::array<double, 5>, 5> upper_child_factor() {
+  std::array<std::array<double, 5>, 5> result = {};
+  for(int i = 0; i < 5; ++i)
+    for(int j = 0; j < 5; ++j)
+      result[i][j] = lower_child_factor()[4 - i][4 - j];
+  return result;
+}
 
 } // namespace internal
 
@@ -278,26 +303,14 @@ inline std::array<double, 6> stabilization_moments(const Cell_moments& moments,
 
 } // namespace internal
 
-/// Adds the moments of a child to those of its parent, each times `factor`. Along an axis, for a
-/// child of parity 0 \f$t_{parent} = t/2\f$ and
-/// \f$ B_n(t/2) = 2^{-k} \sum_{k \ge n} \binom{k}{n} B_k(t) \f$ (de Casteljau subdivision, again
-/// without cancellation); parity 1 is its mirror image.
+/// Adds the moments of a child to those of its parent, each times `factor`.
 inline void add_child_moments(const Cell_moments::Moments& child, int octant, double factor,
                               Cell_moments::Moments& parent) {
-  using Change = std::array<std::array<double, 5>, 5>;
-  static constexpr Change lower = {{{1, 1. / 2, 1. / 4, 1. / 8, 1. / 16},
-                                    {0, 1. / 2, 2. / 4, 3. / 8, 4. / 16},
-                                    {0, 0, 1. / 4, 3. / 8, 6. / 16},
-                                    {0, 0, 0, 1. / 8, 4. / 16},
-                                    {0, 0, 0, 0, 1. / 16}}};
-  static constexpr Change upper = {{{1. / 16, 0, 0, 0, 0},
-                                    {4. / 16, 1. / 8, 0, 0, 0},
-                                    {6. / 16, 3. / 8, 1. / 4, 0, 0},
-                                    {4. / 16, 3. / 8, 2. / 4, 1. / 2, 0},
-                                    {1. / 16, 1. / 8, 1. / 4, 1. / 2, 1}}};
-  const Change& x = octant & 1 ? upper : lower;
-  const Change& y = octant >> 1 & 1 ? upper : lower;
-  const Change& z = octant >> 2 & 1 ? upper : lower;
+  static constexpr auto lower = internal::lower_child_factor(),
+                        upper = internal::upper_child_factor();
+  const auto& x = octant & 1 ? upper : lower;
+  const auto& y = octant >> 1 & 1 ? upper : lower;
+  const auto& z = octant >> 2 & 1 ? upper : lower;
   Cell_moments::Moments shifted;
   internal::contract(x, y, z, child, shifted);
   internal::add_scaled(shifted, factor, parent);
@@ -316,9 +329,9 @@ using Cell_block = std::array<double, 27 * 27>;
 
 /// \f$\int b_i b_j\f$ over the surface in one cell, in units of the squared cell width.
 inline void mass_block(const Cell_moments& moments, Cell_block& block) {
-  const auto& products = internal::Spline_products::get();
+  const auto& v = internal::Spline_products::values;
   std::array<double, 216> values;
-  internal::contract(products.values, products.values, products.values, moments.mass, values);
+  internal::contract(v, v, v, moments.mass, values);
   std::size_t entry = 0;
   for(int iz = 0; iz < 3; ++iz)
     for(int iy = 0; iy < 3; ++iy)
@@ -333,11 +346,10 @@ inline void mass_block(const Cell_moments& moments, Cell_block& block) {
 
 /// \f$\int \nabla b_i^T (I - n n^T) \nabla b_j\f$ over the surface in one cell; it has no unit.
 inline void stiffness_block(const Cell_moments::Tensor_moments& tensor, Cell_block& block) {
-  const auto& products = internal::Spline_products::get();
-  const auto& v = products.values;
-  const auto& d = products.derivatives;
-  const auto& m = products.mixed;
-  static const auto mt = internal::Spline_products::transposed(m);
+  const auto& v = internal::Spline_products::values;
+  const auto& d = internal::Spline_products::derivatives;
+  const auto& m = internal::Spline_products::mixed;
+  const auto& mt = internal::Spline_products::transposed;
   std::array<double, 216> xx, yy, zz;
   std::array<double, 486> xy, xz, yz;
   internal::contract(d, v, v, tensor[0], xx);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/internal/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/sample_surface.h>
 
 #include <array>
@@ -35,6 +36,14 @@ public:
     for(std::uint32_t face : m_octree->faces(sheet))
       add_fragment(m_octree->fragment(cell, face), cell.index, m_octree->surface().normal(face),
                    moments);
+  }
+
+  /// the same, as the assembly wants it
+  void add_moments(std::size_t sheet, internal::Sheet_moments& moments) const {
+    const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
+    for(std::uint32_t face : m_octree->faces(sheet))
+      internal::add_fragment(m_octree->fragment(cell, face), cell.index,
+                             m_octree->surface().normal(face), moments);
   }
 
   /// Calls `visit(t, location, weight)` for the nodes on a sheet of the finest level: local
@@ -164,6 +173,22 @@ private:
   Weight m_weight;
 };
 
+namespace internal {
+
+/// adds the moments of a sheet of the finest level, by any model of `SurfaceIntegration_3`
+template <class SurfaceIntegration>
+void add_sheet_moments(const SurfaceIntegration& integration, std::size_t sheet,
+                       Sheet_moments& moments) {
+  Cell_moments sum = moments.cell_moments();
+  integration.add_moments(sheet, sum);
+  moments = Sheet_moments(sum);
+}
+
+inline void add_sheet_moments(const Cubature& cubature, std::size_t sheet, Sheet_moments& moments) {
+  cubature.add_moments(sheet, moments);
+}
+
+} // namespace internal
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 

@@ -5,17 +5,15 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_ELEMENT_MATRIX_PATTERN_H
 
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/cell_integrals.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,105 +21,113 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// The pattern of the matrices of a level: two elements are coupled if they act on the same sheet.
+///
+/// The rows of a column are gathered twice, to count and to write them, straight into the matrix:
+/// there is never a second copy of the largest array.
 class Element_matrix_pattern {
 public:
-  Element_matrix_pattern(const Spline_space_3& space, int level) {
+  Element_matrix_pattern(const Spline_space_3& space, int level)
+    : m_space(space), m_level(level), m_first(space.dimension(level) + 1, 0) {
+    // the sheets of each element
     const std::size_t n = space.dimension(level);
     const std::size_t number_of_sheets = space.octree().number_of_sheets(level);
-
-    // sheets of each element
-    std::vector<std::size_t> first(n + 1, 0);
     for(std::size_t i = 0; i < number_of_sheets; ++i)
       for(std::uint32_t e : space.elements(level, i))
         if(e != Spline_space_3::no_element)
-          ++first[e + 1];
+          ++m_first[e + 1];
     for(std::size_t e = 0; e < n; ++e)
-      first[e + 1] += first[e];
-    std::vector<std::uint32_t> sheets(first[n]);
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+      m_first[e + 1] += m_first[e];
+    m_sheets.resize(m_first[n]);
+    std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
     for(std::size_t i = 0; i < number_of_sheets; ++i)
       for(std::uint32_t e : space.elements(level, i))
         if(e != Spline_space_3::no_element)
-          sheets[next[e]++] = static_cast<std::uint32_t>(i);
-
-    m_outer.reserve(n + 1);
-    m_outer.push_back(0);
-    std::vector<std::uint32_t> last_seen(n, Spline_space_3::no_element);
-    for(std::size_t e = 0; e < n; ++e) {
-      const std::size_t begin = m_inner.size();
-      for(std::size_t k = first[e]; k < first[e + 1]; ++k)
-        for(std::uint32_t other : space.elements(level, sheets[k]))
-          if(other != Spline_space_3::no_element && last_seen[other] != e) {
-            last_seen[other] = static_cast<std::uint32_t>(e);
-            m_inner.push_back(static_cast<int>(other));
-          }
-      std::sort(m_inner.begin() + begin, m_inner.end());
-      if(m_inner.size() > static_cast<std::size_t>((std::numeric_limits<int>::max)()))
-        throw Parameter_error("octree_depth", "gives matrices of more than 2^31 entries");
-      m_outer.push_back(static_cast<int>(m_inner.size()));
-    }
+          m_sheets[next[e]++] = static_cast<std::uint32_t>(i);
   }
 
+  /// the matrix of this pattern with all entries 0
+  /// \throws Parameter_error if it has more entries than an `int` can count
   Eigen::SparseMatrix<double> zero_matrix() const {
-    const Eigen::Index n = static_cast<Eigen::Index>(m_outer.size()) - 1;
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.resizeNonZeros(static_cast<Eigen::Index>(m_inner.size()));
-    std::copy(m_outer.begin(), m_outer.end(), matrix.outerIndexPtr());
-    std::copy(m_inner.begin(), m_inner.end(), matrix.innerIndexPtr());
-    std::fill(matrix.valuePtr(), matrix.valuePtr() + m_inner.size(), 0.);
+    const std::size_t n = m_first.size() - 1;
+    Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    int* outer = matrix.outerIndexPtr();
+    for_each_column([outer](std::size_t element, const Words& words) {
+      int count = 0;
+      for(const Word& word : words)
+        for(std::uint64_t bits = word.bits; bits != 0; bits &= bits - 1)
+          ++count;
+      outer[element + 1] = count;
+    });
+    std::size_t sum = 0;
+    for(std::size_t e = 1; e <= n; ++e) {
+      sum += static_cast<std::size_t>(outer[e]);
+      if(sum > static_cast<std::size_t>((std::numeric_limits<int>::max)()))
+        throw Parameter_error("octree_depth", "gives matrices of more than 2^31 entries");
+      outer[e] = static_cast<int>(sum);
+    }
+    matrix.resizeNonZeros(static_cast<Eigen::Index>(sum));
+    int* inner = matrix.innerIndexPtr();
+    double* values = matrix.valuePtr();
+    for_each_column([=](std::size_t element, Words& words) {
+      std::sort(words.begin(), words.end());
+      int* row = inner + outer[element];
+      for(const Word& word : words)
+        for(std::uint32_t bit = 0; bit < 64; ++bit)
+          if(word.bits >> bit & 1)
+            *row++ = static_cast<int>(64 * word.number + bit);
+      std::fill(values + outer[element], values + outer[element + 1], 0.);
+    });
     return matrix;
   }
 
 private:
-  std::vector<int> m_outer, m_inner;
-};
+  /// The rows of a column are a set of bits, of which few words are not 0: neighbours in space have
+  /// near numbers. So few numbers need to be sorted, and an element that is met again costs
+  /// nothing.
+  struct Word {
+    std::uint32_t number;
+    std::uint64_t bits;
+    bool operator<(const Word& other) const { return number < other.number; }
+  };
+  using Words = std::vector<Word>;
 
-/// Calls `visit(position, entry)` for the entries of the block of a sheet: position in the arrays
-/// of a matrix, number in the block. Both the elements of the sheet and the rows of a column are
-/// walked through in ascending order, so each column takes one merge.
-template <class Visitor>
-void for_each_block_entry(const Cell_elements& elements, const Eigen::SparseMatrix<double>& matrix,
-                          Visitor&& visit) {
-  std::array<std::pair<std::uint32_t, int>, 27> sorted;
-  int count = 0;
-  for(int i = 0; i < 27; ++i)
-    if(elements[i] != Spline_space_3::no_element)
-      sorted[count++] = {elements[i], i};
-  std::sort(sorted.begin(), sorted.begin() + count);
-
-  const int* inner = matrix.innerIndexPtr();
-  for(int j = 0; j < count; ++j) {
-    std::size_t position = matrix.outerIndexPtr()[sorted[j].first];
-    const int column = 27 * sorted[j].second;
-    for(int i = 0; i < count; ++i, ++position) {
-      const int row = static_cast<int>(sorted[i].first);
-      while(inner[position] != row)
-        ++position;
-      visit(position, column + sorted[i].second);
-    }
+  template <class Visitor> void for_each_column(Visitor&& visit) const {
+    const std::size_t n = m_first.size() - 1;
+    const std::size_t number_of_words = n / 64 + 1;
+    parallel_for(m_space.options().is_parallel, 0, n,
+                 (std::max)(std::size_t(4096), number_of_words),
+                 [&](std::size_t begin, std::size_t end) {
+                   Words words;
+                   std::vector<std::uint32_t> place(number_of_words, 0);
+                   for(std::size_t e = begin; e < end; ++e) {
+                     gather(e, words, place);
+                     visit(e, words);
+                   }
+                 });
   }
-}
 
-/// adds the block of a sheet to a matrix
-inline void add_cell_block(const Cell_elements& elements, const Cell_block& block, double factor,
-                           Eigen::SparseMatrix<double>& matrix) {
-  double* values = matrix.valuePtr();
-  for_each_block_entry(elements, matrix, [&](std::size_t position, int entry) {
-    values[position] += factor * block[entry];
-  });
-}
+  /// \param place where a word was last seen among `words`; checked, so it may be out of date
+  void gather(std::size_t element, Words& words, std::vector<std::uint32_t>& place) const {
+    words.clear();
+    for(std::size_t k = m_first[element]; k < m_first[element + 1]; ++k)
+      for(std::uint32_t other : m_space.elements(m_level, m_sheets[k])) {
+        if(other == Spline_space_3::no_element)
+          continue;
+        const std::uint32_t number = other / 64;
+        std::uint32_t& at = place[number];
+        if(at >= words.size() || words[at].number != number) {
+          at = static_cast<std::uint32_t>(words.size());
+          words.push_back({number, 0});
+        }
+        words[at].bits |= std::uint64_t(1) << (other % 64);
+      }
+  }
 
-/// adds the blocks of a sheet to two matrices of the same pattern
-inline void add_cell_blocks(const Cell_elements& elements, const Cell_block& stiffness,
-                            const Cell_block& mass, double mass_factor,
-                            Eigen::SparseMatrix<double>& stiffness_matrix,
-                            Eigen::SparseMatrix<double>& mass_matrix) {
-  double *stiffness_values = stiffness_matrix.valuePtr(), *mass_values = mass_matrix.valuePtr();
-  for_each_block_entry(elements, stiffness_matrix, [&](std::size_t position, int entry) {
-    stiffness_values[position] += stiffness[entry];
-    mass_values[position] += mass_factor * mass[entry];
-  });
-}
+  const Spline_space_3& m_space;
+  int m_level;
+  std::vector<std::uint32_t> m_first;
+  std::vector<std::uint32_t> m_sheets;
+};
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

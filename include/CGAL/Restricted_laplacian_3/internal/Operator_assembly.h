@@ -1,0 +1,294 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_OPERATOR_ASSEMBLY_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_OPERATOR_ASSEMBLY_H
+
+#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/internal/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/surface_integration.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// What is assembled on a level; a null pointer is left out. The matrices have the pattern of the
+/// level.
+struct Assembly_targets {
+  Eigen::SparseMatrix<double>* stiffness = nullptr;
+  Eigen::SparseMatrix<double>* mass = nullptr;
+  Eigen::VectorXd* element_integrals = nullptr;
+
+  bool is_empty() const { return !stiffness && !mass && !element_integrals; }
+};
+
+/// Assembles the operators of several levels in one pass over the surface.
+///
+/// *Stages.* A stage computes the moments and adds the blocks of two levels, top and top - 1, and
+/// hands the moments of level top - 2 to the next stage; the first one starts from the surface. Its
+/// unit of work is a cell of level top - 2 with all that it contains, up to 4 x 4 x 4 cells of the
+/// top level: the moments of these few sheets are the only ones held besides those of top - 2.
+///
+/// *Colours.* Cells of level top - 2 of the same parity along all axes, one of 8 colours, are at
+/// least 2 cells of level top - 1 (4 of top) apart. Elements reach one cell beyond the sheets that
+/// they act on, so no two cells of a colour add to the same entry: they can be done at once. The
+/// colours follow one after the other, also on one thread. So all sums are formed in the same
+/// order, whatever the number of threads.
+template <class SurfaceIntegration> class Operator_assembly {
+public:
+  /// \param targets of each level of the octree
+  Operator_assembly(const Spline_space_3& space, const SurfaceIntegration& integration,
+                    double normal_stabilization, std::vector<Assembly_targets> targets)
+    : m_space(space), m_octree(space.octree()), m_integration(integration),
+      m_normal_stabilization(normal_stabilization), m_targets(std::move(targets)) {
+    int coarsest = 0;
+    while(coarsest < m_octree.depth() && m_targets[coarsest].is_empty())
+      ++coarsest;
+    for(const Assembly_targets& t : m_targets)
+      m_keeps_stabilization = m_keeps_stabilization || (t.mass && normal_stabilization != 0);
+    for(int top = m_octree.depth(); top >= coarsest; top -= 2) {
+      Moments next;
+      if(top - 2 >= coarsest)
+        next.resize(m_octree.number_of_sheets(top - 2), m_keeps_stabilization);
+      run_stage(top, coarsest, next);
+      m_moments = std::move(next);
+    }
+  }
+
+private:
+  /// moments of sheets, and those of the stabilisation alone, if the mass matrix takes it
+  struct Moments {
+    std::vector<Sheet_moments> values, stabilization;
+
+    void resize(std::size_t size, bool keeps_stabilization) {
+      values.resize(size);
+      for(Sheet_moments& m : values)
+        m.clear();
+      stabilization.resize(keeps_stabilization ? size : 0);
+      for(Sheet_moments& m : stabilization)
+        m.clear();
+    }
+  };
+
+  /// what a thread needs for one unit of work
+  struct Scratch {
+    Moments top, middle;
+    Packed_blocks stiffness, mass, stabilization;
+  };
+
+  /// half-open range of numbers of sheets
+  struct Range {
+    std::size_t begin, end;
+    std::size_t size() const { return end - begin; }
+  };
+
+  void run_stage(int top, int coarsest, Moments& next) {
+    const int level = (std::max)(top - 2, 0);
+    std::array<std::vector<std::uint32_t>, 8> cells_of_color;
+    for(std::size_t i = 0; i < m_octree.number_of_cells(level); ++i)
+      cells_of_color[m_octree.cell(level, m_octree.sheets(level, i)[0]).octant()].push_back(
+          static_cast<std::uint32_t>(i));
+    for(const auto& cells : cells_of_color)
+      parallel_for(m_space.options().is_parallel, 0, cells.size(), 2,
+                   [&](std::size_t begin, std::size_t end) {
+                     std::unique_ptr<Scratch> scratch = take_scratch();
+                     for(std::size_t i = begin; i < end; ++i)
+                       run_cell(top, coarsest, level, cells[i], next, *scratch);
+                     give_back(std::move(scratch));
+                   });
+  }
+
+  void run_cell(int top, int coarsest, int level, std::size_t cell, Moments& next,
+                Scratch& scratch) {
+    // The sheets of a cell have consecutive numbers, on all finer levels.
+    const auto sheets = m_octree.sheets(level, cell);
+    std::array<Range, 3> ranges;
+    ranges[0] = {sheets[0], sheets[1]};
+    for(int l = level; l < top; ++l)
+      ranges[l + 1 - level] = children(l, ranges[l - level]);
+    const Range of_top = ranges[top - level];
+
+    const bool is_finest = top == m_octree.depth();
+    if(is_finest)
+      integrate(of_top, scratch.top);
+    const std::size_t offset = is_finest ? of_top.begin : 0;
+    const Moments& moments = is_finest ? scratch.top : m_moments;
+    add_blocks(top, of_top, moments, offset, scratch);
+    if(top - 1 < coarsest)
+      return;
+
+    const Range of_middle = ranges[top - 1 - level];
+    scratch.middle.resize(of_middle.size(), m_keeps_stabilization);
+    add_to_parents(top, of_top, moments, offset, scratch.middle, of_middle.begin);
+    add_blocks(top - 1, of_middle, scratch.middle, of_middle.begin, scratch);
+    if(top - 2 >= coarsest)
+      add_to_parents(top - 1, of_middle, scratch.middle, of_middle.begin, next, 0);
+  }
+
+  Range children(int level, const Range& sheets) const {
+    Range result = {m_octree.number_of_sheets(level + 1), 0};
+    for(std::size_t sheet = sheets.begin; sheet < sheets.end; ++sheet) {
+      const auto children = m_octree.children(level, sheet);
+      result.begin = (std::min)(result.begin, static_cast<std::size_t>(children.front()));
+      result.end = (std::max)(result.end, static_cast<std::size_t>(children.back()) + 1);
+    }
+    return result;
+  }
+
+  void integrate(const Range& sheets, Moments& moments) const {
+    moments.resize(sheets.size(), m_keeps_stabilization);
+    for(std::size_t i = 0; i < sheets.size(); ++i) {
+      Sheet_moments& m = moments.values[i];
+      add_sheet_moments(m_integration, sheets.begin + i, m);
+      if(m_normal_stabilization == 0)
+        continue;
+      const auto added = stabilization_moments(m.cell_moments(), m_normal_stabilization);
+      for(int j = 0; j < Cell_moments::size; ++j)
+        for(int k = 0; k < 6; ++k) {
+          m.values[j][k] += added[k];
+          if(m_keeps_stabilization)
+            moments.stabilization[i].values[j][k] = added[k];
+        }
+    }
+  }
+
+  /// \param offset,parent_offset numbers of the sheets whose moments are the first ones
+  void add_to_parents(int level, const Range& sheets, const Moments& moments, std::size_t offset,
+                      Moments& parents, std::size_t parent_offset) const {
+    for(std::size_t sheet = sheets.begin; sheet < sheets.end; ++sheet) {
+      const std::size_t parent = m_octree.parent(level, sheet) - parent_offset;
+      const int octant = m_octree.cell(level, sheet).octant();
+      internal::add_child_moments(moments.values[sheet - offset], octant, parents.values[parent]);
+      if(m_keeps_stabilization)
+        internal::add_child_moments(moments.stabilization[sheet - offset], octant,
+                                    parents.stabilization[parent]);
+    }
+  }
+
+  /// adds the blocks of some sheets to the targets of their level, four at once
+  void add_blocks(int level, const Range& sheets, const Moments& moments, std::size_t offset,
+                  Scratch& scratch) const {
+    const Assembly_targets& targets = m_targets[level];
+    if(targets.is_empty())
+      return;
+    const double h = m_octree.cell_width(level), finest_h = m_octree.cell_width(m_octree.depth());
+    for(std::size_t first = sheets.begin; first < sheets.end; first += 4) {
+      const std::size_t count = (std::min)(std::size_t(4), sheets.end - first);
+      std::array<const Sheet_moments*, 4> of_sheets, of_stabilization;
+      for(std::size_t lane = 0; lane < 4; ++lane) {
+        const std::size_t i = first - offset + (std::min)(lane, count - 1);
+        of_sheets[lane] = &moments.values[i];
+        of_stabilization[lane] = m_keeps_stabilization ? &moments.stabilization[i] : nullptr;
+      }
+      if(targets.stiffness)
+        stiffness_blocks(of_sheets, scratch.stiffness);
+      if(targets.mass) {
+        mass_blocks(of_sheets, scratch.mass);
+        if(m_keeps_stabilization)
+          stiffness_blocks(of_stabilization, scratch.stabilization);
+        for(int i = 0; i < Packed_blocks::size; ++i)
+          for(int lane = 0; lane < Packed_blocks::lanes; ++lane) {
+            double& entry = scratch.mass.values[i][lane];
+            entry *= h * h;
+            if(m_keeps_stabilization)
+              entry += finest_h * finest_h * scratch.stabilization.values[i][lane];
+          }
+      }
+      for(std::size_t lane = 0; lane < count; ++lane) {
+        const Cell_elements& elements = m_space.elements(level, first + lane);
+        add_block(elements, scratch, lane, targets);
+        if(targets.element_integrals)
+          add_integrals(elements, *of_sheets[lane], h * h, *targets.element_integrals);
+      }
+    }
+  }
+
+  /// Adds the blocks of a sheet to the matrices. Both the elements of the sheet and the rows of a
+  /// column are walked through in ascending order, so each column takes one merge.
+  static void add_block(const Cell_elements& elements, const Scratch& blocks, std::size_t lane,
+                        const Assembly_targets& targets) {
+    std::array<std::pair<std::uint32_t, int>, 27> sorted;
+    int count = 0;
+    for(int i = 0; i < 27; ++i)
+      if(elements[i] != Spline_space_3::no_element)
+        sorted[count++] = {elements[i], i};
+    std::sort(sorted.begin(), sorted.begin() + count);
+
+    const Eigen::SparseMatrix<double>* pattern =
+        targets.stiffness ? targets.stiffness : targets.mass;
+    if(!pattern)
+      return;
+    double* const stiffness = targets.stiffness ? targets.stiffness->valuePtr() : nullptr;
+    double* const mass = targets.mass ? targets.mass->valuePtr() : nullptr;
+    for(int j = 0; j < count; ++j) {
+      std::size_t position = pattern->outerIndexPtr()[sorted[j].first];
+      const int* const inner = pattern->innerIndexPtr();
+      std::array<std::size_t, 27> positions;
+      for(int i = 0; i < count; ++i, ++position) {
+        const int row = static_cast<int>(sorted[i].first);
+        while(inner[position] != row)
+          ++position;
+        positions[i] = position;
+      }
+      if(stiffness)
+        for(int i = 0; i < count; ++i)
+          stiffness[positions[i]] +=
+              blocks.stiffness.values[packed_number(sorted[i].second, sorted[j].second)][lane];
+      if(mass)
+        for(int i = 0; i < count; ++i)
+          mass[positions[i]] +=
+              blocks.mass.values[packed_number(sorted[i].second, sorted[j].second)][lane];
+    }
+  }
+
+  static void add_integrals(const Cell_elements& elements, const Sheet_moments& moments,
+                            double factor, Eigen::VectorXd& sums) {
+    const auto integrals = element_integrals(moments.cell_moments());
+    for(int i = 0; i < 27; ++i)
+      if(elements[i] != Spline_space_3::no_element)
+        sums[elements[i]] += factor * integrals[i];
+  }
+
+  std::unique_ptr<Scratch> take_scratch() {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_scratch.empty())
+      return std::make_unique<Scratch>();
+    std::unique_ptr<Scratch> scratch = std::move(m_scratch.back());
+    m_scratch.pop_back();
+    return scratch;
+  }
+
+  void give_back(std::unique_ptr<Scratch> scratch) {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_scratch.push_back(std::move(scratch));
+  }
+
+  const Spline_space_3& m_space;
+  const Octree_3& m_octree;
+  const SurfaceIntegration& m_integration;
+  double m_normal_stabilization;
+  std::vector<Assembly_targets> m_targets;
+  bool m_keeps_stabilization = false;
+  Moments m_moments; // of the top level of a stage, but the first
+  std::mutex m_mutex;
+  std::vector<std::unique_ptr<Scratch>> m_scratch;
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_OPERATOR_ASSEMBLY_H
