@@ -10,7 +10,8 @@ A way to integrate over a surface, sheet by sheet of the finest level of an octr
 surface, each with a positive weight. All integrals are sums over the same nodes. The weights of all
 nodes on all sheets sum to the area of the surface, in units of the squared cell width.
 
-The functions that assemble matrices and right-hand sides take a model as argument.
+The functions that assemble matrices and right-hand sides take a model as argument. If the space
+uses several threads, they call its members from several threads at once.
 
 \cgalHasModel `CGAL::Restricted_laplacian_3::Cubature`
 \cgalHasModel `CGAL::Restricted_laplacian_3::Monte_carlo`

@@ -12,12 +12,14 @@
 #include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/internal/Seams_in_grid.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/internal/stable_sort_by_key.h>
 
 #include <boost/range/iterator_range.hpp>
-#include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -74,12 +76,15 @@ public:
   /// \param is_split whether the surface in a cell is split into sheets
   /// \param joining_tolerance of `Surface_seams`, in the unit of the coordinates; negative: do not
   /// join
+  /// \param is_parallel whether several threads are used, if the program is linked with TBB; the
+  /// octree is the same
   /// \throws Parameter_error if `depth` is not in 1 .. 20, if `cube_scale` is not in 1 .. 1e6, or
   /// if the octree would have more than `maximum_number_of_sheets` sheets or
   /// `maximum_number_of_fragments` fragments
   Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split = true,
-           double joining_tolerance = -1)
-    : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split) {
+           double joining_tolerance = -1, bool is_parallel = false)
+    : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split),
+      m_is_parallel(is_parallel) {
     if(depth < 1 || depth > maximum_octree_depth)
       throw Parameter_error("octree_depth", "is " + std::to_string(depth) +
                                                 ", but must be in 1 .. " +
@@ -145,8 +150,11 @@ public:
     if(!cell.is_inside_grid())
       return keys.size();
     const std::uint64_t key = cell.key();
-    const auto it = std::lower_bound(keys.begin(), keys.end(), key);
-    return it != keys.end() && *it == key ? it - keys.begin() : keys.size();
+    const Level& level = m_levels[cell.level];
+    const auto prefix = static_cast<std::size_t>(key >> level.prefix_shift);
+    const auto last = keys.begin() + level.first_of_prefix[prefix + 1];
+    const auto it = std::lower_bound(keys.begin() + level.first_of_prefix[prefix], last, key);
+    return it != last && *it == key ? it - keys.begin() : keys.size();
   }
 
   /// numbers of the sheets in cell number `i` of a level: a half-open range
@@ -190,9 +198,10 @@ public:
   /// coordinates of a point in the grid of a level, in units of the cell width. The same point has
   /// exactly twice these coordinates on the next finer level.
   std::array<double, 3> grid_coordinates(int level, const Point_3& p) const {
+    const double cells_per_side = static_cast<double>(1 << level);
     std::array<double, 3> x;
     for(int axis = 0; axis < 3; ++axis)
-      x[axis] = std::ldexp((p[axis] - m_center[axis]) / m_side + 0.5, level);
+      x[axis] = ((p[axis] - m_center[axis]) / m_side + 0.5) * cells_per_side;
     return x;
   }
 
@@ -201,7 +210,11 @@ public:
 
 private:
   struct Level {
-    std::vector<std::uint64_t> keys;         // of cells
+    std::vector<std::uint64_t> keys; // of cells
+    // First cell whose key without the lowest `prefix_shift` bits is at least the index: there are
+    // about as many prefixes as cells, so the search for a cell is short.
+    std::vector<std::uint32_t> first_of_prefix;
+    int prefix_shift = 0;
     std::vector<std::uint32_t> first_sheets; // of cells, and one more
     std::vector<std::uint32_t> cells;        // of sheets, as all that follows
     std::vector<std::uint32_t> element_masks;
@@ -227,7 +240,6 @@ private:
     std::uint32_t face;
     std::uint32_t element_mask;
     Place place;
-    bool operator<(const Key_and_face& other) const { return key < other.key; }
   };
 
   /// a direction in which the centroids of two pieces of a symmetric surface differ
@@ -248,18 +260,22 @@ private:
   /// The element pieces of offsets -1, 0, 1 are (1-t)^2/2, 1/2+t-t^2 and t^2/2: with all of a
   /// fragment at t = 0 the last, with all of it at t = 1 the first vanishes on it.
   static std::uint32_t element_mask(const Fragment& fragment, const std::array<int, 3>& cell) {
-    std::array<std::array<bool, 3>, 3> meets;
+    std::uint32_t mask = (1u << 27) - 1;
     for(int axis = 0; axis < 3; ++axis) {
       const auto range = internal::range(fragment, axis);
-      meets[axis] = {range[0]<cell[axis] + 1, true, range[1]> cell[axis]};
+      if(!(range[0] < cell[axis] + 1))
+        mask &= ~offset_mask(axis, -1);
+      if(!(range[1] > cell[axis]))
+        mask &= ~offset_mask(axis, 1);
     }
-    std::uint32_t mask = 0;
-    for(int dz = -1; dz <= 1; ++dz)
-      for(int dy = -1; dy <= 1; ++dy)
-        for(int dx = -1; dx <= 1; ++dx)
-          if(meets[0][dx + 1] && meets[1][dy + 1] && meets[2][dz + 1])
-            mask |= 1u << mask_bit(dx, dy, dz);
     return mask;
+  }
+
+  /// the bits of all neighbours at an offset along an axis
+  static std::uint32_t offset_mask(int axis, int offset) {
+    static constexpr std::array<std::uint32_t, 3> lowest = {0x1249249, 0x1c0e07, 0x1ff};
+    static constexpr std::array<int, 3> shift = {1, 3, 9};
+    return lowest[axis] << (shift[axis] * (offset + 1));
   }
 
   /// The mask of a parent follows from those of its children: in the lower child of an axis
@@ -279,6 +295,21 @@ private:
     return mask;
   }
 
+  void index_keys(int level) {
+    Level& l = m_levels[level];
+    int bits = 0;
+    while(bits < 3 * level && std::size_t(1) << bits < l.keys.size())
+      ++bits;
+    l.prefix_shift = 3 * level - bits;
+    l.first_of_prefix.resize((std::size_t(1) << bits) + 1);
+    std::size_t i = 0;
+    for(std::size_t prefix = 0; prefix < l.first_of_prefix.size(); ++prefix) {
+      while(i < l.keys.size() && l.keys[i] >> l.prefix_shift < prefix)
+        ++i;
+      l.first_of_prefix[prefix] = static_cast<std::uint32_t>(i);
+    }
+  }
+
   void refuse_if(bool is_too_large) const {
     if(is_too_large)
       throw Parameter_error("octree_depth", "is " + std::to_string(m_depth) +
@@ -288,139 +319,219 @@ private:
   }
 
   /// all fragments of triangles in finest cells, sorted by cell, and by face in a cell
-  std::vector<Key_and_face> cut_faces() const {
+  /// \param points of the vertices, see `grid_points()`
+  std::vector<Key_and_face> cut_faces(const std::vector<std::array<double, 3>>& points) const {
+    const std::size_t number_of_faces = m_surface.number_of_faces();
+    const std::size_t grain = 1 << 14;
+    std::vector<std::vector<Key_and_face>> of_chunks((number_of_faces - 1) / grain + 1);
+    std::atomic<std::size_t> number_of_fragments(0);
+    internal::parallel_for(
+        m_is_parallel, 0, number_of_faces, grain, [&](std::size_t begin, std::size_t end) {
+          auto& of_chunk = of_chunks[begin / grain];
+          of_chunk.reserve(3 * (end - begin) / 2);
+          for(std::size_t face = begin; face < end; ++face) {
+            cut_face(face, points, of_chunk);
+            refuse_if(of_chunk.size() > maximum_number_of_fragments);
+          }
+          refuse_if((number_of_fragments += of_chunk.size()) > maximum_number_of_fragments);
+        });
+    if(number_of_fragments == 0)
+      throw Zero_area_error(number_of_faces);
     std::vector<Key_and_face> pairs;
-    pairs.reserve(2 * m_surface.number_of_faces());
-    const Cell_clipper clip = clipper();
-    for(std::size_t face = 0; face < m_surface.number_of_faces(); ++face) {
-      if(m_surface.is_degenerate(face))
-        continue;
-      clip(grid_triangle(face), [&](const std::array<int, 3>& cell, const Fragment& fragment) {
-        refuse_if(pairs.size() == maximum_number_of_fragments);
-        Place place;
-        if(m_is_split)
-          place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
-        pairs.push_back({morton_key(cell), static_cast<std::uint32_t>(face),
-                         element_mask(fragment, cell), place});
-      });
+    pairs.reserve(number_of_fragments);
+    for(auto& of_chunk : of_chunks) {
+      pairs.insert(pairs.end(), of_chunk.begin(), of_chunk.end());
+      std::vector<Key_and_face>().swap(of_chunk);
     }
-    if(pairs.empty())
-      throw Zero_area_error(m_surface.number_of_faces());
-    boost::sort::spreadsort::integer_sort(
-        pairs.begin(), pairs.end(),
-        [](const Key_and_face& p, unsigned offset) { return p.key >> offset; });
-    // The sort is not stable, and the order of summation should not depend on it.
-    for(auto begin = pairs.begin(); begin != pairs.end();) {
-      auto end = begin;
-      while(end != pairs.end() && end->key == begin->key)
-        ++end;
-      std::sort(begin, end,
-                [](const Key_and_face& a, const Key_and_face& b) { return a.face < b.face; });
-      begin = end;
-    }
+    internal::stable_sort_by_key(pairs, 3 * m_depth, m_is_parallel,
+                                 [](const Key_and_face& p) { return p.key; });
     return pairs;
   }
 
-  /// coordinates of the vertices in the finest grid, as the clipper sees them
+  /// appends the fragments of a face
+  void cut_face(std::size_t face, const std::vector<std::array<double, 3>>& points,
+                std::vector<Key_and_face>& pairs) const {
+    if(m_surface.is_degenerate(face))
+      return;
+    const auto& t = m_surface.triangle(face);
+    clipper().cut_snapped(
+        {points[t[0]], points[t[1]], points[t[2]]},
+        [&](const std::array<int, 3>& cell, const Fragment& fragment) {
+          Place place;
+          if(m_is_split)
+            place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
+          pairs.push_back({morton_key(cell), static_cast<std::uint32_t>(face),
+                           element_mask(fragment, cell), place});
+        });
+  }
+
+  /// coordinates of the vertices in the finest grid, as the clipper sees them; unspecified for
+  /// those that have no face
   std::vector<std::array<double, 3>> grid_points() const {
     std::vector<std::array<double, 3>> points(m_surface.number_of_vertices());
-    for(std::size_t v = 0; v < points.size(); ++v)
-      points[v] = clipper().snapped(grid_coordinates(m_depth, m_surface.point(v)));
+    const std::array<double, 3> origin = {0, 0, 0};
+    internal::parallel_for(
+        m_is_parallel, 0, points.size(), 1 << 15, [&](std::size_t begin, std::size_t end) {
+          for(std::size_t v = begin; v < end; ++v) {
+            const auto x = grid_coordinates(m_depth, m_surface.point(v));
+            // Vertices without a face may be anywhere, also at infinity.
+            const bool is_inside = std::all_of(x.begin(), x.end(), [this](double c) {
+              return c > -1 && c < static_cast<double>(1 << m_depth) + 1;
+            });
+            points[v] = is_inside ? clipper().snapped(x) : origin;
+          }
+        });
     return points;
   }
 
   /// returns the places of the sheets
   std::vector<Place> build_finest_level(double joining_tolerance) {
-    const std::vector<Key_and_face> pairs = cut_faces();
+    const std::vector<std::array<double, 3>> points = grid_points();
+    std::vector<Key_and_face> pairs = cut_faces(points);
     std::vector<internal::Number_lists::Pair> links;
     std::vector<Place> places;
     if(m_is_split) {
       const double h = cell_width(m_depth);
       const Surface_seams seams(m_surface, thin_face_height * h, joining_tolerance);
       const double width = (std::max)(2 * thin_face_height, 1.01 * joining_tolerance / h);
-      internal::Seams_in_grid in_grid(m_surface, seams, grid_points(), 1 << m_depth, width);
+      const internal::Seams_in_grid in_grid(m_surface, seams, points, 1 << m_depth, width);
       places =
           make_finest_sheets(pairs, [&in_grid](const std::array<int, 3>& cell, std::uint32_t size,
-                                               auto&& face_of, internal::Disjoint_sets& sets) {
-            in_grid.join(cell, size, face_of, sets);
+                                               auto&& face_of, Sheet_scratch& scratch) {
+            in_grid.join(cell, size, face_of, scratch.sides, scratch.sets);
           });
+      std::vector<Key_and_face>().swap(pairs);
       link_fragments_of_same_face(links);
       link_faces_along_walls(in_grid, links);
     } else
-      places = make_finest_sheets(pairs, [](const std::array<int, 3>&, std::uint32_t size, auto&&,
-                                            internal::Disjoint_sets& sets) {
-        sets.reset(size);
-        for(std::uint32_t i = 1; i < size; ++i)
-          sets.unite(0, i);
-      });
+      places = make_finest_sheets(
+          pairs, [](const std::array<int, 3>&, std::uint32_t size, auto&&, Sheet_scratch& scratch) {
+            scratch.sets.reset(size);
+            for(std::uint32_t i = 1; i < size; ++i)
+              scratch.sets.unite(0, i);
+          });
     m_levels[m_depth].links = internal::Number_lists(number_of_sheets(m_depth), links);
     return places;
   }
 
+  struct Place_and_number {
+    Place place;
+    std::uint32_t number;
+  };
+
+  /// what is used again for each cell
+  struct Sheet_scratch {
+    internal::Disjoint_sets sets;
+    std::vector<internal::Seams_in_grid::Side> sides;
+    std::vector<Place_and_number> sorted;
+    std::vector<std::uint32_t> firsts;
+  };
+
+  /// the sheets of some consecutive cells
+  struct Finest_sheets {
+    std::vector<std::uint32_t> sizes; // of cells, number of their sheets
+    std::vector<std::uint32_t> masks; // of sheets, as all that follows
+    std::vector<std::size_t> first_faces;
+    std::vector<Place> places;
+  };
+
   /// Groups the fragments of each cell into sheets.
-  /// \param join `join(cell, size, face_of, sets)`: unites those of the numbers 0 .. size - 1 whose
-  /// faces `face_of(i)` are in the same sheet
+  /// \param join `join(cell, size, face_of, scratch)`: unites those of the numbers 0 .. size - 1 in
+  /// `scratch.sets` whose faces `face_of(i)` are in the same sheet
   template <class Join>
   std::vector<Place> make_finest_sheets(const std::vector<Key_and_face>& pairs, Join&& join) {
     Level& finest = m_levels[m_depth];
-    m_faces.reserve(pairs.size());
-    internal::Disjoint_sets sets;
-    std::vector<Place> places;
-    std::vector<std::uint32_t> firsts;
-    for(std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
-      while(end < pairs.size() && pairs[end].key == pairs[begin].key)
-        ++end;
-      const std::uint32_t size = static_cast<std::uint32_t>(end - begin);
-      join(
-          morton_index(pairs[begin].key), size,
-          [&pairs, begin](std::uint32_t i) { return pairs[begin + i].face; }, sets);
-      sort_by_place(
-          0, size, sets, [&pairs, begin](std::uint32_t i) { return pairs[begin + i].place; },
-          firsts, places);
-      finest.keys.push_back(pairs[begin].key);
-      finest.first_sheets.push_back(static_cast<std::uint32_t>(finest.cells.size()));
-      for(std::uint32_t first : firsts) {
-        refuse_if(finest.cells.size() == maximum_number_of_sheets);
-        finest.cells.push_back(static_cast<std::uint32_t>(finest.keys.size() - 1));
-        m_first_faces.push_back(m_faces.size());
-        std::uint32_t mask = 0;
-        for(std::uint32_t i = first; i < size; ++i)
-          if(sets.find(i) == first) {
-            m_faces.push_back(pairs[begin + i].face);
-            mask |= pairs[begin + i].element_mask;
-          }
-        finest.element_masks.push_back(mask);
+    std::vector<std::size_t> begins;
+    for(std::size_t i = 0; i < pairs.size(); ++i)
+      if(i == 0 || pairs[i].key != pairs[i - 1].key) {
+        begins.push_back(i);
+        finest.keys.push_back(pairs[i].key);
       }
+    begins.push_back(pairs.size());
+    refuse_if(finest.keys.size() > maximum_number_of_sheets);
+
+    const std::size_t number_of_cells = finest.keys.size(), grain = 1 << 10;
+    m_faces.resize(pairs.size());
+    std::vector<Finest_sheets> of_chunks((number_of_cells - 1) / grain + 1);
+    internal::parallel_for(m_is_parallel, 0, number_of_cells, grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             Sheet_scratch scratch;
+                             for(std::size_t i = begin; i < end; ++i)
+                               add_sheets_of_cell(pairs, begins[i], begins[i + 1], join, scratch,
+                                                  of_chunks[begin / grain]);
+                           });
+
+    std::vector<Place> places;
+    for(const Finest_sheets& of_chunk : of_chunks) {
+      for(std::uint32_t size : of_chunk.sizes) {
+        const auto cell = static_cast<std::uint32_t>(finest.first_sheets.size());
+        finest.first_sheets.push_back(static_cast<std::uint32_t>(finest.cells.size()));
+        finest.cells.insert(finest.cells.end(), size, cell);
+      }
+      refuse_if(finest.cells.size() > maximum_number_of_sheets);
+      finest.element_masks.insert(finest.element_masks.end(), of_chunk.masks.begin(),
+                                  of_chunk.masks.end());
+      m_first_faces.insert(m_first_faces.end(), of_chunk.first_faces.begin(),
+                           of_chunk.first_faces.end());
+      places.insert(places.end(), of_chunk.places.begin(), of_chunk.places.end());
     }
     finest.first_sheets.push_back(static_cast<std::uint32_t>(finest.cells.size()));
     m_first_faces.push_back(m_faces.size());
+    index_keys(m_depth);
     return places;
   }
 
-  /// Sets `firsts` to the representatives of the sets of the numbers `begin` .. `end` - 1, sorted
-  /// by the position of their centroids, and appends their places to `places`.
+  /// the sheets of the cell of the fragments `begin` .. `end` - 1
+  template <class Join>
+  void add_sheets_of_cell(const std::vector<Key_and_face>& pairs, std::size_t begin,
+                          std::size_t end, Join&& join, Sheet_scratch& scratch,
+                          Finest_sheets& result) {
+    const std::uint32_t size = static_cast<std::uint32_t>(end - begin);
+    join(
+        morton_index(pairs[begin].key), size,
+        [&pairs, begin](std::uint32_t i) { return pairs[begin + i].face; }, scratch);
+    sort_by_place(
+        0, size, [&pairs, begin](std::uint32_t i) { return pairs[begin + i].place; }, scratch,
+        result.places);
+    result.sizes.push_back(static_cast<std::uint32_t>(scratch.firsts.size()));
+    std::size_t next = begin;
+    for(std::uint32_t first : scratch.firsts) {
+      result.first_faces.push_back(next);
+      std::uint32_t mask = 0;
+      for(std::uint32_t i = first; i < size; ++i)
+        if(scratch.sets.find(i) == first) {
+          m_faces[next++] = pairs[begin + i].face;
+          mask |= pairs[begin + i].element_mask;
+        }
+      result.masks.push_back(mask);
+    }
+  }
+
+  /// Sets `scratch.firsts` to the representatives of the sets of the numbers `begin` .. `end` - 1,
+  /// sorted by the position of their centroids, and appends their places to `places`.
   template <class PlaceOf>
-  static void sort_by_place(std::uint32_t begin, std::uint32_t end, internal::Disjoint_sets& sets,
-                            PlaceOf&& place_of, std::vector<std::uint32_t>& firsts,
-                            std::vector<Place>& places) {
-    firsts.clear();
-    std::vector<std::pair<Place, std::uint32_t>> sorted;
+  static void sort_by_place(std::uint32_t begin, std::uint32_t end, PlaceOf&& place_of,
+                            Sheet_scratch& scratch, std::vector<Place>& places) {
+    auto& sorted = scratch.sorted;
+    sorted.clear();
     for(std::uint32_t i = begin; i < end; ++i)
-      if(sets.find(i) == i)
-        sorted.emplace_back(Place(), i);
+      if(scratch.sets.find(i) == i)
+        sorted.push_back({Place(), i});
     for(std::uint32_t i = begin; i < end; ++i) {
-      const auto it = std::lower_bound(
-          sorted.begin(), sorted.end(), sets.find(i),
-          [](const std::pair<Place, std::uint32_t>& s, std::uint32_t j) { return s.second < j; });
-      it->first.add(place_of(i));
+      const auto it =
+          std::lower_bound(sorted.begin(), sorted.end(), scratch.sets.find(i),
+                           [](const Place_and_number& s, std::uint32_t j) { return s.number < j; });
+      it->place.add(place_of(i));
     }
     if(sorted.size() > 1)
-      std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-        return a.first.position() < b.first.position();
-      });
-    for(const auto& [place, first] : sorted) {
-      firsts.push_back(first);
-      places.push_back(place);
+      std::stable_sort(sorted.begin(), sorted.end(),
+                       [](const Place_and_number& a, const Place_and_number& b) {
+                         return a.place.position() < b.place.position();
+                       });
+    scratch.firsts.clear();
+    for(const Place_and_number& s : sorted) {
+      scratch.firsts.push_back(s.number);
+      places.push_back(s.place);
     }
   }
 
@@ -445,21 +556,31 @@ private:
   }
 
   void link_fragments_of_same_face(std::vector<internal::Number_lists::Pair>& links) const {
-    const std::size_t number_of_cells = this->number_of_cells(m_depth);
-    for(std::size_t i = 0; i < number_of_cells; ++i) {
-      const Cell_3 cell = Cell_3::from_key(m_depth, m_levels[m_depth].keys[i]);
-      const auto [first, last] = sheets(m_depth, i);
-      // one half of the 26 neighbours
-      for(int k = 14; k < 27; ++k) {
-        const std::size_t j = find(cell.neighbor(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
-        if(j == number_of_cells)
-          continue;
-        const auto [other_first, other_last] = sheets(m_depth, j);
-        for(std::size_t sheet = first; sheet < last; ++sheet)
-          for(std::size_t other = other_first; other < other_last; ++other)
-            if(have_common_face(sheet, other))
-              add_link(sheet, other, links);
-      }
+    const std::size_t number_of_cells = this->number_of_cells(m_depth), grain = 1 << 10;
+    std::vector<std::vector<internal::Number_lists::Pair>> of_chunks((number_of_cells - 1) / grain +
+                                                                     1);
+    internal::parallel_for(m_is_parallel, 0, number_of_cells, grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             for(std::size_t i = begin; i < end; ++i)
+                               link_with_neighbors(i, of_chunks[begin / grain]);
+                           });
+    for(const auto& of_chunk : of_chunks)
+      links.insert(links.end(), of_chunk.begin(), of_chunk.end());
+  }
+
+  /// links the sheets of cell number `i` with those of one half of the 26 neighbours
+  void link_with_neighbors(std::size_t i, std::vector<internal::Number_lists::Pair>& links) const {
+    const Cell_3 cell = Cell_3::from_key(m_depth, m_levels[m_depth].keys[i]);
+    const auto [first, last] = sheets(m_depth, i);
+    for(int k = 14; k < 27; ++k) {
+      const std::size_t j = find(cell.neighbor(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+      if(j == number_of_cells(m_depth))
+        continue;
+      const auto [other_first, other_last] = sheets(m_depth, j);
+      for(std::size_t sheet = first; sheet < last; ++sheet)
+        for(std::size_t other = other_first; other < other_last; ++other)
+          if(have_common_face(sheet, other))
+            add_link(sheet, other, links);
     }
   }
 
@@ -497,7 +618,9 @@ private:
     const auto parent_key = [&fine](std::size_t sheet) {
       return fine.keys[fine.cells[sheet]] >> 3;
     };
-    internal::Disjoint_sets sets(number_of_fine_sheets);
+    Sheet_scratch scratch;
+    internal::Disjoint_sets& sets = scratch.sets;
+    sets.reset(number_of_fine_sheets);
     for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
       if(!m_is_split && sheet > 0 && parent_key(sheet - 1) == parent_key(sheet))
         sets.unite(sheet - 1, sheet);
@@ -507,16 +630,15 @@ private:
     }
     fine.parents.resize(number_of_fine_sheets);
     std::vector<Place> coarse_places;
-    std::vector<std::uint32_t> firsts;
     for(std::uint32_t begin = 0, end = 0; begin < number_of_fine_sheets; begin = end) {
       while(end < number_of_fine_sheets && parent_key(end) == parent_key(begin))
         ++end;
       sort_by_place(
-          begin, end, sets, [&places](std::uint32_t sheet) { return places[sheet]; }, firsts,
+          begin, end, [&places](std::uint32_t sheet) { return places[sheet]; }, scratch,
           coarse_places);
       coarse.keys.push_back(parent_key(begin));
       coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
-      for(std::uint32_t first : firsts) {
+      for(std::uint32_t first : scratch.firsts) {
         fine.parents[first] = static_cast<std::uint32_t>(coarse.cells.size());
         coarse.cells.push_back(static_cast<std::uint32_t>(coarse.keys.size() - 1));
         coarse.element_masks.push_back(0);
@@ -528,6 +650,7 @@ private:
       }
     }
     coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
+    index_keys(level);
     places.swap(coarse_places);
 
     std::vector<internal::Number_lists::Pair> children, links;
@@ -548,6 +671,7 @@ private:
   Point_3 m_center;
   double m_wall_tolerance;
   bool m_is_split;
+  bool m_is_parallel;
   std::vector<Level> m_levels;
   std::vector<std::size_t> m_first_faces;
   std::vector<std::uint32_t> m_faces;

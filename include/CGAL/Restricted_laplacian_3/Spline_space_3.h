@@ -7,9 +7,9 @@
 #include <CGAL/Restricted_laplacian_3/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/internal/stable_sort_by_key.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
-
-#include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <array>
@@ -86,6 +86,9 @@ public:
   ///   support; default `true`, no effect with `paper_space(true)`
   /// - `joining_tolerance`: distance up to which open sides of faces are joined, to close duplicate
   ///   vertices and T-junctions, see `Surface_seams`; by default they are not joined
+  /// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads here and in the assembly of
+  ///   operators, which needs TBB; `CGAL::Parallel_if_available_tag()` to do so if the program is
+  ///   linked with TBB; default `CGAL::Sequential_tag()`. The results are the same.
   /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
   ///
@@ -114,7 +117,7 @@ public:
                           const Spline_space_options& options = Spline_space_options())
     : m_options(checked(options)),
       m_octree(std::move(surface), options.octree_depth, m_options.cube_scale,
-               m_options.split_elements, m_options.joining_tolerance) {
+               m_options.split_elements, m_options.joining_tolerance, m_options.is_parallel) {
     m_levels.resize(depth() + 1);
     for(int level = 0; level <= depth(); ++level)
       number_elements(level);
@@ -222,7 +225,6 @@ private:
   struct Key_and_slot {
     std::uint64_t key;
     std::uint32_t slot;
-    bool operator<(const Key_and_slot& other) const { return key < other.key; }
     std::uint32_t sheet() const { return slot / 27; }
   };
 
@@ -241,6 +243,7 @@ private:
     o.joining_tolerance = choose_parameter(get_parameter(np, internal_np::joining_tolerance), off);
     if(o.joining_tolerance != off)
       check_tolerance(o.joining_tolerance);
+    o.is_parallel = internal::is_parallel(np);
     if(o.cube_scale == 0)
       throw Parameter_error("cube_scale", "is 0, but must be in 1 .. 1e6");
     return o;
@@ -265,37 +268,69 @@ private:
   }
 
   /// Sorts the centres of the elements of all sheets; those of equal centre are one element for
-  /// each component of their sheets under the links.
+  /// each component of their sheets under the links. Chunks of sorted slots are numbered on their
+  /// own, first from 0: how many elements a chunk has is known only then.
   void number_elements(int level) {
     Level& l = m_levels[level];
-    std::vector<Key_and_slot> slots = sorted_slots(level);
+    const std::vector<Key_and_slot> slots = sorted_slots(level);
     Cell_elements none;
     none.fill(no_element);
     l.elements.assign(m_octree.number_of_sheets(level), none);
 
+    const std::size_t grain = 1 << 15;
+    std::vector<Numbered_chunk> chunks((slots.size() - 1) / grain + 1);
+    internal::parallel_for(m_options.is_parallel, 0, slots.size(), grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             number_groups(level, slots, begin, end, chunks[begin / grain]);
+                           });
+    for(Numbered_chunk& chunk : chunks) {
+      chunk.first = static_cast<std::uint32_t>(l.first_slots.size());
+      l.first_slots.insert(l.first_slots.end(), chunk.first_slots.begin(), chunk.first_slots.end());
+      l.number_of_split_elements += chunk.number_of_split_elements;
+    }
+    internal::parallel_for(m_options.is_parallel, 0, chunks.size(), 1,
+                           [&](std::size_t begin, std::size_t) {
+                             const Numbered_chunk& chunk = chunks[begin];
+                             for(std::size_t i = chunk.begin; i < chunk.end; ++i)
+                               element(l, slots[i].slot) += chunk.first;
+                           });
+  }
+
+  /// the groups of equal centre that begin in a chunk of sorted slots
+  struct Numbered_chunk {
+    std::size_t begin = 0, end = 0; // slots of these groups
+    std::uint32_t first = 0;        // number of the first element
+    std::vector<std::uint32_t> first_slots;
+    std::size_t number_of_split_elements = 0;
+  };
+
+  void number_groups(int level, const std::vector<Key_and_slot>& slots, std::size_t begin,
+                     std::size_t end, Numbered_chunk& chunk) {
+    Level& l = m_levels[level];
+    while(begin > 0 && begin < end && slots[begin].key == slots[begin - 1].key)
+      ++begin;
+    chunk.begin = chunk.end = begin;
     internal::Disjoint_sets components;
-    std::vector<Position> positions(is_split() ? m_octree.number_of_sheets(level) : 0);
-    for(std::size_t begin = 0, end = 0; begin < slots.size(); begin = end) {
-      while(end < slots.size() && slots[end].key == slots[begin].key)
-        ++end;
-      // The sort is not stable.
-      std::sort(slots.begin() + begin, slots.begin() + end,
-                [](const Key_and_slot& a, const Key_and_slot& b) { return a.slot < b.slot; });
-      const std::uint32_t size = static_cast<std::uint32_t>(end - begin);
-      find_components(level, slots.data() + begin, size, begin, positions, components);
+    while(chunk.end < end) {
+      const Key_and_slot* const group = slots.data() + chunk.end;
+      std::uint32_t size = 1;
+      while(chunk.end + size < slots.size() && group[size].key == group->key)
+        ++size;
+      find_components(level, group, size, components);
       std::size_t count = 0;
       for(std::uint32_t i = 0; i < size; ++i) {
-        const std::uint32_t slot = slots[begin + i].slot;
+        const std::uint32_t slot = group[i].slot;
         const std::uint32_t first = components.find(i);
         if(first == i) {
           ++count;
-          element(l, slot) = static_cast<std::uint32_t>(l.first_slots.size());
-          l.first_slots.push_back(slot);
+          element(l, slot) = static_cast<std::uint32_t>(chunk.first_slots.size());
+          chunk.first_slots.push_back(slot);
         } else
-          element(l, slot) = element(l, slots[begin + first].slot);
+          element(l, slot) = element(l, group[first].slot);
       }
       if(count > 1)
-        l.number_of_split_elements += count;
+        chunk.number_of_split_elements += count;
+      chunk.end += size;
     }
   }
 
@@ -303,38 +338,52 @@ private:
     return level.elements[slot / 27][slot % 27];
   }
 
+  /// sorted by centre, and by sheet
   std::vector<Key_and_slot> sorted_slots(int level) const {
+    const std::size_t number_of_sheets = m_octree.number_of_sheets(level), grain = 1 << 11;
+    std::vector<std::vector<Key_and_slot>> of_chunks((number_of_sheets - 1) / grain + 1);
+    internal::parallel_for(m_options.is_parallel, 0, number_of_sheets, grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             auto& of_chunk = of_chunks[begin / grain];
+                             of_chunk.reserve(27 * (end - begin));
+                             for(std::size_t sheet = begin; sheet < end; ++sheet)
+                               add_slots(level, sheet, of_chunk);
+                           });
+    std::size_t size = 0;
+    for(const auto& of_chunk : of_chunks)
+      size += of_chunk.size();
     std::vector<Key_and_slot> slots;
-    slots.reserve(27 * m_octree.number_of_sheets(level));
-    for(std::size_t sheet = 0; sheet < m_octree.number_of_sheets(level); ++sheet) {
-      const Cell_3 cell = m_octree.cell(level, sheet);
-      std::uint32_t slot = static_cast<std::uint32_t>(27 * sheet);
-      for(int dz = -1; dz <= 1; ++dz)
-        for(int dy = -1; dy <= 1; ++dy)
-          for(int dx = -1; dx <= 1; ++dx, ++slot) {
-            const Cell_3 center = cell.neighbor(dx, dy, dz);
-            if(m_octree.meets_element(level, sheet, dx, dy, dz) &&
-               (!is_paper_space() || center.is_inside_grid()))
-              slots.push_back(
-                  {morton_key({center.index[0] + 1, center.index[1] + 1, center.index[2] + 1}),
-                   slot});
-          }
+    slots.reserve(size);
+    for(auto& of_chunk : of_chunks) {
+      slots.insert(slots.end(), of_chunk.begin(), of_chunk.end());
+      std::vector<Key_and_slot>().swap(of_chunk);
     }
-    boost::sort::spreadsort::integer_sort(
-        slots.begin(), slots.end(),
-        [](const Key_and_slot& s, unsigned offset) { return s.key >> offset; });
+    // Coordinates of centres, shifted by one, are in 0 .. 2^level + 1.
+    internal::stable_sort_by_key(slots, 3 * (level + 2), m_options.is_parallel,
+                                 [](const Key_and_slot& s) { return s.key; });
     return slots;
   }
 
-  /// where a sheet is in the group that starts at `group`
-  struct Position {
-    std::size_t group = (std::numeric_limits<std::size_t>::max)();
-    std::uint32_t position = 0;
-  };
+  void add_slots(int level, std::size_t sheet, std::vector<Key_and_slot>& slots) const {
+    const Cell_3 cell = m_octree.cell(level, sheet);
+    // the parts of the Morton key along each axis
+    std::array<std::array<std::uint64_t, 3>, 3> parts;
+    for(int axis = 0; axis < 3; ++axis)
+      for(int d = 0; d < 3; ++d)
+        parts[axis][d] =
+            internal::spread_bits_by_three(static_cast<std::uint64_t>(cell.index[axis] + d))
+            << axis;
+    std::uint32_t slot = static_cast<std::uint32_t>(27 * sheet);
+    for(int dz = -1; dz <= 1; ++dz)
+      for(int dy = -1; dy <= 1; ++dy)
+        for(int dx = -1; dx <= 1; ++dx, ++slot)
+          if(m_octree.meets_element(level, sheet, dx, dy, dz) &&
+             (!is_paper_space() || cell.neighbor(dx, dy, dz).is_inside_grid()))
+            slots.push_back({parts[0][dx + 1] | parts[1][dy + 1] | parts[2][dz + 1], slot});
+  }
 
   /// the components of the `size` sheets of one centre
-  void find_components(int level, const Key_and_slot* slots, std::uint32_t size, std::size_t group,
-                       std::vector<Position>& positions,
+  void find_components(int level, const Key_and_slot* slots, std::uint32_t size,
                        internal::Disjoint_sets& components) const {
     components.reset(size);
     if(!is_split()) {
@@ -342,15 +391,21 @@ private:
         components.unite(0, i);
       return;
     }
-    for(std::uint32_t i = 0; i < size; ++i)
-      positions[slots[i].sheet()] = {group, i};
-    for(std::uint32_t i = 0; i < size; ++i)
-      for(std::uint32_t other : m_octree.links(level, slots[i].sheet())) {
-        if(other > slots[i].sheet())
+    // Both the sheets of the group and the links of a sheet ascend.
+    for(std::uint32_t i = 1; i < size; ++i) {
+      const std::size_t sheet = slots[i].sheet();
+      std::uint32_t j = 0;
+      for(std::uint32_t other : m_octree.links(level, sheet)) {
+        if(other > sheet)
           break;
-        if(positions[other].group == group)
-          components.unite(positions[other].position, i);
+        while(j < i && slots[j].sheet() < other)
+          ++j;
+        if(j == i)
+          break;
+        if(slots[j].sheet() == other)
+          components.unite(j, i);
       }
+    }
   }
 
   Spline_space_options m_options;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -25,6 +26,17 @@ struct Fragment {
   static constexpr std::size_t capacity = 16;
   std::size_t size = 0;
   std::array<Fragment_corner, capacity> corners;
+
+  Fragment() = default;
+  // Most fragments have 3 to 5 corners: copying the others would take most of the time of clipping.
+  Fragment(const Fragment& other) : size(other.size) {
+    std::copy_n(other.corners.begin(), other.size, corners.begin());
+  }
+  Fragment& operator=(const Fragment& other) {
+    size = other.size;
+    std::copy_n(other.corners.begin(), other.size, corners.begin());
+    return *this;
+  }
 
   void push_back(const Fragment_corner& corner) {
     if(size < capacity)
@@ -69,9 +81,10 @@ private:
 
 namespace internal {
 
-/// moves a coordinate that is within `tolerance` of a wall onto that wall
+/// Moves a coordinate that is within `tolerance` of a wall onto that wall. The nearest wall of
+/// the grid to a number below 0 is 0; conversion to an integer is much faster than `std::round()`.
 inline double snap_to_wall(double x, double tolerance) {
-  const double wall = std::round(x);
+  const double wall = static_cast<double>(static_cast<std::int32_t>(x + 0.5));
   return std::abs(x - wall) <= tolerance ? wall : x;
 }
 
@@ -144,15 +157,21 @@ public:
   /// \param corners in units of the cell width, inside \f$[0,n]^3\f$ up to rounding
   template <class Sink>
   void operator()(const std::array<std::array<double, 3>, 3>& corners, Sink&& sink) const {
+    cut_snapped({snapped(corners[0]), snapped(corners[1]), snapped(corners[2])}, sink);
+  }
+
+  /// the same for corners that have been `snapped()`
+  template <class Sink>
+  void cut_snapped(const std::array<std::array<double, 3>, 3>& corners, Sink&& sink) const {
     std::array<int, 3> cell;
-    split(snapped_triangle(corners), 0, cell, sink);
+    split(triangle(corners), 0, cell, sink);
   }
 
   /// The fragment of a triangle that a cell owns. The cell must be one for which `operator()`
   /// reported a fragment: what lies in a wall would be found from both sides.
   Fragment fragment(const std::array<std::array<double, 3>, 3>& corners,
                     const std::array<int, 3>& cell) const {
-    Fragment polygon = snapped_triangle(corners);
+    Fragment polygon = triangle({snapped(corners[0]), snapped(corners[1]), snapped(corners[2])});
     for(int axis = 0; axis < 3 && polygon.size != 0; ++axis) {
       const auto range = internal::range(polygon, axis);
       if(range[0] < cell[axis])
@@ -172,37 +191,43 @@ public:
   }
 
 private:
-  Fragment snapped_triangle(const std::array<std::array<double, 3>, 3>& corners) const {
+  static Fragment triangle(const std::array<std::array<double, 3>, 3>& corners) {
     Fragment polygon;
     polygon.size = 3;
     for(int i = 0; i < 3; ++i) {
-      polygon.corners[i].position = snapped(corners[i]);
+      polygon.corners[i].position = corners[i];
       polygon.corners[i].barycentric = {i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0.};
     }
     return polygon;
   }
 
   template <class Sink>
-  void split(Fragment polygon, int axis, std::array<int, 3>& cell, Sink&& sink) const {
+  void split(const Fragment& polygon, int axis, std::array<int, 3>& cell, Sink&& sink) const {
     if(axis == 3) {
       if(polygon.double_area() > 0)
-        sink(static_cast<const std::array<int, 3>&>(cell), static_cast<const Fragment&>(polygon));
+        sink(static_cast<const std::array<int, 3>&>(cell), polygon);
       return;
     }
     const auto range = internal::range(polygon, axis);
-    int slab = static_cast<int>(std::floor(range[0]));
-    while(polygon.size != 0 && range[1] > slab + 1) {
-      const Fragment low = internal::half_space(polygon, axis, slab + 1, -1, m_tolerance);
+    int slab = static_cast<int>(range[0]); // no coordinate is negative
+    if(range[1] <= slab + 1) {
+      cell[axis] = (std::min)(slab, m_cells_per_side - 1);
+      split(polygon, axis + 1, cell, sink);
+      return;
+    }
+    Fragment rest = polygon;
+    while(rest.size != 0 && range[1] > slab + 1) {
+      const Fragment low = internal::half_space(rest, axis, slab + 1, -1, m_tolerance);
       if(low.size != 0) {
         cell[axis] = slab;
         split(low, axis + 1, cell, sink);
       }
-      polygon = internal::half_space(polygon, axis, slab + 1, 1, m_tolerance);
+      rest = internal::half_space(rest, axis, slab + 1, 1, m_tolerance);
       ++slab;
     }
-    if(polygon.size != 0) {
+    if(rest.size != 0) {
       cell[axis] = (std::min)(slab, m_cells_per_side - 1);
-      split(polygon, axis + 1, cell, sink);
+      split(rest, axis + 1, cell, sink);
     }
   }
 

@@ -5,6 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_H
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+#include <CGAL/version.h>
 
 #include <type_traits>
 #include <utility>
@@ -49,6 +51,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(boundary_values)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(constraint_values)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(constraint_weight)
 
+#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(concurrency_tag)
+#endif
+
 #undef CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER
 
 namespace CGAL {
@@ -71,6 +77,18 @@ template <class T>
 using Require_named_parameters = std::enable_if_t<Is_named_parameters<T>::value, int>;
 template <class T>
 using Require_no_named_parameters = std::enable_if_t<!Is_named_parameters<T>::value, int>;
+
+/// whether several threads are asked for: the value of `concurrency_tag`, by default
+/// `CGAL::Sequential_tag()`
+template <class NamedParameters> constexpr bool is_parallel(const NamedParameters&) {
+  using Tag = typename internal_np::Lookup_named_param_def<internal_np::concurrency_tag_t,
+                                                           NamedParameters, Sequential_tag>::type;
+  constexpr bool result = std::is_convertible<Tag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!result, "CGAL::Parallel_tag is given, but the program is not linked with TBB.");
+#endif
+  return result;
+}
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

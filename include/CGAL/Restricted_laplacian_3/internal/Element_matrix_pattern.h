@@ -54,8 +54,7 @@ public:
     for_each_column([outer](std::size_t element, const Words& words) {
       int count = 0;
       for(const Word& word : words)
-        for(std::uint64_t bits = word.bits; bits != 0; bits &= bits - 1)
-          ++count;
+        count += number_of_bits(word.bits);
       outer[element + 1] = count;
     });
     std::size_t sum = 0;
@@ -72,9 +71,8 @@ public:
       std::sort(words.begin(), words.end());
       int* row = inner + outer[element];
       for(const Word& word : words)
-        for(std::uint32_t bit = 0; bit < 64; ++bit)
-          if(word.bits >> bit & 1)
-            *row++ = static_cast<int>(64 * word.number + bit);
+        for(std::uint64_t bits = word.bits; bits != 0; bits &= bits - 1)
+          *row++ = static_cast<int>(64 * word.number) + lowest_bit(bits);
       std::fill(values + outer[element], values + outer[element + 1], 0.);
     });
     return matrix;
@@ -90,6 +88,22 @@ private:
     bool operator<(const Word& other) const { return number < other.number; }
   };
   using Words = std::vector<Word>;
+
+  /// adds neighbouring bits, pairs, nibbles and bytes
+  static int number_of_bits(std::uint64_t x) {
+    x -= x >> 1 & 0x5555555555555555ull;
+    x = (x & 0x3333333333333333ull) + (x >> 2 & 0x3333333333333333ull);
+    x = (x + (x >> 4)) & 0x0f0f0f0f0f0f0f0full;
+    return static_cast<int>((x * 0x0101010101010101ull) >> 56);
+  }
+
+  static int lowest_bit(std::uint64_t x) {
+#ifdef __GNUC__
+    return __builtin_ctzll(x);
+#else
+    return number_of_bits((x & (~x + 1)) - 1);
+#endif
+  }
 
   template <class Visitor> void for_each_column(Visitor&& visit) const {
     const std::size_t n = m_first.size() - 1;
@@ -128,6 +142,36 @@ private:
   std::vector<std::uint32_t> m_first;
   std::vector<std::uint32_t> m_sheets;
 };
+
+/// Copies the entries above the diagonal to below it, in matrices of the same symmetric pattern.
+///
+/// Column by column, the entries of row \f$i\f$ are met in ascending order, and so are their
+/// places in column \f$i\f$: it is enough to remember the last one.
+inline void mirror_upper_half(const std::vector<Eigen::SparseMatrix<double>*>& matrices,
+                              bool is_parallel) {
+  if(matrices.empty())
+    return;
+  const int* const outer = matrices.front()->outerIndexPtr();
+  const int* const inner = matrices.front()->innerIndexPtr();
+  const std::size_t n = static_cast<std::size_t>(matrices.front()->cols());
+  // few chunks, because each remembers a place for all rows
+  const std::size_t grain = (std::max)(n / 16 + 1, std::size_t(1024));
+  parallel_for(is_parallel, 0, n, grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<int> places(end, -1);
+    for(std::size_t j = begin; j < end; ++j)
+      for(int k = outer[j]; inner[k] < static_cast<int>(j); ++k) {
+        const int i = inner[k];
+        int& place = places[i];
+        if(place < 0)
+          place = static_cast<int>(
+              std::lower_bound(inner + outer[i], inner + outer[i + 1], static_cast<int>(j)) -
+              inner);
+        for(Eigen::SparseMatrix<double>* matrix : matrices)
+          matrix->valuePtr()[place] = matrix->valuePtr()[k];
+        ++place;
+      }
+  });
+}
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/internal/Element_matrix_pattern.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/internal/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/surface_integration.h>
@@ -65,6 +66,13 @@ public:
         next.resize(m_octree.number_of_sheets(top - 2), m_keeps_stabilization);
       run_stage(top, coarsest, next);
       m_moments = std::move(next);
+    }
+    for(const Assembly_targets& t : m_targets) {
+      std::vector<Eigen::SparseMatrix<double>*> matrices;
+      for(Eigen::SparseMatrix<double>* matrix : {t.stiffness, t.mass})
+        if(matrix)
+          matrices.push_back(matrix);
+      mirror_upper_half(matrices, space.options().is_parallel);
     }
   }
 
@@ -199,13 +207,14 @@ private:
         mass_blocks(of_sheets, scratch.mass);
         if(m_keeps_stabilization)
           stiffness_blocks(of_stabilization, scratch.stabilization);
-        for(int i = 0; i < Packed_blocks::size; ++i)
-          for(int lane = 0; lane < Packed_blocks::lanes; ++lane) {
-            double& entry = scratch.mass.values[i][lane];
+        for(std::size_t lane = 0; lane < count; ++lane) {
+          auto& values = scratch.mass.values[lane];
+          for(double& entry : values)
             entry *= h * h;
-            if(m_keeps_stabilization)
-              entry += finest_h * finest_h * scratch.stabilization.values[i][lane];
-          }
+          if(m_keeps_stabilization)
+            for(std::size_t i = 0; i < values.size(); ++i)
+              values[i] += finest_h * finest_h * scratch.stabilization.values[lane][i];
+        }
       }
       for(std::size_t lane = 0; lane < count; ++lane) {
         const Cell_elements& elements = m_space.elements(level, first + lane);
@@ -216,42 +225,53 @@ private:
     }
   }
 
-  /// Adds the blocks of a sheet to the matrices. Both the elements of the sheet and the rows of a
-  /// column are walked through in ascending order, so each column takes one merge.
+  /// Adds the upper halves of the blocks of a sheet to those of the matrices. Both the elements of
+  /// the sheet and the rows of a column are walked through in ascending order, so each column takes
+  /// one merge.
   static void add_block(const Cell_elements& elements, const Scratch& blocks, std::size_t lane,
                         const Assembly_targets& targets) {
-    std::array<std::pair<std::uint32_t, int>, 27> sorted;
-    int count = 0;
-    for(int i = 0; i < 27; ++i)
-      if(elements[i] != Spline_space_3::no_element)
-        sorted[count++] = {elements[i], i};
-    std::sort(sorted.begin(), sorted.begin() + count);
-
-    const Eigen::SparseMatrix<double>* pattern =
+    const Eigen::SparseMatrix<double>* const pattern =
         targets.stiffness ? targets.stiffness : targets.mass;
     if(!pattern)
       return;
+    const int* const inner = pattern->innerIndexPtr();
     double* const stiffness = targets.stiffness ? targets.stiffness->valuePtr() : nullptr;
     double* const mass = targets.mass ? targets.mass->valuePtr() : nullptr;
+
+    std::array<std::pair<int, int>, 27> sorted;
+    int count = 0;
+    for(int i = 0; i < 27; ++i)
+      if(elements[i] != Spline_space_3::no_element)
+        sorted[count++] = {static_cast<int>(elements[i]), i};
+    std::sort(sorted.begin(), sorted.begin() + count);
+    const auto &of_stiffness = blocks.stiffness.values[lane], &of_mass = blocks.mass.values[lane];
     for(int j = 0; j < count; ++j) {
-      std::size_t position = pattern->outerIndexPtr()[sorted[j].first];
-      const int* const inner = pattern->innerIndexPtr();
-      std::array<std::size_t, 27> positions;
-      for(int i = 0; i < count; ++i, ++position) {
-        const int row = static_cast<int>(sorted[i].first);
-        while(inner[position] != row)
+      int position = pattern->outerIndexPtr()[sorted[j].first];
+      const auto& entries = packed_numbers()[sorted[j].second];
+      std::array<int, 27> positions;
+      for(int i = 0; i <= j; ++i, ++position) {
+        while(inner[position] != sorted[i].first)
           ++position;
         positions[i] = position;
       }
       if(stiffness)
-        for(int i = 0; i < count; ++i)
-          stiffness[positions[i]] +=
-              blocks.stiffness.values[packed_number(sorted[i].second, sorted[j].second)][lane];
+        for(int i = 0; i <= j; ++i)
+          stiffness[positions[i]] += of_stiffness[entries[sorted[i].second]];
       if(mass)
-        for(int i = 0; i < count; ++i)
-          mass[positions[i]] +=
-              blocks.mass.values[packed_number(sorted[i].second, sorted[j].second)][lane];
+        for(int i = 0; i <= j; ++i)
+          mass[positions[i]] += of_mass[entries[sorted[i].second]];
     }
+  }
+
+  static const std::array<std::array<std::uint16_t, 27>, 27>& packed_numbers() {
+    static const auto numbers = [] {
+      std::array<std::array<std::uint16_t, 27>, 27> result;
+      for(int i = 0; i < 27; ++i)
+        for(int j = 0; j < 27; ++j)
+          result[i][j] = static_cast<std::uint16_t>(packed_number(i, j));
+      return result;
+    }();
+    return numbers;
   }
 
   static void add_integrals(const Cell_elements& elements, const Sheet_moments& moments,

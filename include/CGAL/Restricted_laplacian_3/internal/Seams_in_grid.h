@@ -27,37 +27,40 @@ class Seams_in_grid {
 public:
   using Point = std::array<double, 3>;
 
+  /// \param surface,seams,points must outlive this object
   /// \param points of the vertices, in units of the cell width, on the walls if near to them
   /// \param cells_per_side number of cells along an axis
   /// \param width distance, in the same units, that the sides of one seam may be apart if they are
   /// not the same edge
   Seams_in_grid(const Triangulated_surface_3& surface, const Surface_seams& seams,
-                std::vector<Point> points, int cells_per_side, double width)
-    : m_surface(surface), m_seams(seams), m_points(std::move(points)),
-      m_cells_per_side(cells_per_side), m_width((std::min)(width, 0.5)),
-      m_last_visit(seams.number_of_seams()) {}
+                const std::vector<Point>& points, int cells_per_side, double width)
+    : m_surface(surface), m_seams(seams), m_points(points), m_cells_per_side(cells_per_side),
+      m_width((std::min)(width, 0.5)) {}
+
+  /// side of a face that runs through a cell: its seam, and the number of the face in the cell
+  using Side = std::pair<std::uint32_t, std::uint32_t>;
 
   /// Joins those of the faces `face_of(0)` .. `face_of(size - 1)`, all of which have a fragment in
   /// the cell, whose sides of the same seam run through the closed cell for more than a point.
+  /// \param sides for use in here; kept by the caller, because allocation takes time
   template <class FaceOf>
   void join(const std::array<int, 3>& cell, std::uint32_t size, FaceOf&& face_of,
-            Disjoint_sets& sets) {
+            std::vector<Side>& sides, Disjoint_sets& sets) const {
     sets.reset(size);
     if(size == 1)
       return;
-    ++m_visit;
+    sides.clear();
     for(std::uint32_t i = 0; i < size; ++i)
       for(int side = 0; side < 3; ++side) {
         const std::size_t face = face_of(i);
         const auto [p, q] = ends(face, side);
-        if(!runs_in_cell(*p, *q, cell))
-          continue;
-        Visit& last = m_last_visit[m_seams.seam(face, side)];
-        if(last.visit == m_visit)
-          sets.unite(i, last.face);
-        else
-          last = {m_visit, i};
+        if(runs_in_cell(*p, *q, cell))
+          sides.emplace_back(m_seams.seam(face, side), i);
       }
+    std::sort(sides.begin(), sides.end());
+    for(std::size_t k = 1; k < sides.size(); ++k)
+      if(sides[k].first == sides[k - 1].first)
+        sets.unite(sides[k].second, sides[k - 1].second);
   }
 
   /// Calls `visit(low, high, faces)` for the pieces, between walls, of all sides that lie in a wall
@@ -166,18 +169,11 @@ private:
     }
   }
 
-  struct Visit {
-    std::uint32_t visit = 0;
-    std::uint32_t face = 0;
-  };
-
   const Triangulated_surface_3& m_surface;
   const Surface_seams& m_seams;
-  std::vector<Point> m_points;
+  const std::vector<Point>& m_points;
   int m_cells_per_side;
   double m_width;
-  std::vector<Visit> m_last_visit;
-  std::uint32_t m_visit = 0;
 };
 
 } // namespace internal

@@ -47,11 +47,13 @@ struct alignas(64) Sheet_moments {
 };
 
 /// The upper halves of the blocks of four sheets: entry \f$(i, j)\f$, \f$i \le j\f$, of sheet
-/// number `lane` is `values[packed_number(i, j)][lane]`.
+/// number `lane` is `values[lane][packed_number(i, j)]`.
 struct alignas(64) Packed_blocks {
   static constexpr int lanes = 4;
   static constexpr int size = 27 * 28 / 2;
-  std::array<std::array<double, lanes>, size> values;
+  /// padded to whole groups of four
+  static constexpr int padded_size = size + 2;
+  std::array<std::array<double, padded_size>, lanes> values;
 };
 
 constexpr int packed_number(int i, int j) {
@@ -64,9 +66,10 @@ struct Packed_entry {
   std::uint16_t diagonal;
   std::array<std::uint16_t, 2> xy, xz, yz;
 
-  static const std::array<Packed_entry, Packed_blocks::size>& table() {
+  /// the last ones stand for nothing
+  static const std::array<Packed_entry, Packed_blocks::padded_size>& table() {
     static const auto entries = [] {
-      std::array<Packed_entry, Packed_blocks::size> result;
+      std::array<Packed_entry, Packed_blocks::padded_size> result = {};
       for(int j = 0; j < 27; ++j)
         for(int i = 0; i <= j; ++i) {
           const int ix = i % 3, iy = i / 3 % 3, iz = i / 9, jx = j % 3, jy = j / 3 % 3, jz = j / 9;
@@ -118,7 +121,7 @@ inline void stiffness_blocks(const std::array<const Sheet_moments*, 4>& sheets,
     stiffness_block(sheets[lane]->cell_moments(), block);
     for(int j = 0; j < 27; ++j)
       for(int i = 0; i <= j; ++i)
-        blocks.values[packed_number(i, j)][lane] = block[27 * j + i];
+        blocks.values[lane][packed_number(i, j)] = block[27 * j + i];
   }
 }
 
@@ -128,7 +131,7 @@ inline void mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packe
     mass_block(sheets[lane]->cell_moments(), block);
     for(int j = 0; j < 27; ++j)
       for(int i = 0; i <= j; ++i)
-        blocks.values[packed_number(i, j)][lane] = block[27 * j + i];
+        blocks.values[lane][packed_number(i, j)] = block[27 * j + i];
   }
 }
 
@@ -324,6 +327,17 @@ gather_components(const std::array<const Sheet_moments*, 4>& sheets, int first, 
               to[0][i], to[1][i], to[2][i], to[3][i]);
 }
 
+/// four entries, from number `first`, of the blocks of four sheets
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void store_columns(const Lanes (&rows)[4], int first,
+                                                            Packed_blocks& blocks) {
+  Lanes a, b, c, d;
+  transpose(rows[0], rows[1], rows[2], rows[3], a, b, c, d);
+  store(a, blocks.values[0].data() + first);
+  store(b, blocks.values[1].data() + first);
+  store(c, blocks.values[2].data() + first);
+  store(d, blocks.values[3].data() + first);
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
 stiffness_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& blocks) {
   Lanes m[8][125];
@@ -352,11 +366,14 @@ stiffness_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_block
   contract_axis<Mixed_products>(one, 5, 6, two);
   contract_axis<Transposed_mixed_products>(two, 1, 54, yz);
   const auto& entries = Packed_entry::table();
-  for(int i = 0; i < Packed_blocks::size; ++i) {
-    const Packed_entry& e = entries[i];
-    store(xx[e.diagonal] + (xy[e.xy[0]] + xy[e.xy[1]]) + (xz[e.xz[0]] + xz[e.xz[1]]) +
-              (yz[e.yz[0]] + yz[e.yz[1]]),
-          blocks.values[i].data());
+  for(int i = 0; i < Packed_blocks::padded_size; i += 4) {
+    Lanes row[4];
+    for(int k = 0; k < 4; ++k) {
+      const Packed_entry& e = entries[i + k];
+      row[k] = xx[e.diagonal] + (xy[e.xy[0]] + xy[e.xy[1]]) + (xz[e.xz[0]] + xz[e.xz[1]]) +
+               (yz[e.yz[0]] + yz[e.yz[1]]);
+    }
+    store_columns(row, i, blocks);
   }
 }
 
@@ -368,8 +385,11 @@ mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& bl
   contract_axis<Value_products>(one, 5, 6, two);
   contract_axis<Value_products>(two, 1, 36, values);
   const auto& entries = Packed_entry::table();
-  for(int i = 0; i < Packed_blocks::size; ++i)
-    store(values[entries[i].diagonal], blocks.values[i].data());
+  for(int i = 0; i < Packed_blocks::padded_size; i += 4) {
+    const Lanes row[4] = {values[entries[i].diagonal], values[entries[i + 1].diagonal],
+                          values[entries[i + 2].diagonal], values[entries[i + 3].diagonal]};
+    store_columns(row, i, blocks);
+  }
 }
 
 } // namespace lanes

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Results do not depend on the number of threads, nor on the instructions that the processor has.
+
+#include "catch.h"
+#include "shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/internal/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/internal/stable_sort_by_key.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace internal = CGAL::Restricted_laplacian_3::internal;
+using shapes::Mesh;
+
+/// at most so many threads as long as it exists
+struct Thread_limit {
+#ifdef CGAL_LINKED_WITH_TBB
+  explicit Thread_limit(int number)
+    : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(number)) {}
+  tbb::global_control control;
+#else
+  explicit Thread_limit(int) {}
+#endif
+};
+
+bool are_identical(const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
+  const auto size = static_cast<std::size_t>(a.nonZeros());
+  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + size, b.innerIndexPtr()) &&
+         std::memcmp(a.valuePtr(), b.valuePtr(), size * sizeof(double)) == 0;
+}
+
+struct Assembled {
+  Assembled(const Mesh& mesh, int depth, bool is_split, bool is_parallel) {
+    RL::Spline_space_options options;
+    options.octree_depth = depth;
+    options.split_elements = is_split;
+    options.is_parallel = is_parallel;
+    space = std::make_unique<RL::Spline_space_3>(RL::read_surface(mesh), options);
+    const RL::Cubature cubature(*space);
+    operators = RL::assemble_operators(*space, 0, depth, cubature);
+    stabilized = RL::assemble_operators(*space, 0, depth, cubature, 0.1);
+    alone = internal::assemble_stiffness_and_integrals(*space, depth, cubature, 0.1);
+  }
+
+  std::unique_ptr<RL::Spline_space_3> space;
+  std::vector<RL::Operators> operators, stabilized;
+  internal::Stiffness_and_integrals alone;
+};
+
+void check_identical(const Assembled& a, const Assembled& b) {
+  for(int level = 0; level <= a.space->depth(); ++level) {
+    INFO("level " << level);
+    const RL::Octree_3 &p = a.space->octree(), &q = b.space->octree();
+    REQUIRE(p.number_of_sheets(level) == q.number_of_sheets(level));
+    bool same_links = true, same_elements = true;
+    for(std::size_t sheet = 0; sheet < p.number_of_sheets(level); ++sheet) {
+      same_links = same_links && p.links(level, sheet) == q.links(level, sheet);
+      same_elements =
+          same_elements && a.space->elements(level, sheet) == b.space->elements(level, sheet);
+    }
+    CHECK(same_links);
+    CHECK(same_elements);
+    CHECK(are_identical(a.operators[level].stiffness, b.operators[level].stiffness));
+    CHECK(are_identical(a.operators[level].mass, b.operators[level].mass));
+    CHECK(are_identical(a.stabilized[level].stiffness, b.stabilized[level].stiffness));
+    CHECK(are_identical(a.stabilized[level].mass, b.stabilized[level].mass));
+  }
+  CHECK(are_identical(a.alone.stiffness, b.alone.stiffness));
+  CHECK(a.alone.integrals == b.alone.integrals);
+}
+
+} // namespace
+
+TEST_CASE("results_do_not_depend_on_the_number_of_threads", "[threads]") {
+  // more than one chunk of faces, cells and slots
+  std::vector<std::pair<Mesh, int>> inputs;
+  inputs.emplace_back(shapes::mesh(shapes::sphere(6)), 6);
+  inputs.emplace_back(shapes::mesh(shapes::box(1, 0.7, 0.3, 40, 30)), 5);
+  Mesh rotor = shapes::read(cgal_mesh("rotor_small.off"));
+  if(!rotor.is_empty())
+    inputs.emplace_back(std::move(rotor), 6);
+  for(const auto& [mesh, depth] : inputs)
+    for(bool is_split : {true, false}) {
+      const Assembled sequential(mesh, depth, is_split, false);
+      for(int threads : {1, 2, 3}) {
+        INFO(threads << " threads" << (is_split ? ", split" : ", unsplit"));
+        const Thread_limit limit(threads);
+        check_identical(Assembled(mesh, depth, is_split, true), sequential);
+      }
+    }
+}
+
+TEST_CASE("concurrency_tag_sets_the_option", "[threads]") {
+  namespace params = CGAL::parameters;
+  const Mesh mesh = shapes::mesh(shapes::sphere(1));
+  CHECK(!RL::Spline_space_3(mesh, params::octree_depth(2)).options().is_parallel);
+  CHECK(!RL::Spline_space_3(mesh, params::concurrency_tag(CGAL::Sequential_tag()))
+             .options()
+             .is_parallel);
+#ifdef CGAL_LINKED_WITH_TBB
+  const bool with_tbb = true;
+  CHECK(RL::Spline_space_3(mesh, params::concurrency_tag(CGAL::Parallel_tag()))
+            .options()
+            .is_parallel);
+#else
+  const bool with_tbb = false;
+#endif
+  CHECK(RL::Spline_space_3(mesh, params::octree_depth(
+                                     2, params::concurrency_tag(CGAL::Parallel_if_available_tag())))
+            .options()
+            .is_parallel == with_tbb);
+}
+
+TEST_CASE("parallel_for_covers_the_range_in_fixed_chunks", "[threads]") {
+  for(bool is_parallel : {false, true})
+    for(std::size_t size : {0u, 1u, 9u, 10u, 11u, 1000u}) {
+      const std::size_t begin = 3, grain = 10;
+      std::vector<int> counts(begin + size, 0);
+      std::vector<char> is_chunk(size + grain, 0);
+      internal::parallel_for(is_parallel, begin, begin + size, grain,
+                             [&](std::size_t b, std::size_t e) {
+                               is_chunk[b - begin] = (b - begin) % grain == 0 &&
+                                                     e == (std::min)(b + grain, begin + size);
+                               for(std::size_t i = b; i < e; ++i)
+                                 ++counts[i];
+                             });
+      CHECK(std::count(counts.begin(), counts.end(), 1) == static_cast<std::ptrdiff_t>(size));
+      CHECK(std::count(is_chunk.begin(), is_chunk.end(), 1) ==
+            static_cast<std::ptrdiff_t>((size + grain - 1) / grain));
+    }
+}
+
+TEST_CASE("parallel_for_throws_what_the_first_chunk_throws", "[threads]") {
+  const Thread_limit limit(3);
+  for(bool is_parallel : {false, true})
+    for(int repetition = 0; repetition < 20; ++repetition) {
+      std::string what;
+      try {
+        internal::parallel_for(is_parallel, 0, 500, 1, [](std::size_t b, std::size_t) {
+          if(b % 100 == 37)
+            throw std::runtime_error(std::to_string(b));
+        });
+      } catch(const std::runtime_error& e) {
+        what = e.what();
+      }
+      CHECK(what == "37");
+    }
+}
+
+TEST_CASE("stable_sort_by_key_sorts", "[threads]") {
+  std::mt19937_64 generator(17);
+  for(std::size_t size : {0u, 1u, 2u, 1000u, 100000u})
+    for(int bits : {1, 11, 12, 33, 63})
+      for(bool is_parallel : {false, true}) {
+        std::vector<std::pair<std::uint64_t, std::size_t>> values(size);
+        for(std::size_t i = 0; i < size; ++i)
+          values[i] = {generator() >> (64 - bits), i};
+        auto expected = values;
+        std::sort(expected.begin(), expected.end());
+        internal::stable_sort_by_key(values, bits, is_parallel,
+                                     [](const auto& v) { return v.first; });
+        CHECK(values == expected);
+      }
+}
+
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
+TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
+  if(!internal::processor_has_lanes())
+    SKIP_TEST("the processor has no vectors of four numbers");
+  namespace lanes = internal::lanes;
+  namespace plain = internal::plain;
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::array<internal::Sheet_moments, 4> a, b;
+  std::array<const internal::Sheet_moments*, 4> sheets;
+  // largest difference, in units of the largest number
+  const auto difference = [](const auto& p, const auto& q) {
+    double result = 0, scale = 0;
+    // blocks end with padding
+    const std::size_t width = (std::min)(p.values[0].size(), std::size_t(378));
+    for(std::size_t i = 0; i < p.values.size(); ++i)
+      for(std::size_t k = 0; k < width; ++k) {
+        result = (std::max)(result, std::abs(p.values[i][k] - q.values[i][k]));
+        scale = (std::max)(scale, std::abs(p.values[i][k]));
+      }
+    return result / scale;
+  };
+  for(std::size_t lane = 0; lane < 4; ++lane) {
+    a[lane].clear();
+    b[lane].clear();
+    sheets[lane] = &a[lane];
+    for(std::size_t size = 3; size < 9; ++size) {
+      RL::Fragment fragment;
+      for(std::size_t i = 0; i < size; ++i) {
+        const double angle = 6.28 * (static_cast<double>(i) + uniform(generator) / 2) / size;
+        fragment.push_back({{2.5 + 0.4 * std::cos(angle), 3.5 + 0.4 * std::sin(angle),
+                             4.1 + uniform(generator) / 2},
+                            {0, 0, 0}});
+      }
+      const RL::Vector_3 normal(0.48, 0.6, 0.64);
+      plain::add_fragment(fragment, {2, 3, 4}, normal, a[lane]);
+      lanes::add_fragment(fragment, {2, 3, 4}, normal, b[lane]);
+    }
+    CHECK(difference(a[lane], b[lane]) <= 1e-15);
+  }
+  for(int octant = 0; octant < 8; ++octant) {
+    internal::Sheet_moments p = a[1], q = a[1];
+    plain::add_child_moments(a[0], octant, p);
+    lanes::add_child_moments(a[0], octant, q);
+    CHECK(difference(p, q) <= 1e-15);
+  }
+  internal::Packed_blocks p, q;
+  plain::stiffness_blocks(sheets, p);
+  lanes::stiffness_blocks(sheets, q);
+  CHECK(difference(p, q) <= 1e-14);
+  plain::mass_blocks(sheets, p);
+  lanes::mass_blocks(sheets, q);
+  CHECK(difference(p, q) <= 1e-15);
+}
+#endif
