@@ -39,6 +39,9 @@ struct Operators {
   Sparse_matrix mass;
 };
 
+// Matrices are exchanged in what follows, because a `SparseMatrix` of Eigen 3.4 is copied where
+// another class would be moved.
+
 namespace internal {
 
 inline double checked_normal_stabilization(double c) {
@@ -96,7 +99,7 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
   std::vector<internal::Assembly_targets> targets(space.depth() + 1);
   for(int level = coarsest; level <= finest; ++level) {
     Operators& o = operators[level - coarsest];
-    o.stiffness = internal::Element_matrix_pattern(space, level).zero_matrix();
+    internal::Element_matrix_pattern(space, level).zero_matrix().swap(o.stiffness);
     o.mass = o.stiffness;
     targets[level].stiffness = &o.stiffness;
     targets[level].mass = &o.mass;
@@ -112,8 +115,12 @@ template <class SurfaceIntegration>
 Operators assemble_operators(const Spline_space_3& space, int level,
                              const SurfaceIntegration& integration,
                              double normal_stabilization = 0) {
-  return std::move(
-      assemble_operators(space, level, level, integration, normal_stabilization).front());
+  std::vector<Operators> of_level =
+      assemble_operators(space, level, level, integration, normal_stabilization);
+  Operators result;
+  result.stiffness.swap(of_level.front().stiffness);
+  result.mass.swap(of_level.front().mass);
+  return result;
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -166,9 +173,11 @@ template <class SurfaceIntegration>
 Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
                                         const SurfaceIntegration& integration,
                                         double normal_stabilization = 0) {
-  return std::move(
-      internal::assemble_stiffness_and_integrals(space, level, integration, normal_stabilization)
-          .stiffness);
+  internal::Stiffness_and_integrals result =
+      internal::assemble_stiffness_and_integrals(space, level, integration, normal_stabilization);
+  Sparse_matrix stiffness;
+  stiffness.swap(result.stiffness);
+  return stiffness;
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -189,7 +198,9 @@ inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space) {
 /// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$, `dimension(level)` rows. Its entries sum to the
 /// area.
 inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level) {
-  return std::move(assemble_operators(space, level).mass);
+  Sparse_matrix mass;
+  assemble_operators(space, level).mass.swap(mass);
+  return mass;
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// \overload
