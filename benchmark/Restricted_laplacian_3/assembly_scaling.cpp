@@ -1,11 +1,17 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How do the times of octree, numbering and exact assembly grow with depth and with the number of
-// triangles? One mesh (the argument, or CGAL's bunny) at depths 5 to 8, the same with elements that
-// are not split, and spheres of 8 thousand to 2 million triangles at depth 6. One core. Prints a
-// table that gnuplot reads; for each run also the time per unknown and per fragment (part of a
-// triangle in a cell): both are flat where the growth is linear.
+// How do the times of octree, numbering and exact assembly grow with depth, with the number of
+// triangles, and with the number of threads?
+// - one mesh (the argument, or CGAL's bunny) at depths 5 to 8, the same with elements that are not
+//   split, and spheres of 8 thousand to 2 million triangles at depth 6;
+// - the armadillo of a million triangles from the shared meshes, at depths 6 and 7.
+//
+// Prints a table that gnuplot reads. Times: from the mesh in memory, or the triangles of a sphere,
+// to octree and numbering (space_s); the stiffness matrix of the finest level alone (S_s);
+// stiffness and mass matrices of all levels (all_s). Mfragm/s: millions of fragments (parts of
+// triangles in cells) per second of S_s. us/unknown: microseconds of space_s and all_s per unknown;
+// flat where the growth is linear. With TBB each line is printed for one thread and for two.
 //
 // usage: assembly_scaling [MESH]
 
@@ -17,63 +23,108 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 
 namespace {
 
-void run(const char* name, const RL::Triangulated_surface_3& surface, int depth,
-         bool is_split = true) {
+/// calls `function` and returns the seconds it took
+template <class Function> double seconds(Function&& function) {
+  CGAL::Real_timer timer;
+  timer.start();
+  function();
+  return timer.time();
+}
+
+/// \param make_surface makes the `RL::Triangulated_surface_3`
+template <class Make>
+void run(const char* name, const Make& make_surface, int depth, int threads, bool is_split) {
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+#endif
+  RL::Spline_space_options options;
+  options.octree_depth = depth;
+  options.split_elements = is_split;
+  options.is_parallel = threads > 1;
   // the best of three: other programs share the machine
-  double space_seconds = 1e9, assembly_seconds = 1e9;
-  std::size_t unknowns = 0, fragments = 0, entries = 0;
+  double space_seconds = 1e9, stiffness_seconds = 1e9, all_seconds = 1e9;
+  std::size_t triangles = 0, unknowns = 0, fragments = 0, entries = 0;
   for(int repetition = 0; repetition < 3; ++repetition) {
     CGAL::Real_timer timer;
     timer.start();
-    RL::Spline_space_options options;
-    options.octree_depth = depth;
-    options.split_elements = is_split;
-    const RL::Spline_space_3 space(surface, options);
-    const double space_end = timer.time();
-    const RL::Operators operators = RL::assemble_operators(space);
-    const double assembly_end = timer.time();
-    space_seconds = (std::min)(space_seconds, space_end);
-    assembly_seconds = (std::min)(assembly_seconds, assembly_end - space_end);
+    const RL::Spline_space_3 space(make_surface(), options);
+    space_seconds = (std::min)(space_seconds, timer.time());
+    const RL::Cubature cubature(space);
+    stiffness_seconds =
+        (std::min)(stiffness_seconds, seconds([&] {
+                     entries = static_cast<std::size_t>(
+                         RL::assemble_stiffness_matrix(space, depth, cubature).nonZeros());
+                   }));
+    all_seconds = (std::min)(all_seconds,
+                             seconds([&] { RL::assemble_operators(space, 0, depth, cubature); }));
+    triangles = space.surface().number_of_faces();
     unknowns = space.dimension();
     fragments = space.octree().number_of_fragments();
-    entries = static_cast<std::size_t>(operators.stiffness.nonZeros());
   }
-  const double seconds = space_seconds + assembly_seconds;
-  std::printf("%-8s %9zu %5d %9zu %9zu %10zu %8.3f %8.3f %8.3f %10.2f %10.2f\n", name,
-              surface.number_of_faces(), depth, fragments, unknowns, entries, space_seconds,
-              assembly_seconds, seconds, 1e6 * seconds / static_cast<double>(unknowns),
-              1e6 * seconds / static_cast<double>(fragments));
+  std::printf("%-9s %9zu %5d %7d %9zu %9zu %10zu %8.3f %8.3f %8.3f %9.2f %10.2f\n", name, triangles,
+              depth, threads, fragments, unknowns, entries, space_seconds, stiffness_seconds,
+              all_seconds, 1e-6 * static_cast<double>(fragments) / stiffness_seconds,
+              1e6 * (space_seconds + all_seconds) / static_cast<double>(unknowns));
   std::fflush(stdout);
+}
+
+template <class Make>
+void run_on_threads(const char* name, const Make& make_surface, int depth, bool is_split = true) {
+  run(name, make_surface, depth, 1, is_split);
+#ifdef CGAL_LINKED_WITH_TBB
+  run(name, make_surface, depth, 2, is_split);
+#endif
 }
 
 } // namespace
 
 int main(int argc, char* argv[]) {
+  using Mesh = CGAL::Surface_mesh<RL::Point_3>;
   const std::string path =
       argc > 1 ? argv[1] : std::string(RESTRICTED_LAPLACIAN_3_DATA_DIR) + "/bunny00.off";
-  CGAL::Surface_mesh<RL::Point_3> mesh;
+  Mesh mesh;
   if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(path, mesh)) {
     std::fprintf(stderr, "cannot read %s\n", path.c_str());
     return 1;
   }
-  std::printf("# %-6s %9s %5s %9s %9s %10s %8s %8s %8s %10s %10s\n", "surface", "triangles",
-              "depth", "fragments", "unknowns", "entries", "space_s", "assem_s", "total_s",
-              "us/unknown", "us/fragm");
-  const RL::Triangulated_surface_3 surface = RL::read_surface(mesh);
+  std::printf("# %-7s %9s %5s %7s %9s %9s %10s %8s %8s %8s %9s %10s\n", "surface", "triangles",
+              "depth", "threads", "fragments", "unknowns", "entries", "space_s", "S_s", "all_s",
+              "Mfragm/s", "us/unknown");
+  const auto read = [&mesh] { return RL::read_surface(mesh); };
   for(int depth = 5; depth <= 8; ++depth)
-    run("mesh", surface, depth);
+    run_on_threads("mesh", read, depth);
   std::printf("\n\n");
   for(int depth = 5; depth <= 8; ++depth)
-    run("unsplit", surface, depth, false);
+    run_on_threads("unsplit", read, depth, false);
   std::printf("\n\n");
-  for(int n = 5; n <= 9; ++n)
-    run("sphere", sphere(n), 6);
+  for(int n = 5; n <= 9; ++n) {
+    const RL::Triangulated_surface_3 surface = sphere(n);
+    run_on_threads(
+        "sphere", [&surface] { return surface; }, 6);
+  }
+  std::printf("\n\n");
+  const std::string armadillo =
+      std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/armadillo_mc1m.ply";
+  Mesh large;
+  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(armadillo, large)) {
+    std::printf("# left out: cannot read armadillo_mc1m.ply of the shared meshes\n");
+    return 0;
+  }
+  for(int depth = 6; depth <= 7; ++depth)
+    run_on_threads(
+        "armadillo", [&large] { return RL::read_surface(large); }, depth);
 }
