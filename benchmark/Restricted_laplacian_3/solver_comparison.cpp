@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How fast do solvers reach a given residual on the systems of this package? The stiffness matrix
-// of a mesh at some depths, the load of the x coordinate minus its mean, and for each solver and
+// of a mesh at some depths, the load of the x coordinate (or, with --rhs random, of random
+// values at the vertices) minus its mean, and for each solver and
 // tolerance: seconds of setup and solution, iterations, the residual that was reached, and memory.
 // After the paper's section 5.4 and table 2 (tolerance 5e-3).
 //
 // All solvers get the same singular, consistent system: kernel and near-kernel are left in it.
 // - ours: the Poisson_solver of this package, with each of its smoothers; the first is the default
-// - amg1, amg2, cgc, alone and as preconditioners of conjugate gradients (_pcg): hypre, see
+// - amg1, amg2, hmis, cgc, alone and as preconditioners of conjugate gradients (_pcg): hypre, see
 //   support/boomer_amg.h. Two threads are two processes: Debian's hypre is built without OpenMP.
 // - cholmod: supernodal factorization of A + 1e-10 diag(A), which preconditions conjugate
 //   gradients; iterations counts the solutions with the factor, 1 where the factor suffices
@@ -57,6 +58,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -437,7 +439,8 @@ struct Options {
   double stabilization = default_stabilization();
   bool is_split = true;
   double memory_gib = 12;
-  std::string mpirun = "mpirun --bind-to none", ordering = "metis";
+  std::string rhs = "x";
+  std::string mpirun = "mpirun --bind-to none --mca mpi_yield_when_idle 1", ordering = "metis";
   std::string scratch = std::filesystem::temp_directory_path();
   Protocol protocol;
 
@@ -495,7 +498,7 @@ public:
     RL::Operators both = operators(m_space, o.stabilization);
     m_a = std::move(both.stiffness);
     m_integrals = both.mass * Vector::Ones(both.mass.cols());
-    m_b = RL::assemble_load(m_space, [](const RL::Surface_point& p) { return p.point.x(); });
+    m_b = RL::assemble_load(m_space, right_hand_side(surface));
     m_b -= m_integrals * (m_b.sum() / m_integrals.sum());
     for(double tolerance : o.tolerances)
       m_options.protocol.targets.push_back({tolerance, 0});
@@ -522,9 +525,20 @@ public:
   const std::vector<std::string>& summary() const { return m_summary; }
 
 private:
+  // the function f, interpolated between the vertices
+  RL::Linear_surface_function<double>
+  right_hand_side(const RL::Triangulated_surface_3& surface) const {
+    std::mt19937 generator(1);
+    std::normal_distribution<double> distribution;
+    std::vector<double> f;
+    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+      f.push_back(m_options.rhs == "x" ? surface.point(v).x() : distribution(generator));
+    return RL::Linear_surface_function<double>(std::move(f));
+  }
+
   static bool is_hypre(const std::string& solver) {
     return solver.rfind("amg", 0) == 0 || solver.rfind("cgc", 0) == 0 ||
-           solver.find(':') != std::string::npos;
+           solver.rfind("hmis", 0) == 0 || solver.find(':') != std::string::npos;
   }
 
   void run_ours(const std::string& smoother, int threads) {
@@ -537,7 +551,7 @@ private:
     double peak = 0;
     const std::vector<Record> records =
         in_child_process<Record>(m_options.process_seconds(), peak, [&] {
-          const auto limited = limit_threads(threads);
+          [[maybe_unused]] const auto limited = limit_threads(threads);
           Package_solver solver(m_space, m_a, m_b, m_integrals, smoother, threads);
           return measure(solver, m_options.protocol);
         });
@@ -616,7 +630,7 @@ private:
                     m_mesh.c_str(), m_depth, m_a.rows(), threads, m_options.tolerances[k],
                     best(threads, k, {"ours_" + smoothers().front()}),
                     best(threads, k, {"amg1", "amg1_pcg"}),
-                    best(threads, k, {"amg2", "amg2_pcg", "cgc", "cgc_pcg"}),
+                    best(threads, k, {"amg2", "amg2_pcg", "hmis", "hmis_pcg", "cgc", "cgc_pcg"}),
                     best(threads, k, {"cholmod"}), best(threads, k, {"ic_cg"}));
       m_summary.emplace_back(line);
     }
@@ -644,13 +658,16 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("threads", list(o.threads), "1 2");
   add("tolerance", list(o.tolerances), "5e-3 1e-5 1e-8");
   add("solver", list(o.solvers),
-      "ours amg1 amg1_pcg amg2 amg2_pcg cgc cgc_pcg cholmod ic_cg, ours the first; or a "
+      "ours amg1 amg1_pcg amg2 amg2_pcg hmis hmis_pcg cgc cgc_pcg cholmod ic_cg, ours the first; "
+      "or a "
       "configuration of support/boomer_amg.h");
   add("repetitions", po::value(&o.protocol.repetitions)->default_value(o.protocol.repetitions));
   add("iterations",
       po::value(&o.protocol.maximum_iterations)->default_value(o.protocol.maximum_iterations));
   add("limit", po::value(&o.protocol.limit_seconds)->default_value(o.protocol.limit_seconds),
       "least number of seconds after which a peer is stopped");
+  add("rhs", po::value(&o.rhs)->default_value(o.rhs),
+      "x: the coordinate; random: independent normal values at the vertices");
   add("stabilization", po::value(&o.stabilization)->default_value(o.stabilization),
       "of the normal derivative; 0 is the system of the paper");
   add("unsplit", po::bool_switch(&is_unsplit), "elements are not split");
@@ -676,6 +693,8 @@ bool read_options(int argc, char* argv[], Options& o) {
       o.meshes.resize(1);
   }
   o.is_split = !is_unsplit;
+  if(o.rhs != "x" && o.rhs != "random")
+    throw std::invalid_argument("--rhs is x or random");
   return true;
 }
 

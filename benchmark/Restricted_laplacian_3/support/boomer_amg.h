@@ -35,6 +35,7 @@ struct Boomer_amg_configuration {
 /// - amg1, classical: Ruge-Stueben coarsening (3), classical interpolation (0), not truncated;
 /// - amg2, tuned: HMIS coarsening (10), extended+i interpolation (6), 4 entries in a row, one level
 ///   of aggressive coarsening;
+/// - hmis: as amg2 without aggressive coarsening;
 /// - cgc: as amg2 with the coarsening of Griebel, Metsch and Schweitzer (21).
 ///
 /// All have the strength threshold 0.25 and one sweep of symmetric Gauss-Seidel (6) before and
@@ -47,6 +48,8 @@ inline Boomer_amg_configuration boomer_amg_configuration(const std::string& name
   if(base == "amg1") {
     c.coarsening = 3;
     c.interpolation = c.interpolation_entries = c.aggressive_levels = 0;
+  } else if(base == "hmis") {
+    c.aggressive_levels = 0;
   } else if(base == "cgc") {
     c.coarsening = 21;
   } else if(base != "amg2") {
