@@ -729,7 +729,7 @@ int compare(int argc, char* argv[]) {
     for(double tolerance : o.tolerances) {
       char selected[32];
       std::snprintf(selected, sizeof selected, " %2d %7.0e ", threads, tolerance);
-      std::printf("\n\n\"%d threads, residual %.0e\"\n", threads, tolerance);
+      std::printf("\n\n# %d threads, residual %.0e\n", threads, tolerance);
       std::printf("# %-16s %5s %8s %2s %7s %8s %8s %8s %8s %8s\n", "mesh", "depth", "unknowns",
                   "th", "tol", "ours", "amg1", "amg2", "cholmod", "ic_cg");
       for(const std::string& line : summary)
