@@ -24,8 +24,8 @@
 // First all pairs of time and error; then, for a row of errors, the least time of each method that
 // is at least that accurate, whatever mesh and depth it takes.
 //
-// Spaces with more than eight unknowns for a vertex of the mesh are left out: their error is that of
-// the flat triangles.
+// Spaces with more than eight unknowns for a vertex of the mesh are left out: their error is that
+// of the flat triangles.
 //
 // usage: accuracy_per_second [OPTION]...
 

@@ -9,12 +9,12 @@
 // screening nothing ties u to n but the gradient; the paper's cure is alpha = 1/20, this package's
 // is to split the elements.
 //
-// The paper does not state the unit of alpha. Here it is 1 / L^2, L the longest side of the bounding
-// box (--alpha), or 1 / h^2, h the width of the cells (--cell-alpha); the column LL*alpha is
-// that in units of 1 / L^2. rms and max are those of |u - n| over the vertices, rms weighted by area, after the
-// mean of u was set to that of n. The paper's two figures stand in the column `paper`: its
-// meshes are not ours (its pulley is another one). For the mean, which is 0 up to interpolation on
-// each closed part, one number serves all parts.
+// The paper does not state the unit of alpha. Here it is 1 / L^2, L the longest side of the
+// bounding box (--alpha), or 1 / h^2, h the width of the cells (--cell-alpha); the column LL*alpha
+// has it in units of 1 / L^2. rms and max are those of |u - n| over the vertices, rms weighted by
+// area, after the mean of u was set to that of n. (On each closed part that is 0 up to
+// interpolation: one number serves all parts.) The paper's figures stand in the column `paper`,
+// for its own cow and pulley: the first is much like ours, the second is another shape.
 //
 // With --pictures FOLDER also MESH_dDEPTH_SPACE_ALPHA.png of |u - n|: logarithmic, dark violet is
 // 0.001 and less, yellow 1 and more.

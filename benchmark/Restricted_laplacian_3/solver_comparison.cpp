@@ -20,7 +20,8 @@
 // does not reach the tolerance within ten times what ours needs (at least --limit seconds) or
 // --iterations counts as `no`; its figures are those when it was stopped, of one repetition. The
 // column `at_ours` is the residual of a slower solver after the time that ours took in total, by
-// the iterations that fit into this time (1: its setup alone takes longer).
+// the iterations that fit into this time (1: its setup alone takes longer). The column `/ours` is
+// the total relative to that of ours with as many threads, where ours reaches the tolerance.
 //
 // Each solver has a process of its own. Memory is the peak beyond what this process has in use at
 // its start (the caller's matrix among it), summed over processes.
@@ -129,6 +130,9 @@ template <class Solver> std::vector<Record> measure(Solver& solver, const Protoc
       const double limit = std::max(protocol.limit_seconds, 10 * our_seconds);
       const Solution solution = solver.solve(tolerance, std::max(1, iterations_in(limit)));
       solves[k].push_back(solution.seconds);
+      if(solution.iterations > 0)
+        seconds_per_iteration =
+            std::min(seconds_per_iteration, solution.seconds / solution.iterations);
       record.iterations = solution.iterations;
       record.residual = solver.residual();
       record.is_reached = record.residual <= rounding * tolerance;
@@ -556,8 +560,10 @@ private:
           return measure(solver, m_options.protocol);
         });
     if(smoother == smoothers().front())
-      for(std::size_t k = 0; k < records.size(); ++k)
+      for(std::size_t k = 0; k < records.size(); ++k) {
         m_our_seconds[k] = records[k].setup_seconds + records[k].solve_seconds;
+        m_our_reached[k] = records[k].is_reached;
+      }
     print("ours_" + smoother, threads, records, peak);
   }
 
@@ -605,7 +611,7 @@ private:
                   m_mesh.c_str(), m_depth, m_a.rows(), m_a.nonZeros(), solver.c_str(), threads,
                   m_options.tolerances[k], r.setup_seconds, r.solve_seconds, total, r.iterations,
                   r.residual, r.is_reached ? "yes" : "no", r.residual_at_ours, peak_mib,
-                  m_our_seconds[k] > 0 ? total / m_our_seconds[k] : 0.);
+                  m_our_reached[k] ? total / m_our_seconds[k] : std::nan(""));
       if(r.is_reached)
         m_totals[{threads, k, solver}] = total;
     }
@@ -643,6 +649,7 @@ private:
   Matrix m_a;
   Vector m_b, m_integrals;
   std::map<std::size_t, double> m_our_seconds; // setup and solution, for each tolerance
+  std::map<std::size_t, bool> m_our_reached;
   std::map<std::tuple<int, std::size_t, std::string>, double> m_totals;
   std::vector<std::string> m_summary;
 };

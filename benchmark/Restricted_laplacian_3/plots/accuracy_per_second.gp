@@ -3,7 +3,7 @@
 
 # Error over time, all runs; one picture for each shape and problem.
 #
-# usage: gnuplot -e "results='accuracy_per_second.txt'; output='folder'" plots/accuracy_per_second.gp
+# usage: gnuplot -e "results='FILE'; output='FOLDER'" plots/accuracy_per_second.gp
 
 if(!exists("results")) results = 'results/accuracy_per_second.txt'
 if(!exists("output")) output = '.'

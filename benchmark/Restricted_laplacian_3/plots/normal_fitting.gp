@@ -4,7 +4,7 @@
 # The error of fitted normals over the depth, for split and unsplit spaces with and without
 # screening; one picture for each mesh.
 #
-# usage: gnuplot -e "results='normal_fitting.txt'; output='folder'" plots/normal_fitting.gp
+# usage: gnuplot -e "results='FILE'; output='FOLDER'" plots/normal_fitting.gp
 
 if(!exists("results")) results = 'results/normal_fitting.txt'
 if(!exists("output")) output = '.'

@@ -5,7 +5,7 @@
 # number of threads and tolerance. Of each family of hypre's configurations the fastest is shown; a
 # solver that did not reach the tolerance has no point.
 #
-# usage: gnuplot -e "results='solver_comparison.txt'; output='folder'" plots/solver_comparison.gp
+# usage: gnuplot -e "results='FILE'; output='FOLDER'" plots/solver_comparison.gp
 
 if(!exists("results")) results = 'results/solver_comparison.txt'
 if(!exists("output")) output = '.'

@@ -78,7 +78,8 @@ struct Hypre_session {
 /// Each process has the consecutive rows `first` .. `last` - 1 of the matrix and of the vectors.
 class Boomer_amg {
 public:
-  /// Copies the rows of the process, given as compressed rows with global columns. A `Hypre_session` has to exist.
+  /// Copies the rows of the process, given as compressed rows with global columns. A
+  /// `Hypre_session` has to exist.
   Boomer_amg(MPI_Comm communicator, int first, int last, const int* row_begins, const int* columns,
              const double* values)
     : m_communicator(communicator), m_first(first), m_last(last), m_rows(last - first) {
