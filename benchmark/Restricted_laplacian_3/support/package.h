@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_BENCHMARK_PACKAGE_H
+#define RESTRICTED_LAPLACIAN_3_BENCHMARK_PACKAGE_H
+
+// How the comparisons call the package: one function for each choice that they compare.
+
+#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace benchmarks {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+
+/// A mesh file, or the mesh of that name in the folder of shared meshes; nothing, and a message, if
+/// there is none.
+inline std::optional<RL::Triangulated_surface_3> find_mesh(const std::string& name) {
+  for(const std::string& file :
+      {name, std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + name + ".ply"}) {
+    if(!std::ifstream(file).good())
+      continue;
+    CGAL::Surface_mesh<RL::Point_3> mesh;
+    if(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
+      return RL::read_surface(mesh);
+  }
+  std::fprintf(stderr, "SKIPPED: there is no mesh %s, nor %s.ply in the folder of shared meshes\n",
+               name.c_str(), name.c_str());
+  return std::nullopt;
+}
+
+inline RL::Spline_space_options space_options(int depth, bool is_split, int /*threads*/) {
+  RL::Spline_space_options options;
+  options.octree_depth = depth;
+  options.split_elements = is_split;
+  return options;
+}
+
+/// \param stabilization dimensionless, 0 for the system of the paper
+inline RL::Operators operators(const RL::Spline_space_3& space, double stabilization) {
+  if(stabilization != 0)
+    throw RL::Parameter_error("normal_stabilization", "is not available");
+  return RL::assemble_operators(space, space.depth(), RL::Cubature(space));
+}
+
+/// the stabilization that the package has unless told otherwise
+inline double default_stabilization() { return 0; }
+
+/// whether `threads` has an effect on the solver
+constexpr bool is_parallel_available() { return false; }
+
+/// Limits the threads of the package for as long as the returned object lives.
+inline auto limit_threads(int threads) {
+#ifdef CGAL_LINKED_WITH_TBB
+  return tbb::global_control(tbb::global_control::max_allowed_parallelism, threads);
+#else
+  return threads;
+#endif
+}
+
+/// names of the smoothers that the package has, the default one first
+inline std::vector<std::string> smoothers() { return {"point"}; }
+
+/// \param smoother one of `smoothers()`
+inline RL::Poisson_solver_options solver_options(const std::string& /*smoother*/, int /*threads*/,
+                                                 double tolerance, int maximum_iterations) {
+  RL::Poisson_solver_options options;
+  options.relative_tolerance = tolerance;
+  options.maximum_iterations = maximum_iterations;
+  return options;
+}
+
+} // namespace benchmarks
+
+#endif // RESTRICTED_LAPLACIAN_3_BENCHMARK_PACKAGE_H
