@@ -27,7 +27,7 @@ namespace internal {
 class Element_matrix_pattern {
 public:
   Element_matrix_pattern(const Spline_space_3& space, int level)
-    : m_space(space), m_level(level), m_first(space.dimension(level) + 1, 0) {
+    : m_space(space), m_first(space.dimension(level) + 1, 0) {
     // the sheets of each element
     const std::size_t n = space.dimension(level);
     const std::size_t number_of_sheets = space.octree().number_of_sheets(level);
@@ -38,11 +38,17 @@ public:
     for(std::size_t e = 0; e < n; ++e)
       m_first[e + 1] += m_first[e];
     m_sheets.resize(m_first[n]);
+    m_first_words.reserve(number_of_sheets + 1);
     std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
-    for(std::size_t i = 0; i < number_of_sheets; ++i)
+    for(std::size_t i = 0; i < number_of_sheets; ++i) {
+      m_first_words.push_back(m_words.size());
       for(std::uint32_t e : space.elements(level, i))
-        if(e != Spline_space_3::no_element)
+        if(e != Spline_space_3::no_element) {
           m_sheets[next[e]++] = static_cast<std::uint32_t>(i);
+          add_to_words(e, m_first_words.back());
+        }
+    }
+    m_first_words.push_back(m_words.size());
   }
 
   /// the matrix of this pattern with all entries 0
@@ -79,9 +85,9 @@ public:
   }
 
 private:
-  /// The rows of a column are a set of bits, of which few words are not 0: neighbours in space have
-  /// near numbers. So few numbers need to be sorted, and an element that is met again costs
-  /// nothing.
+  /// The elements of a sheet, and the rows of a column, are a set of bits, of which few words are
+  /// not 0: neighbours in space have near numbers. So few numbers need to be sorted, and elements
+  /// are united by the word.
   struct Word {
     std::uint32_t number;
     std::uint64_t bits;
@@ -120,27 +126,39 @@ private:
                  });
   }
 
+  /// adds an element to the words from number `first` on
+  void add_to_words(std::uint32_t element, std::size_t first) {
+    const std::uint32_t number = element / 64;
+    std::size_t i = first;
+    while(i < m_words.size() && m_words[i].number != number)
+      ++i;
+    if(i == m_words.size())
+      m_words.push_back({number, 0});
+    m_words[i].bits |= std::uint64_t(1) << (element % 64);
+  }
+
   /// \param place where a word was last seen among `words`; checked, so it may be out of date
   void gather(std::size_t element, Words& words, std::vector<std::uint32_t>& place) const {
     words.clear();
-    for(std::size_t k = m_first[element]; k < m_first[element + 1]; ++k)
-      for(std::uint32_t other : m_space.elements(m_level, m_sheets[k])) {
-        if(other == Spline_space_3::no_element)
-          continue;
-        const std::uint32_t number = other / 64;
-        std::uint32_t& at = place[number];
-        if(at >= words.size() || words[at].number != number) {
+    for(std::size_t k = m_first[element]; k < m_first[element + 1]; ++k) {
+      const std::size_t sheet = m_sheets[k];
+      for(std::size_t w = m_first_words[sheet]; w < m_first_words[sheet + 1]; ++w) {
+        const Word& word = m_words[w];
+        std::uint32_t& at = place[word.number];
+        if(at >= words.size() || words[at].number != word.number) {
           at = static_cast<std::uint32_t>(words.size());
-          words.push_back({number, 0});
-        }
-        words[at].bits |= std::uint64_t(1) << (other % 64);
+          words.push_back(word);
+        } else
+          words[at].bits |= word.bits;
       }
+    }
   }
 
   const Spline_space_3& m_space;
-  int m_level;
-  std::vector<std::uint32_t> m_first;
+  std::vector<std::uint32_t> m_first; // of elements, numbers in the following
   std::vector<std::uint32_t> m_sheets;
+  std::vector<std::size_t> m_first_words; // of sheets, numbers in the following
+  Words m_words;
 };
 
 /// Copies the entries above the diagonal to below it, in matrices of the same symmetric pattern.
