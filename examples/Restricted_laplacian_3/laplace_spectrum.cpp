@@ -10,6 +10,7 @@
 #include "support/program.h"
 #include "support/space.h"
 #include "support/table.h"
+#include "support/threads.h"
 
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/assemble.h>
@@ -157,7 +158,8 @@ int main(int argc, char* argv[]) {
     std::vector<double> u(input.surface.number_of_vertices(), std::nan(""));
 
     Summary summary(input);
-    summary.add("threads", 1);
+    const Thread_limit threads(o.threads);
+    summary.add("threads", threads.number());
     const RL::Eigenpairs pairs = o.operator_name == "restricted"
                                      ? solve_restricted(input.surface, o, u, summary, progress)
                                      : solve_cotangent(input.surface, o, u, summary, progress);

@@ -11,6 +11,7 @@
 #include "support/program.h"
 #include "support/space.h"
 #include "support/table.h"
+#include "support/threads.h"
 
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/assemble.h>
@@ -52,7 +53,8 @@ const char* const usage =
 struct Options : Common_options {
   std::string rhs = "z", rhs_property;
   double alpha = 0, tolerance = RL::Poisson_solver_options().relative_tolerance;
-  std::string cycle = "v", smoother = "point";
+  double stabilization = -1; // the default
+  std::string cycle = "v", smoother = "patch";
 };
 
 // returns false if there is nothing more to do
@@ -72,6 +74,8 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("cycle", po::value(&o.cycle)->value_name("v|w")->default_value(o.cycle), "multigrid cycle");
   add("smoother", po::value(&o.smoother)->value_name("point|patch")->default_value(o.smoother),
       "smoother of the multigrid cycle");
+  add("stabilization", po::value(&o.stabilization)->value_name("C"),
+      "factor of the stabilization by normal derivatives; default 0.001, or 0 with --paper");
   po::options_description all(help_width);
   all.add(problem).add(space_options(o)).add(solver).add(output_options(o));
 
@@ -85,7 +89,9 @@ bool read_options(int argc, char* argv[], Options& o) {
   require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
   require_choice("cycle", o.cycle, {"v", "w"});
   require_choice("smoother", o.smoother, {"point", "patch"});
-  require(o.smoother == "point", "--smoother: the patch smoother is not available");
+  require(given.count("stabilization") == 0 ||
+              (o.stabilization >= 0 && std::isfinite(o.stabilization)),
+          "the argument of --stabilization must be a number that is not negative");
   return true;
 }
 
@@ -146,20 +152,23 @@ RL::Solve_report solve(const RL::Triangulated_surface_3& surface, const Options&
   const double mean = surface_mean(surface, f);
   for(double& value : f)
     value -= mean;
-  RL::Operators operators;
+  const double stabilization =
+      o.stabilization < 0 ? RL::default_normal_stabilization(space) : o.stabilization;
+  const auto parameters = params::relative_tolerance(
+      o.tolerance,
+      params::cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W,
+                    params::smoother(o.smoother == "patch" ? RL::Smoother::patch
+                                                           : RL::Smoother::point,
+                                     params::normal_stabilization(stabilization))));
   Eigen::VectorXd load;
-  assemble_with(space, o, [&](const auto& integration) {
-    operators = RL::assemble_operators(space, space.depth(), integration);
+  const RL::Poisson_solver solver = assemble_with(space, o, [&](const auto& integration) {
     load = RL::assemble_load(space, RL::Linear_surface_function<double>(f), space.depth(),
                              integration);
+    return RL::make_poisson_solver(
+        space, o.alpha / surface.area(), integration,
+        params::concurrency_tag(CGAL::Parallel_if_available_tag(), parameters));
   });
-  const double assembly_seconds = timer.time() - space_seconds;
-
-  progress.show("setting up the solver");
-  const RL::Poisson_solver solver = RL::make_poisson_solver(
-      space, operators, o.alpha / surface.area(),
-      params::relative_tolerance(o.tolerance,
-                                 params::cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W)));
+  const double assembly_seconds = timer.time() - space_seconds - solver.setup_seconds();
 
   // The Laplacian is minus the stiffness matrix.
   progress.show("solving");
@@ -190,7 +199,8 @@ int main(int argc, char* argv[]) {
     progress.show("reading " + o.mesh);
     const Mesh_input input = read_mesh(o.mesh);
     Summary summary(input);
-    summary.add("threads", 1);
+    const Thread_limit threads(o.threads);
+    summary.add("threads", threads.number());
     std::vector<double> u;
     const RL::Solve_report report =
         solve(input.surface, o, right_hand_side(input.surface, o), u, summary, progress);

@@ -8,8 +8,11 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <string>
@@ -147,7 +150,7 @@ TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const RL::Spline_space_3 space(mesh, params::octree_depth(3));
   const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, RL::assemble_operators(space), 0);
+      RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-9));
   Eigen::MatrixXd b(space.dimension(), 7);
   for(int k = 0; k < 7; ++k)
     b.col(k) = random_load(space, k);
@@ -159,33 +162,127 @@ TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
   for(int k = 0; k < 7; ++k) {
     Eigen::VectorXd alone;
     solver.solve(b.col(k), alone);
-    CHECK((together.col(k) - alone).norm() <= 1e-9 * alone.norm());
+    // the cycles of one and of four columns round differently
+    CHECK((together.col(k) - alone).norm() <= 1e-5 * alone.norm());
   }
   CHECK(together.col(2).norm() == 0);
 }
 
-TEST_CASE("multigrid_cycle_is_a_symmetric_positive_operator", "[poisson]") {
-  const Mesh mesh = shapes::mesh(shapes::sphere(4));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
-  const RL::Operators operators = RL::assemble_operators(space);
-  const RL::Multigrid<> multigrid(operators.stiffness, RL::prolongation_matrices(space, 1));
-  CHECK(multigrid.number_of_levels() == 4);
-  RL::Multigrid<>::Workspace<1> workspace;
-  for(RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W})
-    for(int steps : {1, 2}) {
-      const Eigen::VectorXd x = random_load(space, 1), y = random_load(space, 2);
-      Eigen::VectorXd bx, by;
-      multigrid.apply<1>(x, bx, cycle, steps, workspace);
-      multigrid.apply<1>(y, by, cycle, steps, workspace);
-      CHECK(bx.dot(y) == Approx(x.dot(by)).epsilon(1e-9));
-      CHECK(bx.dot(x) > 0);
+TEST_CASE("patches_cover_all_elements_and_colors_do_not_interact", "[poisson]") {
+  for(const auto& soup : {shapes::sphere(4), shapes::box(1, 1, 0.03, 9, 1)}) {
+    const Mesh mesh = shapes::mesh(soup);
+    for(bool is_split : {false, true}) {
+      const RL::Spline_space_3 space(mesh,
+                                     params::octree_depth(5, params::split_elements(is_split)));
+      const RL::Sparse_matrix a = RL::assemble_stiffness_matrix(space);
+      const RL::Smoothing_patches patches = RL::smoothing_patches(space, 5);
+      CHECK(patches.number_of_patches == space.number_of_sheets(4));
+      REQUIRE(patches.groups.back() == patches.number_of_patches);
+      REQUIRE(patches.colors.back() == patches.groups.size() - 1);
+      CHECK(patches.colors.size() == 9);
+      std::vector<char> is_covered(space.dimension(), 0);
+      for(std::size_t color = 0; color + 1 < patches.colors.size(); ++color) {
+        // the group of this color that relaxes an unknown, and whether others need it
+        std::vector<int> group_of(space.dimension(), -1);
+        for(std::uint32_t g = patches.colors[color]; g < patches.colors[color + 1]; ++g)
+          for(std::uint32_t p = patches.groups[g]; p < patches.groups[g + 1]; ++p)
+            for(std::uint32_t i : patches.unknowns[p]) {
+              REQUIRE((group_of[i] == -1 || group_of[i] == static_cast<int>(g)));
+              group_of[i] = static_cast<int>(g);
+              is_covered[i] = 1;
+            }
+        for(int j = 0; j < a.cols(); ++j)
+          for(RL::Sparse_matrix::InnerIterator i(a, j); i; ++i)
+            REQUIRE(
+                (group_of[j] == -1 || group_of[i.row()] == -1 || group_of[j] == group_of[i.row()]));
+      }
+      CHECK(std::count(is_covered.begin(), is_covered.end(), 1) ==
+            static_cast<std::ptrdiff_t>(space.dimension()));
     }
-  // renumbering: the matrix is the same one
-  const auto& order = multigrid.order();
-  for(int j = 0; j < multigrid.matrix().cols(); j += 97)
-    for(RL::Sparse_matrix::InnerIterator i(multigrid.matrix(), j); i; ++i)
-      REQUIRE(i.value() == operators.stiffness.coeff(order[i.row()], order[j]));
+  }
 }
+
+TEST_CASE("iterations_do_not_depend_on_the_depth", "[poisson]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(5));
+  int last = 0;
+  for(int depth = 4; depth <= 6; ++depth) {
+    const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+    const RL::Poisson_solver solver =
+        RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8));
+    Eigen::VectorXd x;
+    const Eigen::VectorXd b = random_load(space, 7);
+    const RL::Solve_report report = solver.solve(b, x);
+    INFO("depth " << depth << ": " << report.iterations);
+    CHECK(report.converged);
+    CHECK(report.iterations <= 12);
+    if(depth > 4)
+      CHECK(report.iterations <= 1.25 * last + 1);
+    last = report.iterations;
+    const Eigen::VectorXd integrals = RL::assemble_element_integrals(space),
+                          load = b - integrals * (b.sum() / integrals.sum());
+    CHECK(report.relative_residual ==
+          Approx((load - solver.matrix() * x).norm() / load.norm()).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("stabilization_keeps_the_order_of_the_error", "[poisson][slow]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(6));
+  const auto f = [](const RL::Surface_point& p) { return harmonic(p.point); };
+  std::vector<double> errors;
+  for(int depth = 2; depth <= 4; ++depth) {
+    const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+    Eigen::VectorXd eta;
+    CHECK(RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8))
+              .solve(-RL::assemble_load(space, f), eta)
+              .converged);
+    errors.push_back(relative_error(RL::Spline_function_3(space, eta), -1 / harmonic_eigenvalue));
+  }
+  INFO("errors " << errors[0] << " " << errors[1] << " " << errors[2]);
+  CHECK(std::log2(errors[0] / errors[1]) >= 2);
+  CHECK(std::log2(errors[1] / errors[2]) >= 2.5);
+  CHECK(errors[2] <= 3.2e-3);
+}
+
+TEST_CASE("matrices_of_all_levels_at_once_make_the_same_solver", "[poisson]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  for(bool is_paper_space : {false, true}) {
+    const RL::Spline_space_3 space(mesh,
+                                   params::octree_depth(4, params::paper_space(is_paper_space)));
+    const double c = 0.01, alpha = 0.5;
+    const RL::Operators operators = RL::assemble_operators(space, 4, RL::Cubature(space), c);
+    const auto np = params::normal_stabilization(c, params::relative_tolerance(1e-10));
+    const RL::Poisson_solver direct = RL::make_poisson_solver(space, alpha, np),
+                             galerkin = RL::make_poisson_solver(space, operators, alpha, np);
+    CHECK((direct.matrix() - galerkin.matrix()).norm() <= 1e-13 * galerkin.matrix().norm());
+    Eigen::VectorXd x, y;
+    const Eigen::VectorXd b = random_load(space, 3);
+    const RL::Solve_report report = direct.solve(b, x), other = galerkin.solve(b, y);
+    CHECK(report.converged);
+    CHECK(std::abs(report.iterations - other.iterations) <= 1);
+    CHECK((x - y).norm() <= 1e-6 * x.norm());
+  }
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("solution_does_not_depend_on_threads", "[poisson]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(5));
+  const auto solution = [&mesh](RL::Smoother smoother, const auto& np) {
+    Mesh copy = mesh;
+    auto u = copy.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+    RL::solve_poisson(
+        copy, [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); }, u,
+        params::octree_depth(5, params::smoother(smoother, np)));
+    std::vector<double> values;
+    for(Mesh::Vertex_index v : copy.vertices())
+      values.push_back(u[v]);
+    return values;
+  };
+  for(RL::Smoother smoother : {RL::Smoother::patch, RL::Smoother::point}) {
+    const auto sequential = solution(smoother, params::concurrency_tag(CGAL::Sequential_tag()));
+    CHECK(solution(smoother, params::concurrency_tag(CGAL::Parallel_tag())) == sequential);
+  }
+}
+#endif
 
 TEST_CASE("solver_needs_no_mesh", "[poisson]") {
   // the Laplacian of a path of three, and of a path of two beside it: two constants in the kernel
@@ -268,18 +365,19 @@ TEST_CASE("iterations_on_the_bunny", "[poisson][slow]") {
   CHECK(space.dimension() == 139083);
   CHECK(RL::Spline_space_3(mesh, params::octree_depth(7, params::split_elements(false)))
             .dimension() == 138098);
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space), 0,
-                                                            params::relative_tolerance(5e-3));
+  const RL::Poisson_solver solver =
+      RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8));
   Eigen::MatrixXd b(space.dimension(), 4), x;
   for(int axis = 0; axis < 3; ++axis)
     b.col(axis) =
         RL::assemble_load(space, [axis](const RL::Surface_point& p) { return p.point[axis]; });
   b.col(3) = random_load(space, 1);
   for(int column = 0; column < 4; ++column) {
-    const RL::Solve_report report = solver.solve(b.col(column), x);
     INFO("right-hand side " << column);
+    CHECK(solver.solve(b.col(column), x, 5e-3).iterations <= 2);
+    const RL::Solve_report report = solver.solve(b.col(column), x);
     CHECK(report.converged);
-    CHECK(report.iterations <= 12);
+    CHECK(report.iterations <= 10);
   }
 }
 

@@ -15,21 +15,39 @@ Let \f$x \leftarrow x + B (b - A x)\f$ be what `pre_smooth()` does. Then `post_s
 converge, in the norm of \f$A\f$, for each right-hand side in the range of \f$A\f$, so that it is
 positive. Without that it cannot precondition conjugate gradients.
 
-Vectors are passed as `internal::Block_vector<K>`: a dense matrix of Eigen with `K` columns, stored
-row by row, so that one pass over the sparse matrix serves `K` right-hand sides.
+A smoother stores the matrix in a form and order of its own, in single precision, scaled to
+\f$D A D\f$ with a diagonal matrix \f$D\f$ that it chooses. Vectors are passed as
+`internal::Level_vectors<K>`, `K` of them, in the order of `positions()`, and belong to the scaled
+matrix.
 
 \cgalRefines `MoveConstructible`
 
+\cgalHasModel `CGAL::Restricted_laplacian_3::Patch_smoother`
 \cgalHasModel `CGAL::Restricted_laplacian_3::Gauss_seidel_smoother`
 */
 class MultigridSmoother_3 {
 public:
   /*!
   prepares the smoother for a matrix. It is symmetric and positive semi-definite, all of its entries
-  are stored, and the rows of each column are sorted; rows may be empty. The matrix is passed again
-  to the functions below; the smoother must not refer to it, because a hierarchy can be copied.
+  are stored, and the rows of each column are sorted; rows may be empty. The smoother must not refer
+  to the matrix afterwards.
+  \param patches sets of unknowns that may be relaxed together, groups of them that may be relaxed at
+  the same time; there may be none
+  \param is_parallel whether to use several threads. Results must not depend on their number.
   */
-  explicit MultigridSmoother_3(const Eigen::SparseMatrix<double>& a);
+  MultigridSmoother_3(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
+                      bool is_parallel);
+
+  /*!
+  where each unknown is in the vectors. Positions of no unknown hold 0 in the vectors that are
+  passed, and must hold 0 in those that are returned.
+  */
+  const internal::Level_positions& positions() const;
+
+  /*!
+  the diagonal of \f$D\f$, for each unknown
+  */
+  const std::vector<double>& scale() const;
 
   /*!
   makes `steps` smoothing steps from \f$x = 0\f$ for the right-hand side `b`. The old content and
@@ -37,13 +55,20 @@ public:
   `x` is 0 and `r` is `b`.
   */
   template <int K>
-  void pre_smooth(const Eigen::SparseMatrix<double>& a, const internal::Block_vector<K>& b,
-                  internal::Block_vector<K>& x, internal::Block_vector<K>& r, int steps) const;
+  void pre_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+                  internal::Level_vectors<K>& r, int steps) const;
 
   /*!
   makes `steps` smoothing steps from the given `x`, the transposes of those of `pre_smooth()`.
   */
   template <int K>
-  void post_smooth(const Eigen::SparseMatrix<double>& a, const internal::Block_vector<K>& b,
-                   internal::Block_vector<K>& x, int steps) const;
+  void post_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+                   int steps) const;
+
+  /*!
+  \f$r = b - A x\f$
+  */
+  template <int K>
+  void residual(const internal::Level_vectors<K>& b, const internal::Level_vectors<K>& x,
+                internal::Level_vectors<K>& r) const;
 };

@@ -31,7 +31,7 @@ struct Common_options {
   std::string assembly = "cubature";
   long long samples = 1000000;
   long long seed = 0;
-  int threads = 1;
+  int threads = 0; // all
   std::string csv, output, picture;
   std::string up = "y";
   int isolines = 0;
@@ -63,8 +63,8 @@ inline po::options_description space_options(Common_options& o) {
       "number of samples for --assembly monte-carlo");
   add("seed", po::value(&o.seed)->value_name("N")->default_value(o.seed),
       "seed of everything random");
-  add("threads", po::value(&o.threads)->value_name("N")->default_value(o.threads),
-      "number of threads, at most; this version computes with one, and the result does not "
+  add("threads", po::value(&o.threads)->value_name("N"),
+      "number of threads, at most; by default all processors are used. The result does not "
       "depend on it");
   return description;
 }
@@ -134,6 +134,7 @@ inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
   require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
   require_positive(given, "cube-scale", o.space.cube_scale);
   o.space.split_elements = !given["unsplit"].as<bool>();
+  o.space.is_parallel = o.threads != 1;
   require(given.count("join") == 0 ||
               (o.space.joining_tolerance >= 0 && std::isfinite(o.space.joining_tolerance)),
           "the argument of --join must be a number that is not negative");

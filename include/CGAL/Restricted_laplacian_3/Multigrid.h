@@ -8,15 +8,17 @@
 #include <CGAL/Restricted_laplacian_3/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/internal/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/connected_components.h>
-#include <CGAL/Restricted_laplacian_3/internal/renumbering.h>
+#include <CGAL/Restricted_laplacian_3/internal/level_vectors.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/smoothers.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -39,6 +41,8 @@ namespace internal {
 class Pseudo_inverse {
 public:
   static constexpr double relative_cutoff = 1e-12;
+
+  Pseudo_inverse() = default;
 
   explicit Pseudo_inverse(const Eigen::SparseMatrix<double>& a) {
     const auto [component, number] = connected_components(a);
@@ -100,43 +104,67 @@ private:
 ///
 /// Coarse matrices are the Galerkin products \f$A_l = P_l^T A_{l+1} P_l\f$, restriction is the
 /// transpose of prolongation, the coarsest level is solved directly. With as many smoothing steps
-/// before the coarse correction as after it the operator is symmetric positive semi-definite, so it
-/// can precondition conjugate gradients. Knows matrices only, no surface.
+/// before the coarse correction as after it the operator is symmetric positive semi-definite, up to
+/// rounding, so it can precondition conjugate gradients. Knows matrices only, no surface.
 ///
-/// *Numbering.* On each level but the coarsest the unknowns are renumbered by decreasing octave of
-/// the diagonal entry, see `internal::order_by_octave_of_diagonal()`. All vectors passed to this
-/// class are in this numbering; `order()` is its relation to that of the matrix it was made from.
+/// *Precision.* A cycle computes in single precision, on matrices that are scaled to diagonals near
+/// 1, but for the coarsest level; vectors come and go in double precision and in the numbering of
+/// the matrix. What a cycle returns is accurate to about \f$10^{-6}\f$ at best, which does not limit
+/// the accuracy of an iteration that it preconditions.
 ///
 /// \tparam Smoother a model of `MultigridSmoother_3`
-template <class Smoother = Gauss_seidel_smoother> class Multigrid {
+template <class Smoother = Patch_smoother> class Multigrid {
 public:
   using Sparse_matrix = Eigen::SparseMatrix<double>;
 
+  /// an empty hierarchy
+  Multigrid() : m_is_parallel(false), m_size(0) {}
+
   /// \param a the finest matrix, all of whose entries are stored
   /// \param prolongations from each level to the next finer one, coarsest first; may be empty
+  /// \param patches of each level but the coarsest, coarsest first, for the smoother
+  /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they are
+  /// computed as Galerkin products
+  /// \param is_parallel whether several threads are used; results do not depend on that
   /// \throws Parameter_error if the sizes do not fit
-  Multigrid(Sparse_matrix a, std::vector<Sparse_matrix> prolongations)
-    : m_prolongations(std::move(prolongations)), m_matrices(m_prolongations.size() + 1),
-      m_coarse_inverse(coarsen(std::move(a))) {
-    m_smoothers.reserve(m_prolongations.size());
-    for(std::size_t level = 1; level < m_matrices.size(); ++level)
-      m_smoothers.emplace_back(m_matrices[level]);
+  Multigrid(const Sparse_matrix& a, const std::vector<Sparse_matrix>& prolongations,
+            const std::vector<Smoothing_patches>& patches, bool is_parallel = false,
+            std::vector<Sparse_matrix> coarse_matrices = {})
+    : m_is_parallel(is_parallel), m_size(a.cols()) {
+    check_sizes(a, prolongations, patches, coarse_matrices);
+    const std::size_t finest = prolongations.size();
+    m_levels.resize(finest + 1);
+    Sparse_matrix coarse;
+    for(std::size_t level = finest;; --level) {
+      const Sparse_matrix& fine = level == finest ? a : coarse;
+      if(level == 0) {
+        set_coarsest(fine);
+        break;
+      }
+      m_smoothers.emplace_back(fine, patches[level - 1], is_parallel);
+      if(coarse_matrices.empty())
+        galerkin_product(fine, prolongations[level - 1], is_parallel).swap(coarse);
+      else
+        coarse.swap(coarse_matrices[level - 1]);
+    }
+    std::reverse(m_smoothers.begin(), m_smoothers.end());
+    for(std::size_t level = finest; level > 0; --level)
+      set_transfer(level, prolongations[level - 1]);
   }
 
-  std::size_t number_of_levels() const { return m_matrices.size(); }
-  /// matrix of a level, in the numbering of this class; 0 is the coarsest
-  const Sparse_matrix& matrix(std::size_t level) const { return m_matrices[level]; }
-  /// the finest matrix
-  const Sparse_matrix& matrix() const { return m_matrices.back(); }
-  /// unknown `i` of the finest level is unknown `order()[i]` of the matrix passed in
-  const std::vector<int>& order() const { return m_order; }
+  std::size_t number_of_levels() const { return m_levels.size(); }
+  /// number of rows of the finest matrix
+  Eigen::Index size() const { return m_size; }
+  /// the smoother of a level; 0 is the coarsest, which has none
+  const Smoother& smoother(std::size_t level) const { return m_smoothers[level - 1]; }
 
   /// vectors of one cycle, kept between cycles
   template <int K> struct Workspace {
     struct Level {
-      internal::Block_vector<K> b, x, r;
+      internal::Level_vectors<K> b, x, r, left;
     };
     std::vector<Level> levels;
+    internal::Block_vector<K> coarse_b, coarse_x;
   };
 
   /// \f$ x \approx A^{-1} b \f$: one cycle that starts from 0
@@ -144,8 +172,16 @@ public:
   template <int K>
   void apply(const internal::Block_vector<K>& b, internal::Block_vector<K>& x, Cycle cycle,
              int steps, Workspace<K>& workspace) const {
-    workspace.levels.resize(m_matrices.size());
-    run<K>(m_matrices.size() - 1, b, x, cycle, steps, workspace);
+    const std::size_t finest = m_levels.size() - 1;
+    if(finest == 0) {
+      m_coarse_inverse.apply<K>(b, x);
+      return;
+    }
+    workspace.levels.resize(m_levels.size());
+    auto& vectors = workspace.levels[finest];
+    const internal::Block_row<K> scale = import <K>(b, vectors.b);
+    run<K>(finest, vectors.b, vectors.x, cycle, steps, workspace);
+    export_solution<K>(vectors.x, scale, x);
   }
 
   /// A first guess by nested iteration: the coarsest problem is solved, then the solution of each
@@ -154,82 +190,187 @@ public:
   template <int K>
   void nested_iteration(const internal::Block_vector<K>& b, internal::Block_vector<K>& x,
                         Cycle cycle, int steps, Workspace<K>& workspace) const {
-    const std::size_t finest = m_matrices.size() - 1;
-    workspace.levels.resize(m_matrices.size());
-    std::vector<internal::Block_vector<K>> loads(m_matrices.size());
-    loads[finest] = b;
-    for(std::size_t level = finest; level > 0; --level)
-      internal::restrict_to_coarse<K>(m_prolongations[level - 1], loads[level], loads[level - 1]);
-    m_coarse_inverse.apply<K>(loads[0], x);
-    for(std::size_t level = 1; level <= finest; ++level) {
-      internal::Block_vector<K> fine =
-          internal::Block_vector<K>::Zero(m_matrices[level].cols(), b.cols());
-      internal::add_prolongated<K>(m_prolongations[level - 1], x, fine);
-      x.swap(fine);
-      if(level == finest)
-        break;
-      internal::Block_vector<K> r, correction;
-      internal::residual<K>(m_matrices[level], loads[level], x, r);
-      run<K>(level, r, correction, cycle, steps, workspace);
-      x += correction;
-    }
-  }
-
-private:
-  /// the matrices of all levels; returns the coarsest
-  const Sparse_matrix& coarsen(Sparse_matrix a) {
-    if(a.rows() != a.cols())
-      throw Parameter_error("a", "is not a square matrix");
-    for(std::size_t level = m_prolongations.size(); level > 0; --level) {
-      Sparse_matrix& prolongation = m_prolongations[level - 1];
-      if(prolongation.rows() != a.cols())
-        throw Parameter_error("prolongations", "do not fit the size of the matrix");
-      const std::vector<int> order = internal::order_by_octave_of_diagonal(a);
-      m_matrices[level] = internal::renumbered(a, order);
-      prolongation = internal::renumbered_rows(prolongation, order);
-      if(level < m_prolongations.size())
-        m_prolongations[level] = internal::renumbered_columns(m_prolongations[level], order);
-      else
-        m_order = order;
-      a = galerkin_product(m_matrices[level], prolongation);
-    }
-    if(m_prolongations.empty()) {
-      m_order.resize(a.cols());
-      std::iota(m_order.begin(), m_order.end(), 0);
-    }
-    m_matrices.front() = std::move(a);
-    return m_matrices.front();
-  }
-
-  template <int K>
-  void run(std::size_t level, const internal::Block_vector<K>& b, internal::Block_vector<K>& x,
-           Cycle cycle, int steps, Workspace<K>& workspace) const {
-    if(level == 0) {
+    const std::size_t finest = m_levels.size() - 1;
+    if(finest == 0) {
       m_coarse_inverse.apply<K>(b, x);
       return;
     }
-    const Smoother& smoother = m_smoothers[level - 1];
-    auto& r = workspace.levels[level].r;
-    auto& coarse = workspace.levels[level - 1];
-    smoother.template pre_smooth<K>(m_matrices[level], b, x, r, steps);
-    internal::restrict_to_coarse<K>(m_prolongations[level - 1], r, coarse.b);
-    run<K>(level - 1, coarse.b, coarse.x, cycle, steps, workspace);
-    internal::add_prolongated<K>(m_prolongations[level - 1], coarse.x, x);
-    if(cycle == Cycle::W && level > 1) {
-      // The second visit corrects what the first one left.
-      internal::Block_vector<K> left;
-      internal::residual<K>(m_matrices[level - 1], coarse.b, coarse.x, left);
-      run<K>(level - 1, left, coarse.x, cycle, steps, workspace);
-      internal::add_prolongated<K>(m_prolongations[level - 1], coarse.x, x);
+    workspace.levels.resize(m_levels.size());
+    std::vector<internal::Level_vectors<K>> loads(m_levels.size());
+    const internal::Block_row<K> scale = import <K>(b, loads[finest]);
+    for(std::size_t level = finest; level > 0; --level)
+      m_levels[level].restriction.template multiply<K, false>(m_is_parallel, loads[level],
+                                                              loads[level - 1]);
+    internal::Level_vectors<K> solution, fine, correction;
+    solve_coarsest<K>(loads[0], solution, workspace);
+    for(std::size_t level = 1;; ++level) {
+      m_levels[level].prolongation.template multiply<K, false>(m_is_parallel, solution, fine);
+      solution.swap(fine);
+      if(level == finest)
+        break;
+      auto& left = workspace.levels[level].left;
+      smoother(level).template residual<K>(loads[level], solution, left);
+      run<K>(level, left, correction, cycle, steps, workspace);
+      add<K>(correction, solution);
     }
-    smoother.template post_smooth<K>(m_matrices[level], b, x, steps);
+    export_solution<K>(solution, scale, x);
   }
 
-  std::vector<int> m_order;
-  std::vector<Sparse_matrix> m_prolongations;
-  std::vector<Sparse_matrix> m_matrices;
-  internal::Pseudo_inverse m_coarse_inverse;
+private:
+  struct Level {
+    internal::Row_matrix prolongation, restriction; // from and to the next coarser level
+  };
+
+  static void check_sizes(const Sparse_matrix& a, const std::vector<Sparse_matrix>& prolongations,
+                          const std::vector<Smoothing_patches>& patches,
+                          const std::vector<Sparse_matrix>& coarse_matrices) {
+    if(a.rows() != a.cols())
+      throw Parameter_error("a", "is not a square matrix");
+    Eigen::Index size = a.cols();
+    for(std::size_t level = prolongations.size(); level > 0; --level) {
+      if(prolongations[level - 1].rows() != size)
+        throw Parameter_error("prolongations", "do not fit the size of the matrix");
+      size = prolongations[level - 1].cols();
+      if(!coarse_matrices.empty() &&
+         (coarse_matrices.size() != prolongations.size() ||
+          coarse_matrices[level - 1].cols() != size || coarse_matrices[level - 1].rows() != size))
+        throw Parameter_error("coarse_matrices", "do not fit the prolongations");
+    }
+    if(patches.size() != prolongations.size())
+      throw Parameter_error("patches", "are not given for each level but the coarsest");
+  }
+
+  void set_coarsest(const Sparse_matrix& a) {
+    m_coarse_inverse = internal::Pseudo_inverse(a);
+    m_coarse_scale = internal::balancing_scale(a);
+    m_coarse_positions.of_unknown.resize(a.cols());
+    for(Eigen::Index i = 0; i < a.cols(); ++i)
+      m_coarse_positions.of_unknown[i] = static_cast<std::uint32_t>(i);
+    m_coarse_positions.number_of_positions =
+        (static_cast<std::size_t>(a.cols()) + internal::lanes_of_floats - 1) /
+        internal::lanes_of_floats * internal::lanes_of_floats;
+  }
+
+  const internal::Level_positions& positions(std::size_t level) const {
+    return level == 0 ? m_coarse_positions : smoother(level).positions();
+  }
+  const std::vector<double>& scale(std::size_t level) const {
+    return level == 0 ? m_coarse_scale : smoother(level).scale();
+  }
+
+  /// With \f$A\f$ replaced by \f$D A D\f$ the prolongation is \f$D^{-1} P D_c\f$.
+  void set_transfer(std::size_t level, const Sparse_matrix& p) {
+    std::vector<double> inverse_scale = scale(level);
+    for(double& s : inverse_scale)
+      s = 1 / s;
+    const Sparse_matrix transposed = p.transpose();
+    m_levels[level].restriction = internal::Row_matrix(p, positions(level - 1), scale(level - 1),
+                                                       positions(level), inverse_scale);
+    m_levels[level].prolongation = internal::Row_matrix(transposed, positions(level), inverse_scale,
+                                                        positions(level - 1), scale(level - 1));
+  }
+
+  /// scales the columns to largest entry 1, returns the factors
+  template <int K>
+  internal::Block_row<K> import(const internal::Block_vector<K>& from,
+                                internal::Level_vectors<K>& to) const {
+    const std::size_t finest = m_levels.size() - 1;
+    const std::vector<double>& d = scale(finest);
+    const std::vector<std::uint32_t>& position = positions(finest).of_unknown;
+    internal::Block_row<K> largest = internal::Block_row<K>::Zero();
+    for(std::size_t i = 0; i < d.size(); ++i)
+      largest = largest.max((d[i] * internal::row<K>(from, i)).abs());
+    const internal::Block_row<K> factor =
+        largest.unaryExpr([](double x) { return x > 0 ? std::ldexp(1., std::ilogb(x)) : 1.; });
+    const internal::Block_row<K> inverse = factor.inverse();
+    to.set_zero(positions(finest).number_of_positions);
+    internal::parallel_for(
+        m_is_parallel, 0, d.size(), conversion_grain, [&](std::size_t begin, std::size_t end) {
+          for(std::size_t i = begin; i < end; ++i) {
+            const internal::Block_row<K> value = internal::row<K>(from, i) * inverse * d[i];
+            float* place = to.data() + internal::Level_vectors<K>::offset(position[i]);
+            for(int c = 0; c < K; ++c)
+              place[internal::lanes_of_floats * c] = static_cast<float>(value[c]);
+          }
+        });
+    return factor;
+  }
+
+  template <int K>
+  void export_solution(const internal::Level_vectors<K>& from, const internal::Block_row<K>& factor,
+                       internal::Block_vector<K>& to) const {
+    const std::size_t finest = m_levels.size() - 1;
+    const std::vector<double>& d = scale(finest);
+    const std::vector<std::uint32_t>& position = positions(finest).of_unknown;
+    to.resize(m_size, K);
+    internal::parallel_for(
+        m_is_parallel, 0, d.size(), conversion_grain, [&](std::size_t begin, std::size_t end) {
+          for(std::size_t i = begin; i < end; ++i) {
+            const float* place = from.data() + internal::Level_vectors<K>::offset(position[i]);
+            for(int c = 0; c < K; ++c)
+              to(i, c) = place[internal::lanes_of_floats * c] * d[i] * factor[c];
+          }
+        });
+  }
+
+  template <int K>
+  static void add(const internal::Level_vectors<K>& from, internal::Level_vectors<K>& to) {
+    for(std::size_t i = 0; i < from.size(); ++i)
+      to.data()[i] += from.data()[i];
+  }
+
+  template <int K>
+  void solve_coarsest(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+                      Workspace<K>& workspace) const {
+    const Eigen::Index size = static_cast<Eigen::Index>(m_coarse_scale.size());
+    workspace.coarse_b.resize(size, K);
+    x.set_zero(m_coarse_positions.number_of_positions);
+    const auto offset = [](Eigen::Index i, int c) {
+      return internal::Level_vectors<K>::offset(i) + internal::lanes_of_floats * c;
+    };
+    for(Eigen::Index i = 0; i < size; ++i)
+      for(int c = 0; c < K; ++c)
+        workspace.coarse_b(i, c) = b.data()[offset(i, c)] / m_coarse_scale[i];
+    m_coarse_inverse.apply<K>(workspace.coarse_b, workspace.coarse_x);
+    for(Eigen::Index i = 0; i < size; ++i)
+      for(int c = 0; c < K; ++c)
+        x.data()[offset(i, c)] = static_cast<float>(workspace.coarse_x(i, c) / m_coarse_scale[i]);
+  }
+
+  template <int K>
+  void run(std::size_t level, const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+           Cycle cycle, int steps, Workspace<K>& workspace) const {
+    if(level == 0) {
+      solve_coarsest<K>(b, x, workspace);
+      return;
+    }
+    const Smoother& smoother = this->smoother(level);
+    const Level& transfer = m_levels[level];
+    auto& r = workspace.levels[level].r;
+    auto& coarse = workspace.levels[level - 1];
+    smoother.template pre_smooth<K>(b, x, r, steps);
+    transfer.restriction.template multiply<K, false>(m_is_parallel, r, coarse.b);
+    run<K>(level - 1, coarse.b, coarse.x, cycle, steps, workspace);
+    transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
+    if(cycle == Cycle::W && level > 1) {
+      // The second visit corrects what the first one left.
+      internal::Level_vectors<K> left;
+      this->smoother(level - 1).template residual<K>(coarse.b, coarse.x, left);
+      run<K>(level - 1, left, coarse.x, cycle, steps, workspace);
+      transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
+    }
+    smoother.template post_smooth<K>(b, x, steps);
+  }
+
+  static constexpr std::size_t conversion_grain = 16384;
+
+  bool m_is_parallel;
+  Eigen::Index m_size;
+  std::vector<Level> m_levels;
   std::vector<Smoother> m_smoothers;
+  internal::Pseudo_inverse m_coarse_inverse;
+  internal::Level_positions m_coarse_positions;
+  std::vector<double> m_coarse_scale;
 };
 
 } // namespace Restricted_laplacian_3

@@ -21,10 +21,15 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// which smoother a `Poisson_solver` uses: `Patch_smoother` or `Gauss_seidel_smoother`
+enum class Smoother { patch, point };
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// What a `Poisson_solver` does unless told otherwise.
@@ -38,6 +43,10 @@ struct Poisson_solver_options {
   int smoothing_steps = 1;
   /// iterate cycles alone, instead of preconditioning conjugate gradients with them
   bool stand_alone_multigrid = false;
+  /// patches take twice the memory and setup of points, and a tenth of their iterations
+  Smoother smoother = Smoother::patch;
+  /// whether several threads are used; results do not depend on that
+  bool is_parallel = false;
 };
 
 namespace internal {
@@ -131,6 +140,9 @@ private:
 /// \f$A = S\f$ for the Poisson problem, \f$A = S + \alpha M\f$ for the screened one. It is set up
 /// once and then solves for any number of right-hand sides. Knows matrices only, no surface.
 ///
+/// *Precision.* The iteration is in double precision, the cycle in single precision. The iteration
+/// ends by the true residual, computed anew from the solution.
+///
 /// *Singular systems.* If \f$A\f$ annihilates the functions that are constant on a connected
 /// component (of the graph of the matrix), the system has a solution only for right-hand sides
 /// whose entries sum to 0 on the component. The load of a constant is subtracted from \f$b\f$ to
@@ -149,20 +161,34 @@ public:
   /// \param prolongations from each level to the next finer one, coarsest first
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param alpha the screening weight that `a` contains, if any
+  /// \param patches of each level but the coarsest, coarsest first, see `smoothing_patches()`; without
+  /// them, the smoother is point Gauss-Seidel
+  /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they are
+  /// computed as Galerkin products
   /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry
   /// of the matrix is not finite, or a diagonal entry negative beyond rounding
-  Poisson_solver(Sparse_matrix a, std::vector<Sparse_matrix> prolongations,
-                 Eigen::VectorXd element_integrals, double alpha = 0,
-                 const Options& options = Options())
-    : m_options(checked(a, element_integrals, options)), m_timer(started_timer()),
-      m_multigrid(std::move(a), std::move(prolongations)),
-      m_constants(m_multigrid.matrix(), reordered(element_integrals), alpha) {
-    m_setup_seconds = m_timer.time();
+  Poisson_solver(Sparse_matrix a, const std::vector<Sparse_matrix>& prolongations,
+                 const Eigen::VectorXd& element_integrals, double alpha = 0,
+                 const Options& options = Options(), std::vector<Smoothing_patches> patches = {},
+                 std::vector<Sparse_matrix> coarse_matrices = {})
+    : m_options(checked(a, element_integrals, options)), m_constants(a, element_integrals, alpha) {
+    CGAL::Real_timer timer;
+    timer.start();
+    m_matrix.swap(a); // a move would be a copy
+    if(patches.empty())
+      m_options.smoother = Smoother::point;
+    patches.resize(prolongations.size());
+    if(m_options.smoother == Smoother::patch)
+      m_multigrid.emplace<Patch_multigrid>(m_matrix, prolongations, patches, m_options.is_parallel,
+                                           std::move(coarse_matrices));
+    else
+      m_multigrid.emplace<Point_multigrid>(m_matrix, prolongations, patches, m_options.is_parallel,
+                                           std::move(coarse_matrices));
+    m_setup_seconds = timer.time();
   }
 
   const Options& options() const { return m_options; }
-  /// the hierarchy; it has a numbering of its own
-  const Multigrid<>& multigrid() const { return m_multigrid; }
+  const Sparse_matrix& matrix() const { return m_matrix; }
   /// number of connected components whose constants are in the kernel of the matrix
   int kernel_dimension() const { return m_constants.kernel_dimension(); }
   /// wall-clock seconds that the construction took
@@ -171,10 +197,19 @@ public:
   /// Solves for all columns of `b`; up to four at a time share each pass over the matrices.
   /// \param b right-hand sides, as many rows as the matrix: a vector, or a matrix of columns
   /// \param x on return the solutions, of the same shape; its old content is not used
+  /// \param relative_tolerance in place of that of the options
   /// \throws Parameter_error if the number of rows does not fit, or if an entry is not finite
   template <class RightHandSides, class Solutions>
   Solve_report solve(const Eigen::MatrixBase<RightHandSides>& b,
                      Eigen::PlainObjectBase<Solutions>& x) const {
+    return solve(b, x, m_options.relative_tolerance);
+  }
+
+  /// \overload
+  template <class RightHandSides, class Solutions>
+  Solve_report solve(const Eigen::MatrixBase<RightHandSides>& b,
+                     Eigen::PlainObjectBase<Solutions>& x, double relative_tolerance) const {
+    check_tolerance(relative_tolerance);
     if(b.rows() != matrix().rows())
       throw Parameter_error("b", "has " + std::to_string(b.rows()) + " rows, but the matrix has " +
                                      std::to_string(matrix().rows()));
@@ -188,22 +223,25 @@ public:
     x.derived().resize(b.rows(), b.cols());
     for(Eigen::Index column = 0; column < b.cols();) {
       // Two and three columns travel with empty ones: a pass over the matrices takes hardly longer.
-      column += b.cols() - column == 1 ? solve_block<1>(b, x, column, report)
-                                       : solve_block<4>(b, x, column, report);
+      column += std::visit(
+          [&](const auto& multigrid) {
+            return b.cols() - column == 1
+                       ? solve_block<1>(multigrid, relative_tolerance, b, x, column, report)
+                       : solve_block<4>(multigrid, relative_tolerance, b, x, column, report);
+          },
+          m_multigrid);
     }
     report.solve_seconds = timer.time();
     return report;
   }
 
 private:
-  const Sparse_matrix& matrix() const { return m_multigrid.matrix(); }
+  using Patch_multigrid = Multigrid<Patch_smoother>;
+  using Point_multigrid = Multigrid<Gauss_seidel_smoother>;
 
-  /// rows in the numbering of the hierarchy
-  template <class Rows> typename Rows::PlainObject reordered(const Rows& rows) const {
-    typename Rows::PlainObject result(rows.rows(), rows.cols());
-    for(Eigen::Index i = 0; i < rows.rows(); ++i)
-      result.row(i) = rows.row(m_multigrid.order()[i]);
-    return result;
+  static void check_tolerance(double tolerance) {
+    if(!(tolerance > 0 && tolerance < 1))
+      throw Parameter_error("relative_tolerance", "must be between 0 and 1");
   }
 
   static Options checked(const Sparse_matrix& a, const Eigen::VectorXd& integrals,
@@ -211,8 +249,7 @@ private:
     if(integrals.size() != a.cols())
       throw Parameter_error("element_integrals", "does not fit the size of the matrix");
     check_entries(a);
-    if(!(options.relative_tolerance > 0 && options.relative_tolerance < 1))
-      throw Parameter_error("relative_tolerance", "must be between 0 and 1");
+    check_tolerance(options.relative_tolerance);
     if(options.maximum_iterations < 0)
       throw Parameter_error("number_of_iterations", "must not be negative");
     if(options.smoothing_steps < 1)
@@ -234,22 +271,16 @@ private:
       throw Parameter_error("a", "has an entry that is not a finite number");
   }
 
-  static CGAL::Real_timer started_timer() {
-    CGAL::Real_timer timer;
-    timer.start();
-    return timer;
-  }
-
-  template <int K, class RightHandSides, class Solutions>
-  Eigen::Index solve_block(const Eigen::MatrixBase<RightHandSides>& b_all,
+  template <int K, class Hierarchy, class RightHandSides, class Solutions>
+  Eigen::Index solve_block(const Hierarchy& multigrid, double relative_tolerance,
+                           const Eigen::MatrixBase<RightHandSides>& b_all,
                            Eigen::PlainObjectBase<Solutions>& x_all, Eigen::Index column,
                            Solve_report& report) const {
     using Block = internal::Block_vector<K>;
     using Row = internal::Block_row<K>;
     const Eigen::Index count = (std::min)(b_all.cols() - column, Eigen::Index(K));
     Block load = Block::Zero(b_all.rows(), K), b, x, r;
-    for(Eigen::Index i = 0; i < load.rows(); ++i)
-      load.row(i).head(count) = b_all.row(m_multigrid.order()[i]).segment(column, count);
+    load.leftCols(count) = b_all.middleCols(column, count);
     // Squares of very small or large loads would leave the range of numbers.
     const Row scale = load.cwiseAbs().colwise().maxCoeff().array().unaryExpr(
         [](double largest) { return largest > 0 ? largest : 1.; });
@@ -260,19 +291,20 @@ private:
     // What the projection leaves of the load of a constant is rounding error.
     norm = (norm > projection_tolerance * internal::dot<K>(load, load).sqrt()).select(norm, 0.);
     b = b * (norm > 0).select(Row::Ones(), Row::Zero()).matrix().asDiagonal();
-    const Row target = m_options.relative_tolerance * norm;
+    const Row target = relative_tolerance * norm;
 
-    Multigrid<>::Workspace<K> workspace;
+    typename Hierarchy::template Workspace<K> workspace;
     const auto multiply = [this](const Block& p, Block& q) {
-      internal::multiply<K>(matrix(), p, q);
+      internal::multiply<K>(m_matrix, p, q, m_options.is_parallel);
     };
     const auto precondition = [&](const Block& p, Block& q) {
-      m_multigrid.apply<K>(p, q, m_options.cycle, m_options.smoothing_steps, workspace);
+      multigrid.template apply<K>(p, q, m_options.cycle, m_options.smoothing_steps, workspace);
     };
     const auto project = [this](Block& p) { m_constants.project_load<K>(p); };
 
-    m_multigrid.nested_iteration<K>(b, x, m_options.cycle, m_options.smoothing_steps, workspace);
-    internal::residual<K>(matrix(), b, x, r);
+    multigrid.template nested_iteration<K>(b, x, m_options.cycle, m_options.smoothing_steps,
+                                           workspace);
+    internal::residual<K>(m_matrix, b, x, r, m_options.is_parallel);
     project(r);
 
     // The recursively updated residual drifts away from the true one. Start again from the true one
@@ -286,7 +318,7 @@ private:
       else
         internal::conjugate_gradient<K>(multiply, precondition, project, r, x, target, iterations,
                                         m_options.maximum_iterations);
-      internal::residual<K>(matrix(), b, x, r);
+      internal::residual<K>(m_matrix, b, x, r, m_options.is_parallel);
       project(r);
       const Row next = internal::dot<K>(r, r).sqrt();
       const bool improved = (next.max(target) < residual.max(target) * restart_gain).any();
@@ -297,14 +329,13 @@ private:
 
     m_constants.shift_solution<K>(load, x);
     x = x * scale.matrix().asDiagonal();
-    for(Eigen::Index i = 0; i < x.rows(); ++i)
-      x_all.row(m_multigrid.order()[i]).segment(column, count) = x.row(i).head(count);
+    x_all.middleCols(column, count) = x.leftCols(count);
     report.iterations = (std::max)(report.iterations, iterations);
     for(Eigen::Index k = 0; k < count; ++k) {
       const double relative = norm[k] > 0 ? residual[k] / norm[k] : 0;
       report.relative_residuals.push_back(relative);
       report.relative_residual = (std::max)(report.relative_residual, relative);
-      report.converged = report.converged && relative <= m_options.relative_tolerance;
+      report.converged = report.converged && relative <= relative_tolerance;
     }
     return count;
   }
@@ -315,9 +346,9 @@ private:
   static constexpr double projection_tolerance = 1e-13;
 
   Options m_options;
-  CGAL::Real_timer m_timer;
-  Multigrid<> m_multigrid;
   internal::Constants m_constants;
+  Sparse_matrix m_matrix;
+  std::variant<Patch_multigrid, Point_multigrid> m_multigrid;
   double m_setup_seconds;
 };
 

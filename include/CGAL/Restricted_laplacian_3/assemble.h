@@ -137,6 +137,43 @@ inline Operators assemble_operators(const Spline_space_3& space) {
 
 namespace internal {
 
+/// The matrices \f$S + \alpha M\f$ of the levels `coarsest` ..\ depth, coarsest first, and the
+/// integrals of the elements of the finest level.
+struct System_matrices {
+  std::vector<Sparse_matrix> matrices;
+  Eigen::VectorXd integrals;
+};
+
+/// In one pass over the surface; no mass matrices are formed if \f$\alpha = 0\f$.
+template <class SurfaceIntegration>
+System_matrices assemble_system(const Spline_space_3& space, int coarsest,
+                                const SurfaceIntegration& integration, double alpha,
+                                double normal_stabilization) {
+  checked_normal_stabilization(normal_stabilization);
+  const std::size_t number_of_levels = static_cast<std::size_t>(space.depth() - coarsest) + 1;
+  System_matrices result;
+  result.integrals = Eigen::VectorXd::Zero(space.dimension());
+  result.matrices.resize(number_of_levels);
+  std::vector<Sparse_matrix> mass(alpha != 0 ? number_of_levels : 0);
+  std::vector<Assembly_targets> targets(space.depth() + 1);
+  for(std::size_t i = 0; i < number_of_levels; ++i) {
+    const int level = coarsest + static_cast<int>(i);
+    Element_matrix_pattern(space, level).zero_matrix().swap(result.matrices[i]);
+    targets[level].stiffness = &result.matrices[i];
+    if(alpha != 0) {
+      mass[i] = result.matrices[i];
+      targets[level].mass = &mass[i];
+    }
+  }
+  targets[space.depth()].element_integrals = &result.integrals;
+  Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization,
+                                        std::move(targets));
+  // The patterns are the same, so values can be added without a merge.
+  for(std::size_t i = 0; i < mass.size(); ++i)
+    result.matrices[i].coeffs() += alpha * mass[i].coeffs();
+  return result;
+}
+
 /// A stiffness matrix and \f$ \int_{\mathcal M} b_i \f$.
 struct Stiffness_and_integrals {
   Sparse_matrix stiffness;

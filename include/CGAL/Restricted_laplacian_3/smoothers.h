@@ -4,94 +4,496 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SMOOTHERS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SMOOTHERS_H
 
-#include <CGAL/Restricted_laplacian_3/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/internal/Block_matrix.h>
+#include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
+#include <CGAL/Restricted_laplacian_3/internal/block_kernels.h>
+#include <CGAL/Restricted_laplacian_3/internal/level_vectors.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/internal/renumbering.h>
 
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// Point Gauss-Seidel, in the order of the unknowns before the coarse correction and in reverse
-/// after it, which makes a cycle a symmetric operator. The matrix is symmetric. A row whose
-/// diagonal entry is not positive is left out: its unknown stays 0.
+/// Sets of unknowns of one level that are relaxed together, in the order in which this is done.
 ///
-/// One sweep takes one pass over the matrix; the first one, which starts from 0, and the residual
-/// after it take half a pass each: after the update of unknown \f$j\f$ its equation holds, with 0
-/// for all later unknowns, so the residual is \f$ r_j = -\sum_{i > j} A_{ji} x_i \f$.
+/// Patches that follow each other form a *group*, groups that follow each other a *color*. No
+/// unknown of a patch is coupled with one of a patch in another group of the same color, so groups
+/// of a color can be relaxed at the same time, with the same result.
+struct Smoothing_patches {
+  /// the unknowns of each patch
+  internal::Number_lists unknowns;
+  std::size_t number_of_patches = 0;
+  /// first patch of each group, and one more
+  std::vector<std::uint32_t> groups = {0};
+  /// first group of each color, and one more
+  std::vector<std::uint32_t> colors = {0};
+  /// For each unknown the number of a neighborhood, ascending where the unknowns are renumbered for
+  /// good locality: unknowns of a neighborhood are stored together. It has no influence on results
+  /// beyond rounding. May be empty.
+  std::vector<std::uint64_t> neighborhoods;
+};
+
+namespace internal {
+
+/// Powers of two \f$d_i\f$ with \f$1/2 \le d_i^2 A_{ii} \le 2\f$; 1 where the diagonal entry is not
+/// positive. \f$D A D\f$ fits into single precision, also where elements hardly reach the surface.
+inline std::vector<double> balancing_scale(const Eigen::SparseMatrix<double>& a) {
+  const Eigen::VectorXd diagonal = a.diagonal();
+  const double largest = diagonal.size() > 0 ? diagonal.maxCoeff() : 0;
+  std::vector<double> scale(diagonal.size(), 1.);
+  for(Eigen::Index i = 0; i < diagonal.size(); ++i)
+    // What is smaller than this has no significant digit left beside the large entries.
+    if(diagonal[i] > 1e-30 * largest)
+      scale[i] = std::ldexp(1., -static_cast<int>(std::lround(std::log2(diagonal[i]) / 2)));
+  return scale;
+}
+
+/// calls `relax(group)` for the groups of all colors, in order or in reverse
+template <class Relax>
+void for_each_group(bool is_parallel, const std::vector<std::uint32_t>& colors, bool is_reversed,
+                    Relax&& relax) {
+  const std::size_t number_of_colors = colors.size() - 1;
+  for(std::size_t i = 0; i < number_of_colors; ++i) {
+    const std::size_t color = is_reversed ? number_of_colors - 1 - i : i;
+    parallel_for(is_parallel, colors[color], colors[color + 1], 1,
+                 [&](std::size_t group, std::size_t) { relax(group); });
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Point Gauss-Seidel, in single precision. Unknowns are relaxed group by group (see
+/// `Smoothing_patches`), and in a group by decreasing octave of the diagonal entry, see
+/// `internal::order_by_octave_of_diagonal()`; in reverse after the coarse correction, which makes a
+/// cycle a symmetric operator. A row whose diagonal entry is not positive is left out: its unknown
+/// stays 0.
+///
+/// One sweep takes one pass over the matrix.
 ///
 /// \cgalModels `MultigridSmoother_3`
 class Gauss_seidel_smoother {
 public:
-  explicit Gauss_seidel_smoother(const Eigen::SparseMatrix<double>& a)
-    : m_inverse_diagonal(a.cols(), 0.), m_diagonal_position(a.cols()) {
-    const int *outer = a.outerIndexPtr(), *inner = a.innerIndexPtr();
-    for(int j = 0; j < a.cols(); ++j) {
-      const int position =
-          static_cast<int>(std::lower_bound(inner + outer[j], inner + outer[j + 1], j) - inner);
-      m_diagonal_position[j] = position;
-      if(position < outer[j + 1] && inner[position] == j && a.valuePtr()[position] > 0)
-        m_inverse_diagonal[j] = 1 / a.valuePtr()[position];
+  Gauss_seidel_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
+                        bool is_parallel = false)
+    : m_is_parallel(is_parallel), m_scale(internal::balancing_scale(a)), m_colors(patches.colors) {
+    const std::size_t n = static_cast<std::size_t>(a.cols());
+    const std::vector<int> by_octave = internal::order_by_octave_of_diagonal(a);
+    const std::vector<int> rank = internal::ranks(by_octave);
+    // Each unknown belongs to the first group that has it, the others to one more group at the end.
+    std::vector<char> is_placed(n, 0);
+    std::vector<int> order;
+    order.reserve(n);
+    m_groups.push_back(0);
+    for(std::size_t group = 0; group + 1 < patches.groups.size(); ++group) {
+      for(std::uint32_t p = patches.groups[group]; p < patches.groups[group + 1]; ++p)
+        for(std::uint32_t i : patches.unknowns[p])
+          if(!is_placed[i]) {
+            is_placed[i] = 1;
+            order.push_back(static_cast<int>(i));
+          }
+      std::sort(order.begin() + m_groups.back(), order.end(),
+                [&rank](int i, int j) { return rank[i] < rank[j]; });
+      m_groups.push_back(static_cast<std::uint32_t>(order.size()));
+    }
+    if(order.size() < n) {
+      for(int i : by_octave)
+        if(!is_placed[i])
+          order.push_back(i);
+      m_groups.push_back(static_cast<std::uint32_t>(n));
+      m_colors.push_back(static_cast<std::uint32_t>(m_groups.size() - 1));
+    }
+    m_positions.of_unknown.resize(n);
+    for(std::size_t i = 0; i < n; ++i)
+      m_positions.of_unknown[order[i]] = static_cast<std::uint32_t>(i);
+    m_positions.number_of_positions =
+        (n + internal::lanes_of_floats - 1) / internal::lanes_of_floats * internal::lanes_of_floats;
+    m_matrix = internal::Row_matrix(a, m_positions, m_scale, m_positions, m_scale);
+    m_inverse_diagonal.assign(n, 0.f);
+    for(std::size_t i = 0; i < n; ++i) {
+      const double diagonal = a.coeff(order[i], order[i]) * m_scale[order[i]] * m_scale[order[i]];
+      if(diagonal > std::numeric_limits<float>::epsilon())
+        m_inverse_diagonal[i] = static_cast<float>(1 / diagonal);
     }
   }
+
+  /// where unknowns are in the vectors of this level
+  const internal::Level_positions& positions() const { return m_positions; }
+  /// the vectors of this level belong to \f$D A D\f$ with this diagonal matrix
+  const std::vector<double>& scale() const { return m_scale; }
 
   /// starts from \f$x = 0\f$; on return \f$r = b - A x\f$
   template <int K>
-  void pre_smooth(const Eigen::SparseMatrix<double>& a, const internal::Block_vector<K>& b,
-                  internal::Block_vector<K>& x, internal::Block_vector<K>& r, int steps) const {
-    const int n = static_cast<int>(a.cols());
-    const int* outer = a.outerIndexPtr();
-    x.setZero(n, K);
-    if(steps == 0) {
-      r = b;
-      return;
-    }
-    for(int j = 0; j < n; ++j) {
-      internal::Block_row<K> sum = internal::row<K>(b, j);
-      internal::subtract_entries<K>(a, outer[j], m_diagonal_position[j], x, sum);
-      internal::row<K>(x, j) = sum * m_inverse_diagonal[j];
-    }
-    if(steps == 1) {
-      r.resize(n, K);
-      for(int j = 0; j < n; ++j) {
-        internal::Block_row<K> sum = internal::Block_row<K>::Zero();
-        if(m_inverse_diagonal[j] == 0) {
-          sum = internal::row<K>(b, j);
-          internal::subtract_entries<K>(a, outer[j], outer[j + 1], x, sum);
-        } else
-          internal::subtract_entries<K>(a, m_diagonal_position[j] + 1, outer[j + 1], x, sum);
-        internal::row<K>(r, j) = sum;
-      }
-      return;
-    }
-    for(int step = 1; step < steps; ++step)
-      for(int j = 0; j < n; ++j)
-        update<K>(a, b, x, j);
-    internal::residual<K>(a, b, x, r);
+  void pre_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+                  internal::Level_vectors<K>& r, int steps) const {
+    x.set_zero(m_positions.number_of_positions);
+    for(int step = 0; step < steps; ++step)
+      sweep<K>(b, x, false);
+    residual<K>(b, x, r);
   }
 
   template <int K>
-  void post_smooth(const Eigen::SparseMatrix<double>& a, const internal::Block_vector<K>& b,
-                   internal::Block_vector<K>& x, int steps) const {
+  void post_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+                   int steps) const {
     for(int step = 0; step < steps; ++step)
-      for(int j = static_cast<int>(a.cols()) - 1; j >= 0; --j)
-        update<K>(a, b, x, j);
+      sweep<K>(b, x, true);
+  }
+
+  /// \f$r = b - A x\f$
+  template <int K>
+  void residual(const internal::Level_vectors<K>& b, const internal::Level_vectors<K>& x,
+                internal::Level_vectors<K>& r) const {
+    m_matrix.template multiply<K, false>(m_is_parallel, x, r);
+    for(std::size_t i = 0; i < r.size(); ++i)
+      r.data()[i] = b.data()[i] - r.data()[i];
   }
 
 private:
   template <int K>
-  void update(const Eigen::SparseMatrix<double>& a, const internal::Block_vector<K>& b,
-              internal::Block_vector<K>& x, int j) const {
-    internal::Block_row<K> sum = internal::row<K>(b, j);
-    internal::subtract_entries<K>(a, a.outerIndexPtr()[j], a.outerIndexPtr()[j + 1], x, sum);
-    internal::row<K>(x, j) += sum * m_inverse_diagonal[j];
+  void sweep(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+             bool is_reversed) const {
+    internal::for_each_group(m_is_parallel, m_colors, is_reversed, [&](std::size_t group) {
+      const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
+      for(std::uint32_t k = 0; k < end - begin; ++k) {
+        const std::size_t i = is_reversed ? end - 1 - k : begin + k;
+        const std::size_t offset = internal::Level_vectors<K>::offset(i);
+        const std::array<float, K> product = m_matrix.template row_product<K>(i, x);
+        for(int c = 0; c < K; ++c)
+          x.data()[offset + internal::lanes_of_floats * c] +=
+              (b.data()[offset + internal::lanes_of_floats * c] - product[c]) *
+              m_inverse_diagonal[i];
+      }
+    });
   }
 
-  std::vector<double> m_inverse_diagonal;
-  std::vector<int> m_diagonal_position;
+  bool m_is_parallel;
+  std::vector<double> m_scale;
+  internal::Level_positions m_positions;
+  std::vector<std::uint32_t> m_groups, m_colors;
+  internal::Row_matrix m_matrix;
+  std::vector<float> m_inverse_diagonal;
+};
+
+namespace internal {
+
+/// Inverts the symmetric positive semi-definite matrix `a` of `size` rows, stored with `stride`
+/// numbers a row, in its upper triangle, by Gauss-Jordan elimination without exchanges, which keeps
+/// it symmetric (Beaton's sweep operator). A pivot that is at most `cutoff` belongs to an unknown that
+/// nearly depends on those before it: its row and column become 0, and the result is the inverse of
+/// the rest, so it is positive semi-definite for any matrix. Takes `size`\f${}^3 / 2\f$
+/// multiplications.
+/// \param column as long as a row
+inline void invert_by_sweeps(double* a, int size, int stride, double cutoff, double* column) {
+  const auto entry = [a, stride](int i, int j) -> double& {
+    return a[static_cast<std::size_t>(stride) * (std::min)(i, j) + (std::max)(i, j)];
+  };
+  std::fill(column, column + stride, 0.);
+  // The result is minus the inverse.
+  for(int k = 0; k < size; ++k) {
+    const double pivot = entry(k, k);
+    const bool is_dependent = !(pivot > cutoff);
+    const double inverse = is_dependent ? 0 : 1 / pivot;
+    for(int i = 0; i < size; ++i) {
+      column[i] = is_dependent || i == k ? 0 : entry(i, k);
+      entry(i, k) = 0;
+    }
+    if(is_dependent)
+      continue;
+    subtract_outer_product(column, inverse, a, size, stride);
+    for(int i = 0; i < size; ++i)
+      entry(i, k) = column[i] * inverse;
+    entry(k, k) = -inverse;
+  }
+  for(int i = 0; i < size; ++i)
+    for(int j = i; j < size; ++j)
+      entry(i, j) = -entry(i, j);
+}
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// Overlapping multiplicative Schwarz: the unknowns of each patch in turn are set to the solution of
+/// their equations, the others fixed; in reverse order after the coarse correction, which makes a
+/// cycle a symmetric operator.
+///
+/// Restricted splines are nearly dependent, which is why point Gauss-Seidel stalls; but a
+/// combination that nearly vanishes on the surface does so on a few cells, and a patch that contains
+/// its elements removes it at once. The usual patches are those of `smoothing_patches()`.
+///
+/// In single precision, with the inverses of the blocks stored: about 800 bytes an unknown for the
+/// matrix and as many for the inverses.
+///
+/// \cgalModels `MultigridSmoother_3`
+class Patch_smoother {
+public:
+  /// pivots of a block with unit diagonal below this are taken for 0: rounding errors of single
+  /// precision, times the size of a block
+  static constexpr double relative_cutoff = 4e-6;
+
+  Patch_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
+                 bool is_parallel = false)
+    : m_is_parallel(is_parallel), m_scale(internal::balancing_scale(a)), m_groups(patches.groups),
+      m_colors(patches.colors) {
+    find_clusters(static_cast<std::size_t>(a.cols()), patches);
+    find_parts(patches);
+    m_matrix = internal::Block_matrix(is_parallel, a, m_positions, m_scale);
+    invert_blocks();
+  }
+
+  /// where unknowns are in the vectors of this level
+  const internal::Level_positions& positions() const { return m_positions; }
+  /// the vectors of this level belong to \f$D A D\f$ with this diagonal matrix
+  const std::vector<double>& scale() const { return m_scale; }
+
+  /// starts from \f$x = 0\f$; on return \f$r = b - A x\f$
+  template <int K>
+  void pre_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+                  internal::Level_vectors<K>& r, int steps) const {
+    x.set_zero(m_positions.number_of_positions);
+    for(int step = 0; step < steps; ++step)
+      sweep<K>(b, x, false);
+    residual<K>(b, x, r);
+  }
+
+  template <int K>
+  void post_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+                   int steps) const {
+    for(int step = 0; step < steps; ++step)
+      sweep<K>(b, x, true);
+  }
+
+  /// \f$r = b - A x\f$
+  template <int K>
+  void residual(const internal::Level_vectors<K>& b, const internal::Level_vectors<K>& x,
+                internal::Level_vectors<K>& r) const {
+    m_matrix.template residual<K>(m_is_parallel, b, x, r);
+  }
+
+private:
+  struct Patch {
+    std::uint32_t first_part;
+    std::uint32_t size;  // number of unknowns
+    std::size_t inverse; // place in m_inverses
+  };
+
+  /// what a patch has of a cluster
+  struct Part {
+    std::uint32_t cluster;
+    std::uint32_t mask;
+  };
+
+  static int rounded_up(int size, int multiple) {
+    return (size + multiple - 1) / multiple * multiple;
+  }
+
+  /// Unknowns of a neighborhood go into the same cluster, those of one patch first if they are more
+  /// than eight.
+  void find_clusters(std::size_t n, const Smoothing_patches& patches) {
+    constexpr std::size_t lanes = internal::lanes_of_floats;
+    std::vector<std::uint32_t> last_patch(n, 0);
+    for(std::size_t p = 0; p < patches.number_of_patches; ++p)
+      for(std::uint32_t i : patches.unknowns[p])
+        last_patch[i] = static_cast<std::uint32_t>(p);
+    struct Place {
+      std::uint64_t neighborhood;
+      std::uint32_t patch, unknown;
+    };
+    std::vector<Place> places(n);
+    for(std::size_t i = 0; i < n; ++i)
+      places[i] = {patches.neighborhoods.empty() ? 0 : patches.neighborhoods[i],
+                   patches.neighborhoods.empty() ? 0 : last_patch[i],
+                   static_cast<std::uint32_t>(i)};
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return std::tie(a.neighborhood, a.patch, a.unknown) <
+             std::tie(b.neighborhood, b.patch, b.unknown);
+    });
+
+    m_positions.of_unknown.resize(n);
+    std::size_t position = 0;
+    for(std::size_t begin = 0, end = 0; begin < n; begin = end) {
+      while(end < n && places[end].neighborhood == places[begin].neighborhood &&
+            places[end].patch == places[begin].patch)
+        ++end;
+      const bool is_new = begin > 0 && places[begin].neighborhood != places[begin - 1].neighborhood;
+      const std::size_t left = (lanes - position % lanes) % lanes;
+      if(is_new || end - begin > left)
+        position += left;
+      for(std::size_t i = begin; i < end; ++i)
+        m_positions.of_unknown[places[i].unknown] = static_cast<std::uint32_t>(position++);
+    }
+    m_positions.number_of_positions = (position + lanes - 1) / lanes * lanes;
+  }
+
+  /// the clusters of each patch, and which of their unknowns belong to it
+  void find_parts(const Smoothing_patches& patches) {
+    m_patches.reserve(patches.number_of_patches + 1);
+    std::size_t inverse = 0;
+    std::vector<std::uint32_t> sorted;
+    for(std::size_t p = 0; p < patches.number_of_patches; ++p) {
+      const int size = static_cast<int>(patches.unknowns[p].size());
+      m_patches.push_back(
+          {static_cast<std::uint32_t>(m_parts.size()), static_cast<std::uint32_t>(size), inverse});
+      sorted.clear();
+      for(std::uint32_t i : patches.unknowns[p])
+        sorted.push_back(m_positions.of_unknown[i]);
+      std::sort(sorted.begin(), sorted.end());
+      for(std::uint32_t position : sorted) {
+        const std::uint32_t cluster = position / internal::lanes_of_floats;
+        if(m_parts.size() == m_patches.back().first_part || m_parts.back().cluster != cluster)
+          m_parts.push_back({cluster, 0});
+        m_parts.back().mask |= 1u << position % internal::lanes_of_floats;
+      }
+      m_largest_size = (std::max)(m_largest_size, size);
+      inverse += static_cast<std::size_t>(size) * rounded_up(size, 8);
+    }
+    m_patches.push_back({static_cast<std::uint32_t>(m_parts.size()), 0, inverse});
+    m_inverses.resize(inverse);
+  }
+
+  struct Local_numbers {
+    std::vector<std::uint32_t> part; // of a cluster
+    std::vector<int> offsets;        // of parts
+  };
+
+  void invert_blocks() {
+    constexpr std::size_t grain = 256;
+    internal::parallel_for(
+        m_is_parallel, 0, m_patches.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
+          std::vector<double> block, column;
+          Local_numbers local;
+          local.part.assign(m_positions.number_of_clusters(), no_number);
+          for(std::size_t p = begin; p < end; ++p) {
+            const Patch& patch = m_patches[p];
+            const int size = static_cast<int>(patch.size), stride = rounded_up(size, 8);
+            extract(p, stride, local, block);
+            column.resize(stride);
+            internal::invert_by_sweeps(block.data(), size, stride, relative_cutoff, column.data());
+            float* inverse = m_inverses.data() + patch.inverse;
+            for(int j = 0; j < size; ++j) {
+              for(int i = 0; i <= j; ++i)
+                inverse[static_cast<std::size_t>(stride) * j + i] =
+                    inverse[static_cast<std::size_t>(stride) * i + j] =
+                        static_cast<float>(block[static_cast<std::size_t>(stride) * i + j]);
+              for(int i = size; i < stride; ++i)
+                inverse[static_cast<std::size_t>(stride) * j + i] = 0;
+            }
+          }
+        });
+  }
+
+  /// the dense block of a patch
+  void extract(std::size_t p, int stride, Local_numbers& local, std::vector<double>& block) const {
+    const Patch& patch = m_patches[p];
+    const std::uint32_t first = patch.first_part, last = m_patches[p + 1].first_part;
+    block.assign(static_cast<std::size_t>(stride) * patch.size, 0.);
+    // number of the first unknown of each part in the block
+    std::vector<int>& offsets = local.offsets;
+    offsets.assign(1, 0);
+    for(std::uint32_t k = first; k < last; ++k) {
+      local.part[m_parts[k].cluster] = k - first;
+      int size = offsets.back();
+      for(std::uint32_t mask = m_parts[k].mask; mask != 0; mask &= mask - 1)
+        ++size;
+      offsets.push_back(size);
+    }
+    for(std::uint32_t k = first; k < last; ++k) {
+      const auto [begin, end] = m_matrix.row(m_parts[k].cluster);
+      for(std::size_t b = begin; b < end; ++b) {
+        const std::uint32_t other = local.part[m_matrix.column(b)];
+        if(other == no_number)
+          continue;
+        const float* values = m_matrix.values(b);
+        int j = offsets[other];
+        for(int column = 0; column < internal::lanes_of_floats; ++column) {
+          if(!(m_parts[first + other].mask >> column & 1))
+            continue;
+          int i = offsets[k - first];
+          for(int row = 0; row < internal::lanes_of_floats; ++row)
+            if(m_parts[k].mask >> row & 1)
+              block[static_cast<std::size_t>(stride) * i++ + j] =
+                  values[row + internal::lanes_of_floats * column];
+          ++j;
+        }
+      }
+    }
+    for(std::uint32_t k = first; k < last; ++k)
+      local.part[m_parts[k].cluster] = no_number;
+  }
+
+  template <int K>
+  void sweep(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+             bool is_reversed) const {
+    internal::for_each_group(m_is_parallel, m_colors, is_reversed, [&](std::size_t group) {
+      const std::size_t stride = static_cast<std::size_t>(rounded_up(m_largest_size, 8));
+      internal::Aligned_floats residuals(K * stride), update(K * stride);
+      const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
+      for(std::uint32_t k = 0; k < end - begin; ++k)
+        relax<K>(is_reversed ? end - 1 - k : begin + k, b, x, residuals.data(), update.data(),
+                 stride);
+    });
+  }
+
+  /// \param residuals,update room for `K` vectors of `stride` numbers
+  template <int K>
+  void relax(std::size_t p, const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+             float* residuals, float* update, std::size_t stride) const {
+    const Patch& patch = m_patches[p];
+    const std::uint32_t first = patch.first_part, last = m_patches[p + 1].first_part;
+    // residuals of the unknowns, one after the other
+    int place = 0;
+    for(std::uint32_t k = first; k < last; ++k) {
+      const Part part = m_parts[k];
+      float sum[internal::lanes_of_floats * K];
+      std::copy(b.cluster(part.cluster), b.cluster(part.cluster) + internal::lanes_of_floats * K,
+                sum);
+      m_matrix.template subtract_row<K>(part.cluster, x, sum);
+      for(int lane = 0; lane < internal::lanes_of_floats; ++lane)
+        if(part.mask >> lane & 1) {
+          for(int c = 0; c < K; ++c)
+            residuals[stride * c + place] = sum[internal::lanes_of_floats * c + lane];
+          ++place;
+        }
+    }
+    const int size = static_cast<int>(patch.size), rows = rounded_up(size, 8);
+    for(int c = 0; c < K; ++c)
+      internal::multiply_dense(m_inverses.data() + patch.inverse, size, rows,
+                               residuals + stride * c, update + stride * c);
+    place = 0;
+    for(std::uint32_t k = first; k < last; ++k) {
+      float* values = x.cluster(m_parts[k].cluster);
+      for(int lane = 0; lane < internal::lanes_of_floats; ++lane)
+        if(m_parts[k].mask >> lane & 1) {
+          for(int c = 0; c < K; ++c)
+            values[internal::lanes_of_floats * c + lane] += update[stride * c + place];
+          ++place;
+        }
+    }
+  }
+
+  static constexpr std::uint32_t no_number = (std::numeric_limits<std::uint32_t>::max)();
+
+  bool m_is_parallel;
+  std::vector<double> m_scale;
+  internal::Level_positions m_positions;
+  internal::Block_matrix m_matrix;
+  std::vector<std::uint32_t> m_groups, m_colors;
+  std::vector<Patch> m_patches; // and one more
+  std::vector<Part> m_parts;
+  internal::Aligned_floats m_inverses;
+  int m_largest_size = 0;
 };
 
 } // namespace Restricted_laplacian_3

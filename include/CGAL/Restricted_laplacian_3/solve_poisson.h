@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
 #include <CGAL/Restricted_laplacian_3/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/smoothing_patches.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -29,6 +30,15 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The factor \f$c\f$ of the stabilisation, see `assemble_operators()`, that the functions for
+/// Poisson problems use unless told otherwise: 1e-3, and 0 in the space of the paper. The number of
+/// iterations does not depend on the depth of the octree then, while the error of the solution is
+/// at most twice that without stabilisation.
+inline double default_normal_stabilization(const Spline_space_3& space) {
+  return space.is_paper_space() ? 0 : 1e-3;
+}
+
 namespace internal {
 
 template <class NamedParameters>
@@ -45,7 +55,17 @@ Poisson_solver_options poisson_solver_options(const NamedParameters& np) {
       choose_parameter(get_parameter(np, internal_np::smoothing_steps), options.smoothing_steps);
   options.stand_alone_multigrid = choose_parameter(
       get_parameter(np, internal_np::stand_alone_multigrid), options.stand_alone_multigrid);
+  options.smoother = choose_parameter(get_parameter(np, internal_np::smoother), options.smoother);
+  options.is_parallel = is_parallel(np);
   return options;
+}
+
+/// the value of `normal_stabilization`, by default that of the space
+template <class NamedParameters>
+double normal_stabilization(const Spline_space_3& space, const NamedParameters& np) {
+  return checked_normal_stabilization(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::normal_stabilization),
+                                   default_normal_stabilization(space)));
 }
 
 /// The coarsest level of a hierarchy: the finest one whose dense factorization takes no time that
@@ -65,6 +85,40 @@ inline Eigen::VectorXd element_integrals(const Spline_space_3& space, const Oper
   return space.is_paper_space()
              ? assemble_element_integrals(space)
              : Eigen::VectorXd(operators.mass * Eigen::VectorXd::Ones(operators.mass.cols()));
+}
+
+inline void check_alpha(double alpha) {
+  if(!(alpha >= 0 && std::isfinite(alpha)))
+    throw Parameter_error("alpha", "is " + std::to_string(alpha) +
+                                       ", but must be a finite number that is not negative");
+}
+
+/// \param coarse_matrices of the levels above the coarsest one of the hierarchy; may be empty
+inline Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix a,
+                                     std::vector<Sparse_matrix> coarse_matrices,
+                                     const Eigen::VectorXd& integrals, double alpha,
+                                     const Poisson_solver_options& options) {
+  const int coarsest = coarsest_multigrid_level(space);
+  return Poisson_solver(std::move(a), prolongation_matrices(space, coarsest), integrals, alpha,
+                        options, smoothing_patches_of_levels(space, coarsest),
+                        std::move(coarse_matrices));
+}
+
+/// with the matrices of all levels from one pass over the surface
+template <class SurfaceIntegration>
+Poisson_solver poisson_solver(const Spline_space_3& space, const SurfaceIntegration& integration,
+                              double alpha, double normal_stabilization,
+                              const Poisson_solver_options& options) {
+  // Coarse matrices of the space of the paper are not the Galerkin products: those are computed.
+  const int coarsest = space.is_paper_space() ? space.depth() : coarsest_multigrid_level(space);
+  System_matrices system = assemble_system(space, coarsest, integration, alpha, normal_stabilization);
+  if(space.is_paper_space())
+    system.integrals = assemble_element_integrals(space);
+  Sparse_matrix finest;
+  finest.swap(system.matrices.back());
+  system.matrices.pop_back();
+  return poisson_solver(space, std::move(finest), std::move(system.matrices), system.integrals,
+                        alpha, options);
 }
 
 /// A mesh as the source of a surface: `Vertex` is the key of property maps of its vertices.
@@ -181,15 +235,40 @@ template <class Alpha> void check_screening_weight(const Alpha& alpha) {
 /// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
 /// \throws Parameter_error if a parameter is outside its domain
 inline Poisson_solver
-make_poisson_solver(const Spline_space_3& space, Sparse_matrix a, Eigen::VectorXd element_integrals,
-                    double alpha = 0,
+make_poisson_solver(const Spline_space_3& space, Sparse_matrix a,
+                    const Eigen::VectorXd& element_integrals, double alpha = 0,
                     const Poisson_solver_options& options = Poisson_solver_options()) {
-  if(!(alpha >= 0 && std::isfinite(alpha)))
-    throw Parameter_error("alpha", "is " + std::to_string(alpha) +
-                                       ", but must be a finite number that is not negative");
-  return Poisson_solver(std::move(a),
-                        prolongation_matrices(space, internal::coarsest_multigrid_level(space)),
-                        std::move(element_integrals), alpha, options);
+  internal::check_alpha(alpha);
+  return internal::poisson_solver(space, std::move(a), {}, element_integrals, alpha, options);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, which assembles the
+/// matrices of all levels in one pass over the surface.
+/// \param alpha screening weight, at least 0, in units of 1 / area
+/// \param np optional named parameters: those of the overload that takes `Operators`, and
+/// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; default
+///   `default_normal_stabilization()`
+/// \throws Parameter_error if a parameter is outside its domain
+template <class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0,
+                                   const NamedParameters& np = parameters::default_values()) {
+  return make_poisson_solver(space, alpha, Cubature(space), np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
+/// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
+template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_no_named_parameters<SurfaceIntegration> = 0>
+Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
+                                   const SurfaceIntegration& integration,
+                                   const NamedParameters& np = parameters::default_values()) {
+  internal::check_alpha(alpha);
+  return internal::poisson_solver(space, integration, alpha,
+                                  internal::normal_stabilization(space, np),
+                                  internal::poisson_solver_options(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -201,8 +280,11 @@ make_poisson_solver(const Spline_space_3& space, Sparse_matrix a, Eigen::VectorX
 /// - `number_of_iterations`: at most; default 1000
 /// - `cycle`: `Cycle::V` (default) or `Cycle::W`
 /// - `smoothing_steps`: before, and again after the coarse correction; default 1
+/// - `smoother`: `Smoother::patch` (default) or `Smoother::point`
 /// - `stand_alone_multigrid`: iterate cycles, instead of preconditioning conjugate gradients with
 ///   them; default `false`
+/// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads, with the same results;
+///   default `CGAL::Sequential_tag()`
 /// \throws Parameter_error if a parameter is outside its domain
 template <class NamedParameters = parameters::Default_named_parameters>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators& operators,
@@ -236,6 +318,8 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point
 /// number as value, receives the solution; NaN at vertices without a face of positive area
 /// \param np optional named parameters: those of `Spline_space_3` and `make_poisson_solver()`, and
+/// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; default
+///   `default_normal_stabilization()`
 /// - `boundary_values`: values on the boundary of an open surface, given as `f` is, see
 ///   `Dirichlet_boundary`; by default the natural condition holds
 /// - `vertex_is_constrained_map`: a model of `ReadablePropertyMap` that maps a vertex descriptor to
@@ -324,47 +408,54 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
 
-  Eigen::VectorXd load = assemble_load(space, surface_function(source, f));
-  Operators operators = assemble_operators(space);
-  Eigen::VectorXd integrals = element_integrals(space, operators);
-  Sparse_matrix a = std::move(operators.stiffness);
-  double constant_alpha = 0;
-  bool is_screened = has_weight_function;
-  if constexpr(has_weight_function) {
-    const Cubature cubature(space);
-    const auto weight = surface_function(source, alpha);
-    const Weighted_integration<Cubature, decltype(weight)> weighted(space, cubature, weight);
-    a.coeffs() += assemble_operators(space, space.depth(), weighted).mass.coeffs();
-  } else {
-    constant_alpha = static_cast<double>(alpha);
-    is_screened = constant_alpha > 0;
-    if(is_screened)
-      a.coeffs() += constant_alpha * operators.mass.coeffs();
-  }
-  operators = Operators();
-  if(!is_screened)
-    load = -load;
-  if constexpr(has_boundary_values) {
-    const Dirichlet_boundary boundary(space);
-    boundary.add_to_matrix(a);
-    load += boundary.load(
-        surface_function(source, parameters::get_parameter(np, internal_np::boundary_values)));
-  }
-  if constexpr(has_constraints) {
-    static_assert(is_given_v<NamedParameters, internal_np::constraint_values_t>,
-                  "vertex_is_constrained_map needs constraint_values");
-    const Point_constraints constraints = vertex_constraints(source, space, np);
-    constraints.add_to_matrix(a);
-    load += constraints.load();
-  }
-  const double assembly_seconds = timer.time() - space_seconds;
-
   Poisson_solver_options options = poisson_solver_options(np);
   if((has_boundary_values || has_constraints) &&
      !is_given_v<NamedParameters, internal_np::relative_tolerance_t>)
     options.relative_tolerance = tolerance_with_constraints;
-  const Poisson_solver solver =
-      make_poisson_solver(space, std::move(a), std::move(integrals), constant_alpha, options);
+  const double stabilization = normal_stabilization(space, np);
+  bool is_screened = has_weight_function;
+  if constexpr(!has_weight_function)
+    is_screened = alpha > 0;
+  Eigen::VectorXd load = assemble_load(space, surface_function(source, f));
+  if(!is_screened)
+    load = -load;
+
+  const auto assembled_solver = [&]() {
+    if constexpr(!has_weight_function && !has_boundary_values && !has_constraints)
+      return poisson_solver(space, Cubature(space), static_cast<double>(alpha), stabilization,
+                            options);
+    else {
+      // What is added is known for the finest level only.
+      double constant_alpha = 0;
+      if constexpr(!has_weight_function)
+        constant_alpha = static_cast<double>(alpha);
+      System_matrices system = assemble_system(space, space.depth(), Cubature(space), constant_alpha, stabilization);
+      Sparse_matrix& a = system.matrices.front();
+      if constexpr(has_weight_function) {
+        const Cubature cubature(space);
+        const auto weight = surface_function(source, alpha);
+        const Weighted_integration<Cubature, decltype(weight)> weighted(space, cubature, weight);
+        a.coeffs() += assemble_operators(space, space.depth(), weighted).mass.coeffs();
+      }
+      if constexpr(has_boundary_values) {
+        const Dirichlet_boundary boundary(space);
+        boundary.add_to_matrix(a);
+        load += boundary.load(
+            surface_function(source, parameters::get_parameter(np, internal_np::boundary_values)));
+      }
+      if constexpr(has_constraints) {
+        static_assert(is_given_v<NamedParameters, internal_np::constraint_values_t>,
+                      "vertex_is_constrained_map needs constraint_values");
+        const Point_constraints constraints = vertex_constraints(source, space, np);
+        constraints.add_to_matrix(a);
+        load += constraints.load();
+      }
+      return poisson_solver(space, std::move(a), {}, system.integrals, constant_alpha, options);
+    }
+  };
+  const Poisson_solver solver = assembled_solver();
+  const double assembly_seconds = timer.time() - space_seconds - solver.setup_seconds();
+
   Eigen::VectorXd coefficients;
   Solve_report report = solver.solve(load, coefficients);
   report.space_seconds = space_seconds;

@@ -4,7 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_BLOCK_VECTORS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_BLOCK_VECTORS_H
 
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+
 #include <Eigen/SparseCore>
+
+#include <cstddef>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -34,55 +38,36 @@ void subtract_entries(const Eigen::SparseMatrix<double>& a, int begin, int end,
     sum -= values[k] * row<K>(x, inner[k]);
 }
 
+constexpr std::size_t rows_of_a_task = 2048;
+
 /// \f$ y = A x \f$ for a symmetric matrix, whose columns are its rows
 template <int K>
-void multiply(const Eigen::SparseMatrix<double>& a, const Block_vector<K>& x, Block_vector<K>& y) {
+void multiply(const Eigen::SparseMatrix<double>& a, const Block_vector<K>& x, Block_vector<K>& y,
+              bool is_parallel = false) {
   y.resize(a.cols(), K);
   const int* outer = a.outerIndexPtr();
-  for(Eigen::Index j = 0; j < a.cols(); ++j) {
-    Block_row<K> sum = Block_row<K>::Zero();
-    subtract_entries<K>(a, outer[j], outer[j + 1], x, sum);
-    row<K>(y, j) = -sum;
-  }
+  parallel_for(is_parallel, 0, a.cols(), rows_of_a_task, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t j = begin; j < end; ++j) {
+      Block_row<K> sum = Block_row<K>::Zero();
+      subtract_entries<K>(a, outer[j], outer[j + 1], x, sum);
+      row<K>(y, j) = -sum;
+    }
+  });
 }
 
 /// \f$ r = b - A x \f$ for a symmetric matrix
 template <int K>
 void residual(const Eigen::SparseMatrix<double>& a, const Block_vector<K>& b,
-              const Block_vector<K>& x, Block_vector<K>& r) {
+              const Block_vector<K>& x, Block_vector<K>& r, bool is_parallel = false) {
   r.resize(a.cols(), K);
   const int* outer = a.outerIndexPtr();
-  for(Eigen::Index j = 0; j < a.cols(); ++j) {
-    Block_row<K> sum = row<K>(b, j);
-    subtract_entries<K>(a, outer[j], outer[j + 1], x, sum);
-    row<K>(r, j) = sum;
-  }
-}
-
-/// \f$ c = P^T r \f$
-template <int K>
-void restrict_to_coarse(const Eigen::SparseMatrix<double>& p, const Block_vector<K>& r,
-                        Block_vector<K>& c) {
-  c.resize(p.cols(), K);
-  const int* outer = p.outerIndexPtr();
-  for(Eigen::Index j = 0; j < p.cols(); ++j) {
-    Block_row<K> sum = Block_row<K>::Zero();
-    subtract_entries<K>(p, outer[j], outer[j + 1], r, sum);
-    row<K>(c, j) = -sum;
-  }
-}
-
-/// \f$ x = x + P c \f$
-template <int K>
-void add_prolongated(const Eigen::SparseMatrix<double>& p, const Block_vector<K>& c,
-                     Block_vector<K>& x) {
-  const double* values = p.valuePtr();
-  const int *inner = p.innerIndexPtr(), *outer = p.outerIndexPtr();
-  for(Eigen::Index j = 0; j < p.cols(); ++j) {
-    const Block_row<K> coarse = row<K>(c, j);
-    for(int k = outer[j]; k < outer[j + 1]; ++k)
-      row<K>(x, inner[k]) += values[k] * coarse;
-  }
+  parallel_for(is_parallel, 0, a.cols(), rows_of_a_task, [&](std::size_t begin, std::size_t end) {
+    for(std::size_t j = begin; j < end; ++j) {
+      Block_row<K> sum = row<K>(b, j);
+      subtract_entries<K>(a, outer[j], outer[j + 1], x, sum);
+      row<K>(r, j) = sum;
+    }
+  });
 }
 
 } // namespace internal

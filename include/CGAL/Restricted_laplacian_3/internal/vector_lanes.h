@@ -16,6 +16,8 @@
 
 #define CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
 
+#include <cstring>
+
 // A function that is inlined must have the same target as its caller: else the vectors in it are
 // taken apart before it is inlined.
 #ifdef __x86_64__
@@ -31,8 +33,6 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 using Lanes = double __attribute__((vector_size(32)));
-/// the same in memory that is aligned for a single number only
-using Unaligned_lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 inline bool processor_has_lanes() {
 #ifdef __x86_64__
@@ -43,14 +43,17 @@ inline bool processor_has_lanes() {
 #endif
 }
 
+// Memory need not be aligned for more than a single number.
 namespace lanes {
 
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Lanes load(const double* from) {
-  return *reinterpret_cast<const Unaligned_lanes*>(from);
+  Lanes result;
+  std::memcpy(&result, from, sizeof(Lanes));
+  return result;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void store(const Lanes& from, double* to) {
-  *reinterpret_cast<Unaligned_lanes*>(to) = from;
+  std::memcpy(to, &from, sizeof(Lanes));
 }
 
 #if defined(__clang__) || __GNUC__ >= 12
