@@ -208,29 +208,29 @@ TEST_CASE("kernels_for_vector_registers_equal_plain_ones", "[multigrid]") {
     return values;
   };
   const std::vector<std::uint32_t> columns = {3, 0, 7, 5, 2};
+  const std::vector<std::uint8_t> sizes = {1, 8, 6, 5, 8, 3, 8, 4};
   const auto blocks = random_floats(64 * columns.size()), x = random_floats(8 * 4 * 8);
   const auto compare = [](const float* a, const float* b, int size) {
     for(int i = 0; i < size; ++i)
       CHECK(std::abs(a[i] - b[i]) <= 1e-5f);
   };
   auto sum = random_floats(32), same = sum;
-  RL::internal::plain::subtract_blocks<1>(blocks.data(), columns.data(), columns.size(), x.data(),
-                                          sum.data());
-  RL::internal::lanes::subtract_blocks<1>(blocks.data(), columns.data(), columns.size(), x.data(),
-                                          same.data());
+  RL::internal::plain::subtract_blocks<1>(blocks.data(), columns.data(), sizes.data(),
+                                          columns.size(), x.data(), sum.data());
+  RL::internal::lanes::subtract_blocks<1>(blocks.data(), columns.data(), sizes.data(),
+                                          columns.size(), x.data(), same.data());
   compare(sum.data(), same.data(), 32);
-  RL::internal::plain::subtract_blocks<4>(blocks.data(), columns.data(), columns.size(), x.data(),
-                                          sum.data());
-  RL::internal::lanes::subtract_blocks<4>(blocks.data(), columns.data(), columns.size(), x.data(),
-                                          same.data());
+  RL::internal::plain::subtract_blocks<4>(blocks.data(), columns.data(), sizes.data(),
+                                          columns.size(), x.data(), sum.data());
+  RL::internal::lanes::subtract_blocks<4>(blocks.data(), columns.data(), sizes.data(),
+                                          columns.size(), x.data(), same.data());
   compare(sum.data(), same.data(), 32);
   for(int size : {1, 2, 7, 27, 33, 49, 64, 71}) {
-    const int rows = (size + 7) / 8 * 8;
-    const auto matrix = random_floats(static_cast<std::size_t>(rows) * size),
-               from = random_floats(rows);
+    const int rows = (size + 7) / 8 * 8, number = rows / 8;
+    const auto matrix = random_floats(32 * number * (number + 1)), from = random_floats(rows);
     auto a = random_floats(rows), b = random_floats(rows);
-    RL::internal::plain::multiply_dense(matrix.data(), size, rows, from.data(), a.data());
-    RL::internal::lanes::multiply_dense(matrix.data(), size, rows, from.data(), b.data());
+    RL::internal::plain::multiply_symmetric(matrix.data(), number, from.data(), a.data());
+    RL::internal::lanes::multiply_symmetric(matrix.data(), number, from.data(), b.data());
     compare(a.data(), b.data(), rows);
     std::vector<double> c(static_cast<std::size_t>(rows) * size, 1.), d = c, column(rows, 0.);
     for(int i = 0; i < size; ++i)

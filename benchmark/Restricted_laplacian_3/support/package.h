@@ -43,8 +43,9 @@ inline std::optional<RL::Triangulated_surface_3> find_mesh(const std::string& na
   return std::nullopt;
 }
 
-inline RL::Spline_space_options space_options(int depth, bool is_split, int /*threads*/) {
+inline RL::Spline_space_options space_options(int depth, bool is_split, int threads) {
   RL::Spline_space_options options;
+  options.is_parallel = threads > 1;
   options.octree_depth = depth;
   options.split_elements = is_split;
   return options;
@@ -52,16 +53,20 @@ inline RL::Spline_space_options space_options(int depth, bool is_split, int /*th
 
 /// \param stabilization dimensionless, 0 for the system of the paper
 inline RL::Operators operators(const RL::Spline_space_3& space, double stabilization) {
-  if(stabilization != 0)
-    throw RL::Parameter_error("normal_stabilization", "is not available");
-  return RL::assemble_operators(space, space.depth(), RL::Cubature(space));
+  return RL::assemble_operators(space, space.depth(), RL::Cubature(space), stabilization);
 }
 
 /// the stabilization that the package has unless told otherwise
-inline double default_stabilization() { return 0; }
+inline double default_stabilization() { return 1e-3; }
 
 /// whether `threads` has an effect on the solver
-constexpr bool is_parallel_available() { return false; }
+constexpr bool is_parallel_available() {
+#ifdef CGAL_LINKED_WITH_TBB
+  return true;
+#else
+  return false;
+#endif
+}
 
 /// Limits the threads of the package for as long as the returned object lives.
 inline auto limit_threads(int threads) {
@@ -73,12 +78,14 @@ inline auto limit_threads(int threads) {
 }
 
 /// names of the smoothers that the package has, the default one first
-inline std::vector<std::string> smoothers() { return {"point"}; }
+inline std::vector<std::string> smoothers() { return {"patch", "point"}; }
 
 /// \param smoother one of `smoothers()`
-inline RL::Poisson_solver_options solver_options(const std::string& /*smoother*/, int /*threads*/,
+inline RL::Poisson_solver_options solver_options(const std::string& smoother, int threads,
                                                  double tolerance, int maximum_iterations) {
   RL::Poisson_solver_options options;
+  options.smoother = smoother == "patch" ? RL::Smoother::patch : RL::Smoother::point;
+  options.is_parallel = threads > 1;
   options.relative_tolerance = tolerance;
   options.maximum_iterations = maximum_iterations;
   return options;

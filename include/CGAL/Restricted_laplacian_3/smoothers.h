@@ -233,8 +233,8 @@ inline void invert_by_sweeps(double* a, int size, int stride, double cutoff, dou
 /// combination that nearly vanishes on the surface does so on a few cells, and a patch that contains
 /// its elements removes it at once. The usual patches are those of `smoothing_patches()`.
 ///
-/// In single precision, with the inverses of the blocks stored: about 800 bytes an unknown for the
-/// matrix and as many for the inverses.
+/// In single precision, with the inverses of the blocks stored: about 600 bytes an unknown for the
+/// matrix and 500 for the inverses.
 ///
 /// \cgalModels `MultigridSmoother_3`
 class Patch_smoother {
@@ -357,7 +357,8 @@ private:
         m_parts.back().mask |= 1u << position % internal::lanes_of_floats;
       }
       m_largest_size = (std::max)(m_largest_size, size);
-      inverse += static_cast<std::size_t>(size) * rounded_up(size, 8);
+      const std::size_t blocks = static_cast<std::size_t>(rounded_up(size, 8) / 8);
+      inverse += 64 * blocks * (blocks + 1) / 2;
     }
     m_patches.push_back({static_cast<std::uint32_t>(m_parts.size()), 0, inverse});
     m_inverses.resize(inverse);
@@ -365,7 +366,8 @@ private:
 
   struct Local_numbers {
     std::vector<std::uint32_t> part; // of a cluster
-    std::vector<int> offsets;        // of parts
+    std::vector<int> offsets;        // of parts, and one more
+    std::vector<std::uint8_t> lanes; // of the unknowns of the patch in their clusters
   };
 
   void invert_blocks() {
@@ -381,20 +383,23 @@ private:
             extract(p, stride, local, block);
             column.resize(stride);
             internal::invert_by_sweeps(block.data(), size, stride, relative_cutoff, column.data());
+            const auto entry = [&](int i, int j) {
+              return i < size && j < size
+                         ? block[static_cast<std::size_t>(stride) * (std::min)(i, j) +
+                                 (std::max)(i, j)]
+                         : 0.;
+            };
             float* inverse = m_inverses.data() + patch.inverse;
-            for(int j = 0; j < size; ++j) {
-              for(int i = 0; i <= j; ++i)
-                inverse[static_cast<std::size_t>(stride) * j + i] =
-                    inverse[static_cast<std::size_t>(stride) * i + j] =
-                        static_cast<float>(block[static_cast<std::size_t>(stride) * i + j]);
-              for(int i = size; i < stride; ++i)
-                inverse[static_cast<std::size_t>(stride) * j + i] = 0;
-            }
+            for(int column = 0; column < stride; column += 8)
+              for(int row = 0; row <= column; row += 8)
+                for(int j = column; j < column + 8; ++j)
+                  for(int i = row; i < row + 8; ++i)
+                    *inverse++ = static_cast<float>(entry(i, j));
           }
         });
   }
 
-  /// the dense block of a patch
+  /// the upper triangle of the dense block of a patch
   void extract(std::size_t p, int stride, Local_numbers& local, std::vector<double>& block) const {
     const Patch& patch = m_patches[p];
     const std::uint32_t first = patch.first_part, last = m_patches[p + 1].first_part;
@@ -402,32 +407,30 @@ private:
     // number of the first unknown of each part in the block
     std::vector<int>& offsets = local.offsets;
     offsets.assign(1, 0);
+    local.lanes.clear();
     for(std::uint32_t k = first; k < last; ++k) {
       local.part[m_parts[k].cluster] = k - first;
-      int size = offsets.back();
-      for(std::uint32_t mask = m_parts[k].mask; mask != 0; mask &= mask - 1)
-        ++size;
-      offsets.push_back(size);
+      for(std::uint8_t lane = 0; lane < internal::lanes_of_floats; ++lane)
+        if(m_parts[k].mask >> lane & 1)
+          local.lanes.push_back(lane);
+      offsets.push_back(static_cast<int>(local.lanes.size()));
     }
     for(std::uint32_t k = first; k < last; ++k) {
-      const auto [begin, end] = m_matrix.row(m_parts[k].cluster);
-      for(std::size_t b = begin; b < end; ++b) {
-        const std::uint32_t other = local.part[m_matrix.column(b)];
-        if(other == no_number)
-          continue;
-        const float* values = m_matrix.values(b);
-        int j = offsets[other];
-        for(int column = 0; column < internal::lanes_of_floats; ++column) {
-          if(!(m_parts[first + other].mask >> column & 1))
-            continue;
-          int i = offsets[k - first];
-          for(int row = 0; row < internal::lanes_of_floats; ++row)
-            if(m_parts[k].mask >> row & 1)
-              block[static_cast<std::size_t>(stride) * i++ + j] =
-                  values[row + internal::lanes_of_floats * column];
-          ++j;
-        }
-      }
+      m_matrix.for_each_block(m_parts[k].cluster, [&](std::uint32_t column_cluster,
+                                                      const float* values) {
+        const std::uint32_t other = local.part[column_cluster];
+        if(other == no_number || other < k - first)
+          return;
+        const std::uint8_t *rows = local.lanes.data() + offsets[k - first],
+                           *columns = local.lanes.data() + offsets[other];
+        const int number_of_rows = offsets[k - first + 1] - offsets[k - first],
+                  number_of_columns = offsets[other + 1] - offsets[other];
+        double* to =
+            block.data() + static_cast<std::size_t>(stride) * offsets[k - first] + offsets[other];
+        for(int i = 0; i < number_of_rows; ++i, to += stride)
+          for(int j = 0; j < number_of_columns; ++j)
+            to[j] = values[rows[i] + internal::lanes_of_floats * columns[j]];
+      });
     }
     for(std::uint32_t k = first; k < last; ++k)
       local.part[m_parts[k].cluster] = no_number;
@@ -467,10 +470,12 @@ private:
           ++place;
         }
     }
-    const int size = static_cast<int>(patch.size), rows = rounded_up(size, 8);
-    for(int c = 0; c < K; ++c)
-      internal::multiply_dense(m_inverses.data() + patch.inverse, size, rows,
-                               residuals + stride * c, update + stride * c);
+    const int rows = rounded_up(place, 8);
+    for(int c = 0; c < K; ++c) {
+      std::fill(residuals + stride * c + place, residuals + stride * c + rows, 0.f);
+      internal::multiply_symmetric(m_inverses.data() + patch.inverse, rows / 8,
+                                   residuals + stride * c, update + stride * c);
+    }
     place = 0;
     for(std::uint32_t k = first; k < last; ++k) {
       float* values = x.cluster(m_parts[k].cluster);

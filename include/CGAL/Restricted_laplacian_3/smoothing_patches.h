@@ -22,13 +22,13 @@ namespace Restricted_laplacian_3 {
 /// level, with all elements that act on one of its children. On a smooth surface these are about 50
 /// of the \f$4 \times 4 \times 4\f$ elements around two cells by two by two.
 ///
-/// A group consists of the patches in one block of \f$4 \times 4 \times 4\f$ coarser cells, its
-/// color is the parity of the coordinates of the block. Two groups of the same color are 8 cells
+/// A group consists of the patches in one block of \f$8 \times 8 \times 8\f$ coarser cells, its
+/// color is the parity of the coordinates of the block. Two groups of the same color are 16 cells
 /// apart; an element of a patch reaches 2 cells beyond the coarser cell, and elements that are 3
 /// cells apart are not coupled.
 /// \param level not 0
 inline Smoothing_patches smoothing_patches(const Spline_space_3& space, int level) {
-  constexpr int log_block_width = 2, number_of_colors = 8;
+  constexpr int log_block_width = 3, number_of_colors = 8;
   const Octree_3& octree = space.octree();
   const std::size_t number_of_sheets = octree.number_of_sheets(level - 1);
   // Sheets are in Morton order, so those in a block are consecutive.

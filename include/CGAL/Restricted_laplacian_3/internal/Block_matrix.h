@@ -22,70 +22,77 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// A symmetric sparse matrix in single precision that consists of dense blocks of 8 x 8 entries, one
-/// for each pair of clusters with a common entry. Restricted splines of neighbouring cells act on
-/// the same sheets, so their rows have most of their columns in common: with clusters of
-/// neighbours the blocks are half full, and a product takes no indirect access to single numbers.
+/// A symmetric sparse matrix in single precision that consists of dense blocks, one for each pair of
+/// clusters with a common entry, of eight rows and as many columns as the cluster has unknowns.
+/// Restricted splines of neighbouring cells act on the same sheets, so their rows have most of their
+/// columns in common: with clusters of neighbours the blocks are half full, and a product takes no
+/// indirect access to single numbers.
 class Block_matrix {
 public:
-  Block_matrix() : m_first(1, 0) {}
+  Block_matrix() : m_first(1, 0), m_first_values(1, 0) {}
 
   /// \param scale the matrix becomes \f$D A D\f$ with this diagonal matrix \f$D\f$
   Block_matrix(bool is_parallel, const Eigen::SparseMatrix<double>& a,
                const Level_positions& positions, const std::vector<double>& scale) {
     const std::size_t clusters = positions.number_of_clusters();
     std::vector<std::uint32_t> unknowns(positions.number_of_positions, no_unknown);
-    for(std::size_t i = 0; i < positions.of_unknown.size(); ++i)
+    m_cluster_sizes.assign(clusters, 0);
+    for(std::size_t i = 0; i < positions.of_unknown.size(); ++i) {
       unknowns[positions.of_unknown[i]] = static_cast<std::uint32_t>(i);
-
-    constexpr std::size_t grain = 2048;
-    m_first.assign(clusters + 1, 0);
-    const auto for_each_block = [&](std::size_t i, std::vector<std::uint32_t>& last_seen,
-                                    std::vector<std::uint32_t>& blocks) {
-      blocks.clear();
-      for(int lane = 0; lane < lanes_of_floats; ++lane) {
+      ++m_cluster_sizes[positions.of_unknown[i] / lanes_of_floats];
+    }
+    // the columns of blocks in row i
+    const auto find_blocks = [&](std::size_t i, std::vector<std::uint32_t>& last_seen,
+                                 std::vector<std::uint32_t>& columns) {
+      columns.clear();
+      for(int lane = 0; lane < m_cluster_sizes[i]; ++lane) {
         const std::uint32_t j = unknowns[lanes_of_floats * i + lane];
-        if(j == no_unknown)
-          continue;
         for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k) {
-          const std::uint32_t other = positions.of_unknown[a.innerIndexPtr()[k]] / lanes_of_floats;
-          if(last_seen[other] != i) {
-            last_seen[other] = static_cast<std::uint32_t>(i);
-            blocks.push_back(other);
+          const std::uint32_t column = positions.of_unknown[a.innerIndexPtr()[k]] / lanes_of_floats;
+          if(last_seen[column] != i) {
+            last_seen[column] = static_cast<std::uint32_t>(i);
+            columns.push_back(column);
           }
         }
       }
     };
+    constexpr std::size_t grain = 2048;
+    m_first.assign(clusters + 1, 0);
+    m_first_values.assign(clusters + 1, 0);
     parallel_for(is_parallel, 0, clusters, grain, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> last_seen(clusters, no_unknown), blocks;
+      std::vector<std::uint32_t> last_seen(clusters, no_unknown), columns;
       for(std::size_t i = begin; i < end; ++i) {
-        for_each_block(i, last_seen, blocks);
-        m_first[i + 1] = blocks.size();
+        find_blocks(i, last_seen, columns);
+        m_first[i + 1] = columns.size();
+        for(std::uint32_t column : columns)
+          m_first_values[i + 1] += lanes_of_floats * m_cluster_sizes[column];
       }
     });
-    for(std::size_t i = 0; i < clusters; ++i)
+    for(std::size_t i = 0; i < clusters; ++i) {
       m_first[i + 1] += m_first[i];
+      m_first_values[i + 1] += m_first_values[i];
+    }
     m_columns.resize(m_first.back());
-    m_values.resize(64 * m_first.back());
+    m_values.resize(m_first_values.back());
     parallel_for(is_parallel, 0, clusters, grain, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> last_seen(clusters, no_unknown), blocks;
-      std::vector<std::size_t> block_of(clusters);
+      std::vector<std::uint32_t> last_seen(clusters, no_unknown), columns;
+      std::vector<std::size_t> block(clusters); // place of the block of a column
       for(std::size_t i = begin; i < end; ++i) {
-        for_each_block(i, last_seen, blocks);
-        std::sort(blocks.begin(), blocks.end());
-        for(std::size_t k = 0; k < blocks.size(); ++k) {
-          m_columns[m_first[i] + k] = blocks[k];
-          block_of[blocks[k]] = m_first[i] + k;
+        find_blocks(i, last_seen, columns);
+        std::sort(columns.begin(), columns.end());
+        std::copy(columns.begin(), columns.end(), m_columns.begin() + m_first[i]);
+        std::size_t place = m_first_values[i];
+        for(std::uint32_t column : columns) {
+          block[column] = place;
+          place += lanes_of_floats * m_cluster_sizes[column];
         }
-        std::fill(m_values.begin() + 64 * m_first[i], m_values.begin() + 64 * m_first[i + 1], 0.f);
-        for(int lane = 0; lane < lanes_of_floats; ++lane) {
+        std::fill(m_values.begin() + m_first_values[i], m_values.begin() + place, 0.f);
+        for(int lane = 0; lane < m_cluster_sizes[i]; ++lane) {
           const std::uint32_t j = unknowns[lanes_of_floats * i + lane];
-          if(j == no_unknown)
-            continue;
           for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k) {
             const int row = a.innerIndexPtr()[k];
             const std::uint32_t position = positions.of_unknown[row];
-            m_values[64 * block_of[position / lanes_of_floats] +
+            m_values[block[position / lanes_of_floats] +
                      lanes_of_floats * (position % lanes_of_floats) + lane] =
                 static_cast<float>(scale[j] * a.valuePtr()[k] * scale[row]);
           }
@@ -95,18 +102,21 @@ public:
   }
 
   std::size_t number_of_clusters() const { return m_first.size() - 1; }
-  std::size_t number_of_blocks() const { return m_columns.size(); }
 
-  /// the blocks of a row: half-open range of numbers
-  std::array<std::size_t, 2> row(std::size_t i) const { return {m_first[i], m_first[i + 1]}; }
-  std::uint32_t column(std::size_t block) const { return m_columns[block]; }
-  /// entry (i, j) of a block is number \f$i + 8 j\f$
-  const float* values(std::size_t block) const { return m_values.data() + 64 * block; }
+  /// Calls `visit(column, values)` for the blocks of a row, where entry (i, j) of a block is number
+  /// \f$i + 8 j\f$ of its values.
+  template <class Visitor> void for_each_block(std::size_t row, Visitor&& visit) const {
+    const float* values = m_values.data() + m_first_values[row];
+    for(std::size_t k = m_first[row]; k < m_first[row + 1]; ++k) {
+      visit(m_columns[k], values);
+      values += lanes_of_floats * m_cluster_sizes[m_columns[k]];
+    }
+  }
 
   /// subtracts row `i` of the matrix, times `x`, from a cluster of `K` vectors
   template <int K> void subtract_row(std::size_t i, const Level_vectors<K>& x, float* sum) const {
-    subtract_blocks<K>(m_values.data() + 64 * m_first[i], m_columns.data() + m_first[i],
-                       m_first[i + 1] - m_first[i], x.data(), sum);
+    subtract_blocks<K>(m_values.data() + m_first_values[i], m_columns.data() + m_first[i],
+                       m_cluster_sizes.data(), m_first[i + 1] - m_first[i], x.data(), sum);
   }
 
   /// \f$r = b - A x\f$
@@ -118,7 +128,7 @@ public:
     parallel_for(is_parallel, 0, number_of_clusters(), grain,
                  [&](std::size_t begin, std::size_t end) {
                    for(std::size_t i = begin; i < end; ++i) {
-                     std::copy(b.cluster(i), b.cluster(i) + 8 * K, r.cluster(i));
+                     std::copy(b.cluster(i), b.cluster(i) + lanes_of_floats * K, r.cluster(i));
                      subtract_row<K>(i, x, r.cluster(i));
                    }
                  });
@@ -127,7 +137,9 @@ public:
 private:
   static constexpr std::uint32_t no_unknown = (std::numeric_limits<std::uint32_t>::max)();
 
-  std::vector<std::size_t> m_first;
+  std::vector<std::uint8_t> m_cluster_sizes;
+  std::vector<std::size_t> m_first;        // block of each row
+  std::vector<std::size_t> m_first_values; // of each row
   std::vector<std::uint32_t> m_columns;
   Aligned_floats m_values;
 };

@@ -21,27 +21,33 @@ namespace internal {
 namespace plain {
 
 template <int K>
-void subtract_blocks(const float* values, const std::uint32_t* columns, std::size_t count,
-                     const float* x, float* sum) {
+void subtract_blocks(const float* values, const std::uint32_t* columns,
+                     const std::uint8_t* cluster_sizes, std::size_t count, const float* x,
+                     float* sum) {
   float own[8 * K] = {};
-  for(std::size_t k = 0; k < count; ++k, values += 64) {
+  for(std::size_t k = 0; k < count; ++k) {
+    const int size = cluster_sizes[columns[k]];
     const float* from = x + 8 * K * static_cast<std::size_t>(columns[k]);
-    for(int c = 0; c < K; ++c)
-      for(int j = 0; j < 8; ++j)
+    for(int j = 0; j < size; ++j, values += 8)
+      for(int c = 0; c < K; ++c)
         for(int l = 0; l < 8; ++l)
-          own[8 * c + l] += values[8 * j + l] * from[8 * c + j];
+          own[8 * c + l] += values[l] * from[8 * c + j];
   }
   for(int l = 0; l < 8 * K; ++l)
     sum[l] -= own[l];
 }
 
-inline void multiply_dense(const float* matrix, int columns, int rows, const float* from,
-                           float* to) {
-  for(int i = 0; i < rows; ++i)
+inline void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
+  for(int i = 0; i < 8 * number; ++i)
     to[i] = 0;
-  for(int j = 0; j < columns; ++j)
-    for(int i = 0; i < rows; ++i)
-      to[i] += matrix[rows * j + i] * from[j];
+  for(int column = 0; column < number; ++column)
+    for(int row = 0; row <= column; ++row, blocks += 64)
+      for(int j = 0; j < 8; ++j)
+        for(int i = 0; i < 8; ++i) {
+          to[8 * row + i] += blocks[8 * j + i] * from[8 * column + j];
+          if(row != column)
+            to[8 * column + j] += blocks[8 * j + i] * from[8 * row + i];
+        }
 }
 
 inline void subtract_outer_product(const double* column, double factor, double* a, int size,
@@ -71,22 +77,27 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void store(const Float_lanes& from, flo
 
 template <int K>
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-subtract_blocks(const float* values, const std::uint32_t* columns, std::size_t count,
-                const float* x, float* sum) {
+subtract_blocks(const float* values, const std::uint32_t* columns,
+                const std::uint8_t* cluster_sizes, std::size_t count, const float* x, float* sum) {
   // Four sums at a time: a sum takes that many cycles to be ready for the next term.
   constexpr int chains = K == 1 ? 4 : K;
   Float_lanes own[chains];
   for(int c = 0; c < chains; ++c)
     own[c] = Float_lanes{};
-  for(std::size_t k = 0; k < count; ++k, values += 64) {
+  for(std::size_t k = 0; k < count; ++k) {
+    const int size = cluster_sizes[columns[k]];
     const float* from = x + 8 * K * static_cast<std::size_t>(columns[k]);
-    if(K == 1) {
-      for(int j = 0; j < 8; ++j)
-        own[j % chains] += load(values + 8 * j) * from[j];
-    } else
-      for(int j = 0; j < 8; ++j)
-        for(int c = 0; c < K; ++c)
-          own[c] += load(values + 8 * j) * from[8 * c + j];
+    int j = 0;
+    if(K == 1)
+      for(; j + 4 <= size; j += 4)
+        for(int c = 0; c < 4; ++c)
+          own[c] += load(values + 8 * (j + c)) * from[j + c];
+    for(; j < size; ++j) {
+      const Float_lanes a = load(values + 8 * j);
+      for(int c = 0; c < K; ++c)
+        own[c] += a * from[8 * c + j];
+    }
+    values += 8 * size;
   }
   if(K == 1)
     store(load(sum) - ((own[0] + own[1]) + (own[2] + own[3])), sum);
@@ -95,35 +106,58 @@ subtract_blocks(const float* values, const std::uint32_t* columns, std::size_t c
       store(load(sum + 8 * c) - own[c], sum + 8 * c);
 }
 
+#if defined(__clang__) || __GNUC__ >= 12
+#define CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+using Float_lane_numbers = int __attribute__((vector_size(32)));
+#define CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a, b, ...)                                             \
+  __builtin_shuffle(a, b, Float_lane_numbers{__VA_ARGS__})
+#endif
+
+/// the sums of the components of eight vectors
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes sums_of_components(const Float_lanes* a) {
+  Float_lanes pairs[4], fours[2];
+  for(int i = 0; i < 4; ++i)
+    pairs[i] =
+        CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a[2 * i], a[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
+        CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a[2 * i], a[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  for(int i = 0; i < 2; ++i)
+    fours[i] = CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(pairs[2 * i], pairs[2 * i + 1], 0, 1, 8, 9, 4, 5,
+                                                   12, 13) +
+               CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(pairs[2 * i], pairs[2 * i + 1], 2, 3, 10, 11, 6,
+                                                   7, 14, 15);
+  return CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+         CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
+#undef CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE
+
 inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-multiply_dense(const float* matrix, int columns, int rows, const float* from, float* to) {
-  // 32 rows at a time are held in registers.
-  int i = 0;
-  for(; i + 32 <= rows; i += 32) {
-    Float_lanes s0{}, s1{}, s2{}, s3{};
-    const float* column = matrix + i;
-    for(int j = 0; j < columns; ++j, column += rows) {
-      s0 += load(column) * from[j];
-      s1 += load(column + 8) * from[j];
-      s2 += load(column + 16) * from[j];
-      s3 += load(column + 24) * from[j];
+multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
+  for(int i = 0; i < number; ++i)
+    store(Float_lanes{}, to + 8 * i);
+  for(int column = 0; column < number; ++column) {
+    const float* x = from + 8 * column;
+    Float_lanes transposed[8] = {};
+    for(int row = 0; row < column; ++row, blocks += 64) {
+      const Float_lanes x_row = load(from + 8 * row);
+      Float_lanes even = load(to + 8 * row), odd{};
+      for(int j = 0; j < 8; j += 2) {
+        const Float_lanes a = load(blocks + 8 * j), b = load(blocks + 8 * j + 8);
+        even += a * x[j];
+        odd += b * x[j + 1];
+        transposed[j] += a * x_row;
+        transposed[j + 1] += b * x_row;
+      }
+      store(even + odd, to + 8 * row);
     }
-    store(s0, to + i);
-    store(s1, to + i + 8);
-    store(s2, to + i + 16);
-    store(s3, to + i + 24);
-  }
-  for(; i < rows; i += 8) {
-    Float_lanes even{}, odd{};
-    const float* column = matrix + i;
-    int j = 0;
-    for(; j + 2 <= columns; j += 2, column += 2 * rows) {
-      even += load(column) * from[j];
-      odd += load(column + rows) * from[j + 1];
+    Float_lanes sum = sums_of_components(transposed), odd{};
+    for(int j = 0; j < 8; j += 2) {
+      sum += load(blocks + 8 * j) * x[j];
+      odd += load(blocks + 8 * j + 8) * x[j + 1];
     }
-    if(j < columns)
-      even += load(column) * from[j];
-    store(even + odd, to + i);
+    blocks += 64;
+    store(load(to + 8 * column) + (sum + odd), to + 8 * column);
   }
 }
 
@@ -148,18 +182,20 @@ subtract_outer_product(const double* column, double factor, double* a, int size,
 #define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call) plain::call
 #endif
 
-/// Subtracts a row of blocks of 8 x 8 numbers, times the clusters `columns` of `K` vectors `x`, from
-/// a cluster of `K` vectors.
+/// Subtracts a row of blocks, times the clusters `columns` of `K` vectors `x`, from a cluster of `K`
+/// vectors. A block has eight rows, and as many columns as its cluster has unknowns.
 template <int K>
-void subtract_blocks(const float* values, const std::uint32_t* columns, std::size_t count,
-                     const float* x, float* sum) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(subtract_blocks<K>(values, columns, count, x, sum));
+void subtract_blocks(const float* values, const std::uint32_t* columns,
+                     const std::uint8_t* cluster_sizes, std::size_t count, const float* x,
+                     float* sum) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(
+      subtract_blocks<K>(values, columns, cluster_sizes, count, x, sum));
 }
 
-/// Product of a dense matrix, stored by columns of `rows` numbers, a multiple of 8, with a vector.
-inline void multiply_dense(const float* matrix, int columns, int rows, const float* from,
-                           float* to) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_dense(matrix, columns, rows, from, to));
+/// Product of a symmetric matrix with a vector. The matrix consists of `number` x `number` blocks of
+/// 8 x 8 numbers, of which the upper triangle is stored, one column of blocks after the other.
+inline void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_symmetric(blocks, number, from, to));
 }
 
 /// Subtracts `factor` times the outer product of a vector with itself from the upper triangle of a
