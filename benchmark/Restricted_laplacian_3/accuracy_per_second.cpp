@@ -307,16 +307,12 @@ Run restricted_poisson(const Options& o, const Shape& shape,
   Run run;
   Stopwatch watch;
   const RL::Spline_space_3 space(surface, space_options(depth, true, o.threads));
-  RL::Operators both = operators(space, o.stabilization);
   const Eigen::VectorXd load = RL::assemble_load(
       space, [&](const RL::Surface_point& p) { return shape.laplacian(p.point); });
   run.unknowns = space.dimension();
-  run.assembly_seconds = watch.lap();
-  const Eigen::VectorXd integrals = both.mass * Eigen::VectorXd::Ones(both.mass.cols());
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, std::move(both.stiffness), integrals, 0,
-                              solver_options(smoothers().front(), o.threads, tolerance, 1000));
-  run.setup_seconds = watch.lap();
+  const RL::Poisson_solver solver = poisson_solver(space, o.stabilization, o.threads, tolerance);
+  run.setup_seconds = solver.setup_seconds();
+  run.assembly_seconds = watch.lap() - run.setup_seconds;
   Eigen::VectorXd eta;
   run.converged = solver.solve(-load, eta).converged;
   const std::vector<double> u = RL::Spline_function_3(space, eta).values_at_vertices();

@@ -5,11 +5,14 @@
 
 #include "catch.h"
 #include "shapes.h"
+#include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 #include <CGAL/Restricted_laplacian_3/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/prolongation.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <array>
 #include <cmath>
@@ -511,5 +514,31 @@ TEST_CASE("stabilization_must_be_a_non_negative_number", "[operators]") {
     CHECK_THROWS_AS(RL::assemble_operators(space, 2, RL::Cubature(space), c), RL::Parameter_error);
     CHECK_THROWS_AS(RL::assemble_stiffness_matrix(space, 2, RL::Cubature(space), c),
                     RL::Parameter_error);
+  }
+}
+
+TEST_CASE("stabilization_keeps_constants_where_the_surface_lies_in_walls", "[operators]") {
+  // a flat rectangle is in the middle of its domain cube, which is a wall; a cube of side 10 / 11 of
+  // the domain cube has sides in walls at cube_scale 8 / 6
+  for(const auto& soup : {shapes::rectangle(1, 0.7), shapes::box(1, 1, 1, 4, 1)}) {
+    const Mesh mesh = shapes::mesh(soup);
+    const RL::Spline_space_3 space(mesh, params::octree_depth(4, params::cube_scale(8. / 6)));
+    std::size_t incomplete = 0;
+    for(std::size_t sheet = 0; sheet < space.number_of_sheets(4); ++sheet)
+      incomplete += !space.octree().meets_element(4, sheet, 0, 0, 1) ||
+                    !space.octree().meets_element(4, sheet, 0, 0, -1);
+    CHECK(incomplete > 0);
+    const double c = 0.1;
+    for(int level : {4, 3, 2}) {
+      const RL::Operators o = RL::assemble_operators(space, level, RL::Cubature(space), c);
+      const Eigen::VectorXd ones = Eigen::VectorXd::Ones(o.stiffness.cols());
+      CHECK((o.stiffness * ones).cwiseAbs().maxCoeff() <= 1e-13);
+      CHECK(ones.dot(o.mass * ones) == Approx(space.surface().area()));
+    }
+    // nothing but constants is in the kernel
+    const Eigen::MatrixXd dense = RL::assemble_stiffness_matrix(space, 2, RL::Cubature(space), c);
+    const Eigen::VectorXd eigenvalues =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense).eigenvalues();
+    CHECK(eigenvalues[1] >= 1e-5 * eigenvalues[eigenvalues.size() - 1]);
   }
 }

@@ -91,6 +91,17 @@ inline RL::Poisson_solver_options solver_options(const std::string& smoother, in
   return options;
 }
 
+/// the default solver, with the matrices of all levels from one pass over the surface
+inline RL::Poisson_solver poisson_solver(const RL::Spline_space_3& space, double stabilization,
+                                         int threads, double tolerance) {
+  namespace params = CGAL::parameters;
+  const auto np =
+      params::normal_stabilization(stabilization, params::relative_tolerance(tolerance));
+  return threads > 1 ? RL::make_poisson_solver(
+                           space, 0, params::concurrency_tag(CGAL::Parallel_if_available_tag(), np))
+                     : RL::make_poisson_solver(space, 0, np);
+}
+
 } // namespace benchmarks
 
 #endif // RESTRICTED_LAPLACIAN_3_BENCHMARK_PACKAGE_H

@@ -42,9 +42,14 @@ class Pseudo_inverse {
 public:
   static constexpr double relative_cutoff = 1e-12;
 
+  /// What is added to the other eigenvalues, times the largest, below a level in single precision:
+  /// the right-hand side carries rounding errors of 1e-7 then, and its part along an eigenvector
+  /// whose eigenvalue is as small must not be amplified.
+  static constexpr double single_precision_regularization = 1e-6;
+
   Pseudo_inverse() = default;
 
-  explicit Pseudo_inverse(const Eigen::SparseMatrix<double>& a) {
+  Pseudo_inverse(const Eigen::SparseMatrix<double>& a, double regularization) {
     const auto [component, number] = connected_components(a);
     m_blocks.resize(number);
     std::vector<int> position(component.size());
@@ -58,7 +63,7 @@ public:
       for(Eigen::Index j = 0; j < size; ++j)
         for(Eigen::SparseMatrix<double>::InnerIterator i(a, block.unknowns[j]); i; ++i)
           dense(position[i.row()], j) = i.value();
-      block.inverse = inverse(dense);
+      block.inverse = inverse(dense, regularization);
     }
   }
 
@@ -81,14 +86,16 @@ private:
     Eigen::MatrixXd inverse;
   };
 
-  static Eigen::MatrixXd inverse(const Eigen::MatrixXd& a) {
+  static Eigen::MatrixXd inverse(const Eigen::MatrixXd& a, double regularization) {
     const Eigen::VectorXd scale =
         a.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * a *
                                                                 scale.asDiagonal());
     const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-    const Eigen::VectorXd inverse = solver.eigenvalues().unaryExpr(
-        [largest](double value) { return value > relative_cutoff * largest ? 1 / value : 0.; });
+    const Eigen::VectorXd inverse =
+        solver.eigenvalues().unaryExpr([largest, regularization](double value) {
+          return value > relative_cutoff * largest ? 1 / (value + regularization * largest) : 0.;
+        });
     const Eigen::MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();
     return vectors * inverse.asDiagonal() * vectors.transpose();
   }
@@ -241,7 +248,8 @@ private:
   }
 
   void set_coarsest(const Sparse_matrix& a) {
-    m_coarse_inverse = internal::Pseudo_inverse(a);
+    m_coarse_inverse = internal::Pseudo_inverse(
+        a, m_levels.size() == 1 ? 0 : internal::Pseudo_inverse::single_precision_regularization);
     m_coarse_scale = internal::balancing_scale(a);
     m_coarse_positions.of_unknown.resize(a.cols());
     for(Eigen::Index i = 0; i < a.cols(); ++i)

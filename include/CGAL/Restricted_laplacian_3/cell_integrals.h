@@ -301,6 +301,21 @@ inline std::array<double, 6> stabilization_moments(const Cell_moments& moments,
   return result;
 }
 
+/// The same with the integral over the surface in place of that over the volume,
+/// \f$c / a \int \nabla b_i^T n n^T \nabla b_j\f$, \f$a\f$ the area: component `k` of moment `i`,
+/// where `factor` is \f$c / a\f$.
+inline std::array<double, 6> surface_stabilization_moments(const Cell_moments& moments,
+                                                           double factor, int i) {
+  const auto& t = moments.tensor;
+  const double trace = (t[0][i] + t[1][i] + t[2][i]) / 2;
+  return {factor * (std::max)(trace - t[0][i], 0.),
+          factor * (std::max)(trace - t[1][i], 0.),
+          factor * (std::max)(trace - t[2][i], 0.),
+          -factor * t[3][i],
+          -factor * t[4][i],
+          -factor * t[5][i]};
+}
+
 } // namespace internal
 
 /// Adds the moments of a child to those of its parent, each times `factor`.

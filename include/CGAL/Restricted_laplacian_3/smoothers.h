@@ -239,9 +239,11 @@ inline void invert_by_sweeps(double* a, int size, int stride, double cutoff, dou
 /// \cgalModels `MultigridSmoother_3`
 class Patch_smoother {
 public:
-  /// pivots of a block with unit diagonal below this are taken for 0: rounding errors of single
-  /// precision, times the size of a block
-  static constexpr double relative_cutoff = 4e-6;
+  /// Added to the diagonals, which are near 1, before a block is inverted: well above the rounding
+  /// errors of single precision, times the number of entries in a row. Without it a combination of
+  /// elements whose energy is only rounding error would be amplified by the inverse of that error.
+  /// With it the inverse is never too large, so the smoother converges for any matrix.
+  static constexpr double relative_regularization = 1e-5;
 
   Patch_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
                  bool is_parallel = false)
@@ -381,8 +383,14 @@ private:
             const Patch& patch = m_patches[p];
             const int size = static_cast<int>(patch.size), stride = rounded_up(size, 8);
             extract(p, stride, local, block);
+            for(int i = 0; i < size; ++i) {
+              double& diagonal = block[static_cast<std::size_t>(stride) * i + i];
+              // Where it is 0 the row is 0, and the unknown remains 0.
+              diagonal = diagonal > 0 ? diagonal + relative_regularization : 0;
+            }
             column.resize(stride);
-            internal::invert_by_sweeps(block.data(), size, stride, relative_cutoff, column.data());
+            internal::invert_by_sweeps(block.data(), size, stride, relative_regularization / 2,
+                                       column.data());
             const auto entry = [&](int i, int j) {
               return i < size && j < size
                          ? block[static_cast<std::size_t>(stride) * (std::min)(i, j) +

@@ -216,13 +216,14 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
 
 /// Prescribed values enter the right-hand side with large factors, and its norm with them: the
 /// same relative residual means less.
-constexpr double tolerance_with_constraints = 1e-6;
+constexpr double tolerance_with_constraints = 1e-7;
 
 /// refuses a screening weight that is a number and not positive
 template <class Alpha> void check_screening_weight(const Alpha& alpha) {
   if constexpr(std::is_arithmetic_v<Alpha>)
-    if(!(alpha > 0))
-      throw Parameter_error("alpha", "is " + std::to_string(alpha) + ", but must be positive");
+    if(!(alpha > 0 && std::isfinite(static_cast<double>(alpha))))
+      throw Parameter_error("alpha", "is " + std::to_string(alpha) +
+                                         ", but must be a positive, finite number");
 }
 
 } // namespace internal
@@ -328,7 +329,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
 ///   former
 /// - `constraint_weight`: how strongly they are held; default 1e4
 ///
-/// With prescribed values the default of `relative_tolerance` is 1e-6: they enter the right-hand
+/// With prescribed values the default of `relative_tolerance` is 1e-7: they enter the right-hand
 /// side with large factors.
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter

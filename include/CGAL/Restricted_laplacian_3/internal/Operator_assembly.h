@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -163,14 +164,33 @@ private:
       add_sheet_moments(m_integration, sheets.begin + i, m);
       if(m_normal_stabilization == 0)
         continue;
-      const auto added = stabilization_moments(m.cell_moments(), m_normal_stabilization);
-      for(int j = 0; j < Cell_moments::size; ++j)
+      const Cell_moments of_sheet = m.cell_moments();
+      const bool is_in_wall = lies_in_wall(sheets.begin + i);
+      const double area = std::accumulate(of_sheet.mass.begin(), of_sheet.mass.end(), 0.);
+      const double factor = area > 0 ? m_normal_stabilization / area : 0; // no sample in the cell
+      const auto in_volume = stabilization_moments(of_sheet, m_normal_stabilization);
+      for(int j = 0; j < Cell_moments::size; ++j) {
+        const auto added =
+            is_in_wall ? surface_stabilization_moments(of_sheet, factor, j) : in_volume;
         for(int k = 0; k < 6; ++k) {
           m.values[j][k] += added[k];
           if(m_keeps_stabilization)
             moments.stabilization[i].values[j][k] = added[k];
         }
+      }
     }
+  }
+
+  /// Whether an element vanishes on a sheet of the finest level, because all of it lies in a wall.
+  /// Then the elements that are left do not sum to 1 in the volume of the cell, but do on the sheet,
+  /// together with their derivatives along the normal.
+  bool lies_in_wall(std::size_t sheet) const {
+    for(int dz = -1; dz <= 1; ++dz)
+      for(int dy = -1; dy <= 1; ++dy)
+        for(int dx = -1; dx <= 1; ++dx)
+          if(!m_octree.meets_element(m_octree.depth(), sheet, dx, dy, dz))
+            return true;
+    return false;
   }
 
   /// \param offset,parent_offset numbers of the sheets whose moments are the first ones
