@@ -92,7 +92,7 @@ void check_identical(const Assembled& a, const Assembled& b) {
 
 } // namespace
 
-TEST_CASE("results_do_not_depend_on_the_number_of_threads", "[threads]") {
+TEST_CASE("results_do_not_depend_on_the_number_of_threads", "[threads][slow]") {
   // more than one chunk of faces, cells and slots
   std::vector<std::pair<Mesh, int>> inputs;
   inputs.emplace_back(shapes::mesh(shapes::sphere(6)), 6);
