@@ -155,11 +155,10 @@ RL::Solve_report solve(const RL::Triangulated_surface_3& surface, const Options&
   const double stabilization =
       o.stabilization < 0 ? RL::default_normal_stabilization(space) : o.stabilization;
   const auto parameters = params::relative_tolerance(
-      o.tolerance,
-      params::cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W,
-                    params::smoother(o.smoother == "patch" ? RL::Smoother::patch
-                                                           : RL::Smoother::point,
-                                     params::normal_stabilization(stabilization))));
+      o.tolerance, params::cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W,
+                                 params::smoother(o.smoother == "patch" ? RL::Smoother::patch
+                                                                        : RL::Smoother::point,
+                                                  params::normal_stabilization(stabilization))));
   Eigen::VectorXd load;
   const RL::Poisson_solver solver = assemble_with(space, o, [&](const auto& integration) {
     load = RL::assemble_load(space, RL::Linear_surface_function<double>(f), space.depth(),

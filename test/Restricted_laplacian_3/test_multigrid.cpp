@@ -48,7 +48,8 @@ Sparse_matrix path_prolongation(int n) {
   return p;
 }
 
-/// patches of `width` consecutive unknowns that overlap by half, in groups of `group`, in two colors
+/// patches of `width` consecutive unknowns that overlap by half, in groups of `group`, in two
+/// colors
 RL::Smoothing_patches path_patches(int n, int width, int group) {
   RL::Smoothing_patches patches;
   std::vector<RL::internal::Number_lists::Pair> pairs;

@@ -516,8 +516,8 @@ TEST_CASE("stabilization_must_be_a_non_negative_number", "[operators]") {
 }
 
 TEST_CASE("stabilization_keeps_constants_where_the_surface_lies_in_walls", "[operators]") {
-  // a flat rectangle is in the middle of its domain cube, which is a wall; a cube of side 10 / 11 of
-  // the domain cube has sides in walls at cube_scale 8 / 6
+  // a flat rectangle is in the middle of its domain cube, which is a wall; a cube of side 10 / 11
+  // of the domain cube has sides in walls at cube_scale 8 / 6
   for(const auto& soup : {shapes::rectangle(1, 0.7), shapes::box(1, 1, 1, 4, 1)}) {
     const Mesh mesh = shapes::mesh(soup);
     const RL::Spline_space_3 space(mesh, params::octree_depth(4, params::cube_scale(8. / 6)));

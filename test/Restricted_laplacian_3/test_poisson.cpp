@@ -228,8 +228,9 @@ TEST_CASE("iterations_do_not_depend_on_the_depth", "[poisson]") {
 }
 
 TEST_CASE("iterations_where_the_surface_lies_in_walls_or_is_ragged", "[poisson]") {
-  // Sides of the box lie in walls, the rectangle does in the middle of its cube, and small triangles
-  // apart from each other have more components than a coarse level can tell from constants.
+  // Sides of the box lie in walls, the rectangle does in the middle of its cube, and small
+  // triangles apart from each other have more components than a coarse level can tell from
+  // constants.
   shapes::Triangles scattered;
   for(int i = 0; i < 60; ++i)
     scattered = shapes::joined(

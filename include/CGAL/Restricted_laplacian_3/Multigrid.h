@@ -116,8 +116,8 @@ private:
 ///
 /// *Precision.* A cycle computes in single precision, on matrices that are scaled to diagonals near
 /// 1, but for the coarsest level; vectors come and go in double precision and in the numbering of
-/// the matrix. What a cycle returns is accurate to about \f$10^{-6}\f$ at best, which does not limit
-/// the accuracy of an iteration that it preconditions.
+/// the matrix. What a cycle returns is accurate to about \f$10^{-6}\f$ at best, which does not
+/// limit the accuracy of an iteration that it preconditions.
 ///
 /// \tparam Smoother a model of `MultigridSmoother_3`
 template <class Smoother = Patch_smoother> class Multigrid {
@@ -130,8 +130,8 @@ public:
   /// \param a the finest matrix, all of whose entries are stored
   /// \param prolongations from each level to the next finer one, coarsest first; may be empty
   /// \param patches of each level but the coarsest, coarsest first, for the smoother
-  /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they are
-  /// computed as Galerkin products
+  /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they
+  /// are computed as Galerkin products
   /// \param is_parallel whether several threads are used; results do not depend on that
   /// \throws Parameter_error if the sizes do not fit
   Multigrid(const Sparse_matrix& a, const std::vector<Sparse_matrix>& prolongations,

@@ -161,10 +161,10 @@ public:
   /// \param prolongations from each level to the next finer one, coarsest first
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param alpha the screening weight that `a` contains, if any
-  /// \param patches of each level but the coarsest, coarsest first, see `smoothing_patches()`; without
-  /// them, the smoother is point Gauss-Seidel
-  /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they are
-  /// computed as Galerkin products
+  /// \param patches of each level but the coarsest, coarsest first, see `smoothing_patches()`;
+  /// without them, the smoother is point Gauss-Seidel
+  /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they
+  /// are computed as Galerkin products
   /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry
   /// of the matrix is not finite, or a diagonal entry negative beyond rounding
   Poisson_solver(Sparse_matrix a, const std::vector<Sparse_matrix>& prolongations,

@@ -71,10 +71,11 @@ inline double checked_normal_stabilization(double c) {
 /// volumes of their cells, \f$h\f$ is the width of these cells, whatever the level of the matrix,
 /// and \f$A\f$ the average of \f$n n^T\f$ over the sheet (by area): a penalty on the derivative
 /// along the normal. (On a sheet in a wall between cells, where the elements do not sum to 1 in the
-/// volume, the integral is \f$h^3\f$ times the average of \f$(n \cdot \nabla b_i)(n \cdot \nabla b_j)\f$
-/// over the sheet.) Since \f$N 1 = 0\f$, constants remain in the kernel of the stiffness matrix,
-/// and the entries of the mass matrix sum to the area. The error of the solution that it causes is
-/// of the order of the discretisation error for \f$c\f$ from the order of 1 down to that of
+/// volume, the integral is \f$h^3\f$ times the average of \f$(n \cdot \nabla b_i)(n \cdot \nabla
+/// b_j)\f$ over the sheet.) Since \f$N 1 = 0\f$, constants remain in the kernel of the stiffness
+/// matrix, and the entries of the mass matrix sum to the area. The error of the solution that it
+/// causes is of the order of the discretisation error for \f$c\f$ from the order of 1 down to that
+/// of
 /// \f$h^2\f$. See J. Grande, C. Lehrenfeld, A. Reusken, *Analysis of a high-order trace finite
 /// element method for PDEs on level set surfaces*, SIAM J. Numer. Anal. 56 (2018), and E. Burman,
 /// P. Hansbo, M. G. Larson, A. Massing, *Cut finite element methods for partial differential

@@ -191,9 +191,9 @@ namespace internal {
 
 /// Inverts the symmetric positive semi-definite matrix `a` of `size` rows, stored with `stride`
 /// numbers a row, in its upper triangle, by Gauss-Jordan elimination without exchanges, which keeps
-/// it symmetric (Beaton's sweep operator). A pivot that is at most `cutoff` belongs to an unknown that
-/// nearly depends on those before it: its row and column become 0, and the result is the inverse of
-/// the rest, so it is positive semi-definite for any matrix. Takes `size`\f${}^3 / 2\f$
+/// it symmetric (Beaton's sweep operator). A pivot that is at most `cutoff` belongs to an unknown
+/// that nearly depends on those before it: its row and column become 0, and the result is the
+/// inverse of the rest, so it is positive semi-definite for any matrix. Takes `size`\f${}^3 / 2\f$
 /// multiplications.
 /// \param column as long as a row
 inline void invert_by_sweeps(double* a, int size, int stride, double cutoff, double* column) {
@@ -225,13 +225,13 @@ inline void invert_by_sweeps(double* a, int size, int stride, double cutoff, dou
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// Overlapping multiplicative Schwarz: the unknowns of each patch in turn are set to the solution of
-/// their equations, the others fixed; in reverse order after the coarse correction, which makes a
-/// cycle a symmetric operator.
+/// Overlapping multiplicative Schwarz: the unknowns of each patch in turn are set to the solution
+/// of their equations, the others fixed; in reverse order after the coarse correction, which makes
+/// a cycle a symmetric operator.
 ///
 /// Restricted splines are nearly dependent, which is why point Gauss-Seidel stalls; but a
-/// combination that nearly vanishes on the surface does so on a few cells, and a patch that contains
-/// its elements removes it at once. The usual patches are those of `smoothing_patches()`.
+/// combination that nearly vanishes on the surface does so on a few cells, and a patch that
+/// contains its elements removes it at once. The usual patches are those of `smoothing_patches()`.
 ///
 /// In single precision, with the inverses of the blocks stored: about 600 bytes an unknown for the
 /// matrix and 500 for the inverses.

@@ -111,7 +111,8 @@ Poisson_solver poisson_solver(const Spline_space_3& space, const SurfaceIntegrat
                               const Poisson_solver_options& options) {
   // Coarse matrices of the space of the paper are not the Galerkin products: those are computed.
   const int coarsest = space.is_paper_space() ? space.depth() : coarsest_multigrid_level(space);
-  System_matrices system = assemble_system(space, coarsest, integration, alpha, normal_stabilization);
+  System_matrices system =
+      assemble_system(space, coarsest, integration, alpha, normal_stabilization);
   if(space.is_paper_space())
     system.integrals = assemble_element_integrals(space);
   Sparse_matrix finest;
@@ -430,7 +431,8 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
       double constant_alpha = 0;
       if constexpr(!has_weight_function)
         constant_alpha = static_cast<double>(alpha);
-      System_matrices system = assemble_system(space, space.depth(), Cubature(space), constant_alpha, stabilization);
+      System_matrices system =
+          assemble_system(space, space.depth(), Cubature(space), constant_alpha, stabilization);
       Sparse_matrix& a = system.matrices.front();
       if constexpr(has_weight_function) {
         const Cubature cubature(space);

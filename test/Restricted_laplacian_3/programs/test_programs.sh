@@ -338,15 +338,19 @@ test_poisson_options() {
   check "--cube-scale changes the space" \
     eval "[ '$(comment dimension u.csv)' != '$(comment dimension reference.csv)' ]"
 
-  run solve_poisson sphere.off --depth 4 --smoother patch --csv patch.csv
-  if grep -q "not available" err; then
-    check "--smoother patch is refused, not ignored" [ "$status" -eq 1 -a ! -e patch.csv ]
-  else
-    check "--smoother patch: the same solution" \
-      is_below "$(largest_difference patch.csv 3 -0.5)" 5e-3
-    check "--smoother patch takes fewer iterations" \
-      [ "$(comment iterations patch.csv)" -lt "$(comment iterations reference.csv)" ]
-  fi
+  run solve_poisson sphere.off --depth 4 --smoother point --tolerance 1e-6 --csv point.csv
+  check "--smoother point: the same solution" \
+    is_below "$(largest_difference point.csv 3 -0.5)" 5e-3
+  check "the default smoother takes fewer iterations" \
+    [ "$(comment iterations point.csv)" -gt "$(comment iterations reference.csv)" ]
+  run solve_poisson sphere.off --depth 4 --stabilization 0 --tolerance 1e-4 --csv pure.csv
+  check "--stabilization 0: the same solution" \
+    is_below "$(largest_difference pure.csv 3 -0.5)" 5e-3
+  fails "stabilization" solve_poisson sphere.off --stabilization -1
+  run solve_poisson sphere.off --depth 4 --threads 1 --csv one.csv
+  run solve_poisson sphere.off --depth 4 --threads 2 --csv two.csv
+  check "--threads has no influence on values" \
+    [ "$(grep -v '^#' one.csv)" = "$(grep -v '^#' two.csv)" ]
 
   # 504 elements at depth 3: Table 1 of the paper
   succeeds solve_poisson sphere.off --depth 3 --paper --csv paper.csv

@@ -22,11 +22,11 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// A symmetric sparse matrix in single precision that consists of dense blocks, one for each pair of
-/// clusters with a common entry, of eight rows and as many columns as the cluster has unknowns.
-/// Restricted splines of neighbouring cells act on the same sheets, so their rows have most of their
-/// columns in common: with clusters of neighbours the blocks are half full, and a product takes no
-/// indirect access to single numbers.
+/// A symmetric sparse matrix in single precision that consists of dense blocks, one for each pair
+/// of clusters with a common entry, of eight rows and as many columns as the cluster has unknowns.
+/// Restricted splines of neighbouring cells act on the same sheets, so their rows have most of
+/// their columns in common: with clusters of neighbours the blocks are half full, and a product
+/// takes no indirect access to single numbers.
 class Block_matrix {
 public:
   Block_matrix() : m_first(1, 0), m_first_values(1, 0) {}

@@ -182,8 +182,8 @@ private:
   }
 
   /// Whether an element vanishes on a sheet of the finest level, because all of it lies in a wall.
-  /// Then the elements that are left do not sum to 1 in the volume of the cell, but do on the sheet,
-  /// together with their derivatives along the normal.
+  /// Then the elements that are left do not sum to 1 in the volume of the cell, but do on the
+  /// sheet, together with their derivatives along the normal.
   bool lies_in_wall(std::size_t sheet) const {
     for(int dz = -1; dz <= 1; ++dz)
       for(int dy = -1; dy <= 1; ++dy)

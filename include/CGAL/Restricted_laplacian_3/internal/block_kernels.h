@@ -182,8 +182,8 @@ subtract_outer_product(const double* column, double factor, double* a, int size,
 #define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call) plain::call
 #endif
 
-/// Subtracts a row of blocks, times the clusters `columns` of `K` vectors `x`, from a cluster of `K`
-/// vectors. A block has eight rows, and as many columns as its cluster has unknowns.
+/// Subtracts a row of blocks, times the clusters `columns` of `K` vectors `x`, from a cluster of
+/// `K` vectors. A block has eight rows, and as many columns as its cluster has unknowns.
 template <int K>
 void subtract_blocks(const float* values, const std::uint32_t* columns,
                      const std::uint8_t* cluster_sizes, std::size_t count, const float* x,
@@ -192,8 +192,8 @@ void subtract_blocks(const float* values, const std::uint32_t* columns,
       subtract_blocks<K>(values, columns, cluster_sizes, count, x, sum));
 }
 
-/// Product of a symmetric matrix with a vector. The matrix consists of `number` x `number` blocks of
-/// 8 x 8 numbers, of which the upper triangle is stored, one column of blocks after the other.
+/// Product of a symmetric matrix with a vector. The matrix consists of `number` x `number` blocks
+/// of 8 x 8 numbers, of which the upper triangle is stored, one column of blocks after the other.
 inline void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_symmetric(blocks, number, from, to));
 }
