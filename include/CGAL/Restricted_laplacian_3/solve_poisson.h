@@ -94,7 +94,7 @@ inline void check_alpha(double alpha) {
 }
 
 /// \param coarse_matrices of the levels above the coarsest one of the hierarchy; may be empty
-inline Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix a,
+inline Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                                      std::vector<Sparse_matrix> coarse_matrices,
                                      const Eigen::VectorXd& integrals, double alpha,
                                      const Poisson_solver_options& options) {
@@ -232,16 +232,25 @@ template <class Alpha> void check_screening_weight(const Alpha& alpha) {
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// A solver for \f$A \eta = b\f$ on the finest level of a space, where \f$A\f$ is the stiffness
 /// matrix with other matrices of its pattern added, such as those of `Dirichlet_boundary` and
-/// `Point_constraints`.
+/// `Point_constraints`. The matrix is empty afterwards.
 /// \param element_integrals \f$\int b_i\f$
 /// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
 /// \throws Parameter_error if a parameter is outside its domain
 inline Poisson_solver
-make_poisson_solver(const Spline_space_3& space, Sparse_matrix a,
+make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                     const Eigen::VectorXd& element_integrals, double alpha = 0,
                     const Poisson_solver_options& options = Poisson_solver_options()) {
   internal::check_alpha(alpha);
   return internal::poisson_solver(space, std::move(a), {}, element_integrals, alpha, options);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The same with a copy of the matrix.
+inline Poisson_solver
+make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
+                    const Eigen::VectorXd& element_integrals, double alpha = 0,
+                    const Poisson_solver_options& options = Poisson_solver_options()) {
+  return make_poisson_solver(space, Sparse_matrix(a), element_integrals, alpha, options);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref

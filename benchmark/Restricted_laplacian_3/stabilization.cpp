@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the stabilization by normal derivatives costs in accuracy and saves in iterations.
+//
+//   stabilization [MESH]...
+//
+// First the relative errors, in L2 and H1, of a Poisson problem on the unit sphere whose solution is
+// a spherical harmonic of degree 6, by factor and depth. Then the iterations to a true relative
+// residual of 1e-8 on meshes (files, or names in the folder of shared meshes), for the coordinate x
+// as right-hand side. Times are not measured. Raw output is in results/.
+
+#include "sphere.h"
+#include "support/package.h"
+
+#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace params = CGAL::parameters;
+using namespace benchmarks;
+
+constexpr double factors[] = {0, 1e-5, 1e-4, 3e-4, 1e-3, 1e-2, 1e-1};
+
+double harmonic(const RL::Surface_point& p) {
+  const double r = std::sqrt((p.point - CGAL::ORIGIN).squared_length());
+  return std::real(std::pow(std::complex<double>(p.point.x() / r, p.point.y() / r), 6));
+}
+
+void errors_on_the_sphere(const RL::Triangulated_surface_3& surface, int depth) {
+  constexpr double eigenvalue = 42;
+  const RL::Spline_space_3 space(surface, space_options(depth, true, 1));
+  const RL::Operators pure = operators(space, 0);
+  const Eigen::VectorXd load = RL::assemble_load(space, harmonic);
+  const double h = space.octree().cell_width(depth);
+  double norm = 0;
+  const RL::Cubature cubature(space);
+  for(std::size_t sheet = 0; sheet < space.number_of_sheets(depth); ++sheet)
+    cubature.for_each_node(sheet, [&](const std::array<double, 3>&,
+                                      const RL::Surface_location& location, double weight) {
+      norm += weight * h * h * std::pow(harmonic(surface.surface_point(location)), 2);
+    });
+  for(double c : factors) {
+    // Without stabilization the residual cannot be made small, and the error does not need it.
+    Eigen::VectorXd eta;
+    const RL::Solve_report report =
+        RL::make_poisson_solver(
+            space, 0,
+            params::normal_stabilization(c, params::relative_tolerance(c > 0 ? 1e-9 : 1e-7)))
+            .solve(eigenvalue * load, eta);
+    const double l2 = eta.dot(pure.mass * eta) - 2 * eta.dot(load) + norm,
+                 h1 = eta.dot(pure.stiffness * eta) / eigenvalue - 2 * eta.dot(load) + norm;
+    std::printf("%5d %8zu %8.0e %10.2e %10.2e %6d %s\n", depth, space.dimension(), c,
+                std::sqrt(std::abs(l2) / norm), std::sqrt(std::abs(h1) / norm), report.iterations,
+                report.converged ? "" : "not converged");
+    std::fflush(stdout);
+  }
+}
+
+void iterations(const char* name, const RL::Triangulated_surface_3& surface, int depth) {
+  const RL::Spline_space_3 space(surface, space_options(depth, true, 2));
+  const Eigen::VectorXd load =
+      RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.x(); });
+  std::printf("%-18s %5d %8zu", name, depth, space.dimension());
+  for(double c : factors) {
+    const auto np = params::normal_stabilization(
+        c, params::relative_tolerance(1e-8,
+                                      params::concurrency_tag(CGAL::Parallel_if_available_tag(),
+                                                              params::number_of_iterations(150))));
+    Eigen::VectorXd eta;
+    const RL::Solve_report report = RL::make_poisson_solver(space, 0, np).solve(load, eta);
+    std::printf(report.converged ? " %7d" : "   >%4d", report.iterations);
+    std::fflush(stdout);
+  }
+  std::printf("\n");
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  std::vector<std::string> meshes(argv + 1, argv + argc);
+  if(meshes.empty())
+    meshes = {"bunny_closed_70k", "armadillo", "fandisk_32k", "pulley_28k", "cow_5k8"};
+  std::printf(
+      "# sphere of 131,072 triangles\n# depth unknowns   factor   L2 error   H1 error  iter\n");
+  const RL::Triangulated_surface_3 surface = sphere(7);
+  for(int depth = 3; depth <= 5; ++depth)
+    errors_on_the_sphere(surface, depth);
+  std::printf("\n\n# iterations to 1e-8\n# %-16s %5s %8s", "mesh", "depth", "unknowns");
+  for(double c : factors)
+    std::printf(" %7.0e", c);
+  std::printf("\n");
+  for(const std::string& name : meshes)
+    if(const auto mesh = find_mesh(name))
+      for(int depth = 5; depth <= 8; ++depth)
+        iterations(name.c_str(), *mesh, depth);
+}
