@@ -186,7 +186,7 @@ public:
     }
     workspace.levels.resize(m_levels.size());
     auto& vectors = workspace.levels[finest];
-    const internal::Block_row<K> scale = import <K>(b, vectors.b);
+    const internal::Block_row<K> scale = import_load<K>(b, vectors.b);
     run<K>(finest, vectors.b, vectors.x, cycle, steps, workspace);
     export_solution<K>(vectors.x, scale, x);
   }
@@ -204,7 +204,7 @@ public:
     }
     workspace.levels.resize(m_levels.size());
     std::vector<internal::Level_vectors<K>> loads(m_levels.size());
-    const internal::Block_row<K> scale = import <K>(b, loads[finest]);
+    const internal::Block_row<K> scale = import_load<K>(b, loads[finest]);
     for(std::size_t level = finest; level > 0; --level)
       m_levels[level].restriction.template multiply<K, false>(m_is_parallel, loads[level],
                                                               loads[level - 1]);
@@ -280,8 +280,8 @@ private:
 
   /// scales the columns to largest entry 1, returns the factors
   template <int K>
-  internal::Block_row<K> import(const internal::Block_vector<K>& from,
-                                internal::Level_vectors<K>& to) const {
+  internal::Block_row<K> import_load(const internal::Block_vector<K>& from,
+                                     internal::Level_vectors<K>& to) const {
     const std::size_t finest = m_levels.size() - 1;
     const std::vector<double>& d = scale(finest);
     const std::vector<std::uint32_t>& position = positions(finest).of_unknown;

@@ -199,13 +199,12 @@ public:
   const Sparse_matrix& matrix() const { return m_matrix; }
   /// number of connected components whose constants are in the kernel of the matrix
   int kernel_dimension() const { return m_constants.kernel_dimension(); }
-  /// wall-clock seconds that the construction took
+  /// wall-clock seconds that the hierarchy took
   double setup_seconds() const { return m_setup_seconds; }
 
   /// Solves for all columns of `b`; up to four at a time share each pass over the matrices.
   /// \param b right-hand sides, as many rows as the matrix: a vector, or a matrix of columns
   /// \param x on return the solutions, of the same shape; its old content is not used
-  /// \param relative_tolerance in place of that of the options
   /// \throws Parameter_error if the number of rows does not fit, or if an entry is not finite
   template <class RightHandSides, class Solutions>
   Solve_report solve(const Eigen::MatrixBase<RightHandSides>& b,
@@ -213,7 +212,7 @@ public:
     return solve(b, x, m_options.relative_tolerance);
   }
 
-  /// \overload
+  /// The same with another tolerance than that of the options, between 0 and 1.
   template <class RightHandSides, class Solutions>
   Solve_report solve(const Eigen::MatrixBase<RightHandSides>& b,
                      Eigen::PlainObjectBase<Solutions>& x, double relative_tolerance) const {

@@ -395,6 +395,7 @@ inline void stiffness_block(const Cell_moments::Tensor_moments& tensor, Cell_blo
           }
 }
 
+/// \overload
 inline void stiffness_block(const Cell_moments& moments, Cell_block& block) {
   stiffness_block(moments.tensor, block);
 }
