@@ -34,7 +34,7 @@ namespace Restricted_laplacian_3 {
 /// The factor \f$c\f$ of the stabilisation, see `assemble_operators()`, that the functions for
 /// Poisson problems use unless told otherwise: 1e-3, and 0 in the space of the paper. The number of
 /// iterations does not depend on the depth of the octree then, while the error of the solution is
-/// at most twice that without stabilisation.
+/// up to about twice that without stabilisation.
 inline double default_normal_stabilization(const Spline_space_3& space) {
   return space.is_paper_space() ? 0 : 1e-3;
 }
