@@ -40,9 +40,8 @@ struct Smoothing_patches {
   std::vector<std::uint32_t> groups = {0};
   /// first group of each color, and one more
   std::vector<std::uint32_t> colors = {0};
-  /// For each unknown the number of a neighborhood, ascending where the unknowns are renumbered for
-  /// good locality: unknowns of a neighborhood are stored together. It has no influence on results
-  /// beyond rounding. May be empty.
+  /// For each unknown the number of a neighborhood; unknowns of a neighborhood are stored together,
+  /// neighborhoods by their numbers. It has no influence on results beyond rounding. May be empty.
   std::vector<std::uint64_t> neighborhoods;
 };
 

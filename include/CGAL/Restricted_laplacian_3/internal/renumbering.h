@@ -45,52 +45,6 @@ inline std::vector<int> ranks(const std::vector<int>& order) {
   return rank;
 }
 
-/// Entry \f$(i, j)\f$ of the result is entry (`row_order[i]`, `columns[j]`) of the transpose of
-/// `transposed`, where `column_rank` is the inverse of `columns`. Rows are visited in ascending
-/// order, so the columns of the result come out sorted, in linear time.
-inline Eigen::SparseMatrix<double>
-renumbered_transpose(const Eigen::SparseMatrix<double>& transposed,
-                     const std::vector<int>& row_order, const std::vector<int>& column_rank) {
-  using Iterator = Eigen::SparseMatrix<double>::InnerIterator;
-  std::vector<int> next(transposed.rows() + 1, 0);
-  for(int row = 0; row < transposed.cols(); ++row)
-    for(Iterator i(transposed, row); i; ++i)
-      ++next[column_rank[i.row()] + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  Eigen::SparseMatrix<double> result(transposed.cols(), transposed.rows());
-  result.resizeNonZeros(next.back());
-  std::copy(next.begin(), next.end(), result.outerIndexPtr());
-  for(int row = 0; row < transposed.cols(); ++row)
-    for(Iterator i(transposed, row_order[row]); i; ++i) {
-      const int position = next[column_rank[i.row()]]++;
-      result.innerIndexPtr()[position] = row;
-      result.valuePtr()[position] = i.value();
-    }
-  return result;
-}
-
-inline std::vector<int> identity_order(Eigen::Index size) {
-  std::vector<int> order(size);
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
-
-/// renumbers rows and columns of a symmetric matrix
-inline Eigen::SparseMatrix<double> renumbered(const Eigen::SparseMatrix<double>& a,
-                                              const std::vector<int>& order) {
-  return renumbered_transpose(a, order, ranks(order));
-}
-
-inline Eigen::SparseMatrix<double> renumbered_rows(const Eigen::SparseMatrix<double>& p,
-                                                   const std::vector<int>& order) {
-  return renumbered_transpose(p.transpose(), order, identity_order(p.cols()));
-}
-
-inline Eigen::SparseMatrix<double> renumbered_columns(const Eigen::SparseMatrix<double>& p,
-                                                      const std::vector<int>& order) {
-  return renumbered_transpose(p.transpose(), identity_order(p.rows()), ranks(order));
-}
-
 } // namespace internal
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
