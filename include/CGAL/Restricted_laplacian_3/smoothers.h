@@ -19,8 +19,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -60,17 +60,59 @@ inline std::vector<double> balancing_scale(const Eigen::SparseMatrix<double>& a)
   return scale;
 }
 
-/// calls `relax(group)` for the groups of all colors, in order or in reverse
-template <class Relax>
-void for_each_group(bool is_parallel, const std::vector<std::uint32_t>& colors, bool is_reversed,
-                    Relax&& relax) {
-  const std::size_t number_of_colors = colors.size() - 1;
-  for(std::size_t i = 0; i < number_of_colors; ++i) {
-    const std::size_t color = is_reversed ? number_of_colors - 1 - i : i;
-    parallel_for(is_parallel, colors[color], colors[color + 1], 1,
-                 [&](std::size_t group, std::size_t) { relax(group); });
+/// What smoothers that relax groups of unknowns one after the other have in common.
+/// \tparam Derived has `residual()`, and `relax_group()`, which relaxes a group in order or in
+/// reverse
+template <class Derived> class Group_smoother {
+public:
+  /// where unknowns are in the vectors of this level
+  const Level_positions& positions() const { return m_positions; }
+  /// the vectors of this level belong to \f$D A D\f$ with this diagonal matrix
+  const std::vector<double>& scale() const { return m_scale; }
+
+  /// starts from \f$x = 0\f$; on return \f$r = b - A x\f$
+  template <int K>
+  void pre_smooth(const Level_vectors<K>& b, Level_vectors<K>& x, Level_vectors<K>& r,
+                  int steps) const {
+    x.set_zero(m_positions.number_of_positions);
+    for(int step = 0; step < steps; ++step)
+      sweep<K>(b, x, false);
+    derived().template residual<K>(b, x, r);
   }
-}
+
+  /// makes the transposes of the steps of `pre_smooth()`, from the given `x`
+  template <int K>
+  void post_smooth(const Level_vectors<K>& b, Level_vectors<K>& x, int steps) const {
+    for(int step = 0; step < steps; ++step)
+      sweep<K>(b, x, true);
+  }
+
+protected:
+  Group_smoother(const Eigen::SparseMatrix<double>& a, std::vector<std::uint32_t> colors,
+                 bool is_parallel)
+    : m_is_parallel(is_parallel), m_scale(balancing_scale(a)), m_colors(std::move(colors)) {}
+
+  bool m_is_parallel;
+  std::vector<double> m_scale;
+  Level_positions m_positions;
+  std::vector<std::uint32_t> m_colors; // first group of each, and one more
+
+private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+
+  /// relaxes the groups of all colors, in order or in reverse
+  template <int K>
+  void sweep(const Level_vectors<K>& b, Level_vectors<K>& x, bool is_reversed) const {
+    const std::size_t number_of_colors = m_colors.size() - 1;
+    for(std::size_t i = 0; i < number_of_colors; ++i) {
+      const std::size_t color = is_reversed ? number_of_colors - 1 - i : i;
+      parallel_for(m_is_parallel, m_colors[color], m_colors[color + 1], 1,
+                   [&](std::size_t group, std::size_t) {
+                     derived().template relax_group<K>(group, b, x, is_reversed);
+                   });
+    }
+  }
+};
 
 } // namespace internal
 
@@ -84,11 +126,11 @@ void for_each_group(bool is_parallel, const std::vector<std::uint32_t>& colors, 
 /// One sweep takes one pass over the matrix.
 ///
 /// \cgalModels `MultigridSmoother_3`
-class Gauss_seidel_smoother {
+class Gauss_seidel_smoother : public internal::Group_smoother<Gauss_seidel_smoother> {
 public:
   Gauss_seidel_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
                         bool is_parallel = false)
-    : m_is_parallel(is_parallel), m_scale(internal::balancing_scale(a)), m_colors(patches.colors) {
+    : Group_smoother(a, patches.colors, is_parallel) {
     const std::size_t n = static_cast<std::size_t>(a.cols());
     const std::vector<int> by_octave = internal::order_by_octave_of_diagonal(a);
     const std::vector<int> rank = internal::ranks(by_octave);
@@ -129,28 +171,6 @@ public:
     }
   }
 
-  /// where unknowns are in the vectors of this level
-  const internal::Level_positions& positions() const { return m_positions; }
-  /// the vectors of this level belong to \f$D A D\f$ with this diagonal matrix
-  const std::vector<double>& scale() const { return m_scale; }
-
-  /// starts from \f$x = 0\f$; on return \f$r = b - A x\f$
-  template <int K>
-  void pre_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-                  internal::Level_vectors<K>& r, int steps) const {
-    x.set_zero(m_positions.number_of_positions);
-    for(int step = 0; step < steps; ++step)
-      sweep<K>(b, x, false);
-    residual<K>(b, x, r);
-  }
-
-  template <int K>
-  void post_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-                   int steps) const {
-    for(int step = 0; step < steps; ++step)
-      sweep<K>(b, x, true);
-  }
-
   /// \f$r = b - A x\f$
   template <int K>
   void residual(const internal::Level_vectors<K>& b, const internal::Level_vectors<K>& x,
@@ -161,27 +181,23 @@ public:
   }
 
 private:
+  friend class internal::Group_smoother<Gauss_seidel_smoother>;
+
   template <int K>
-  void sweep(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-             bool is_reversed) const {
-    internal::for_each_group(m_is_parallel, m_colors, is_reversed, [&](std::size_t group) {
-      const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
-      for(std::uint32_t k = 0; k < end - begin; ++k) {
-        const std::size_t i = is_reversed ? end - 1 - k : begin + k;
-        const std::size_t offset = internal::Level_vectors<K>::offset(i);
-        const std::array<float, K> product = m_matrix.template row_product<K>(i, x);
-        for(int c = 0; c < K; ++c)
-          x.data()[offset + internal::lanes_of_floats * c] +=
-              (b.data()[offset + internal::lanes_of_floats * c] - product[c]) *
-              m_inverse_diagonal[i];
-      }
-    });
+  void relax_group(std::size_t group, const internal::Level_vectors<K>& b,
+                   internal::Level_vectors<K>& x, bool is_reversed) const {
+    const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
+    for(std::uint32_t k = 0; k < end - begin; ++k) {
+      const std::size_t i = is_reversed ? end - 1 - k : begin + k;
+      const std::size_t offset = internal::Level_vectors<K>::offset(i);
+      const std::array<float, K> product = m_matrix.template row_product<K>(i, x);
+      for(int c = 0; c < K; ++c)
+        x.data()[offset + internal::lanes_of_floats * c] +=
+            (b.data()[offset + internal::lanes_of_floats * c] - product[c]) * m_inverse_diagonal[i];
+    }
   }
 
-  bool m_is_parallel;
-  std::vector<double> m_scale;
-  internal::Level_positions m_positions;
-  std::vector<std::uint32_t> m_groups, m_colors;
+  std::vector<std::uint32_t> m_groups;
   internal::Row_matrix m_matrix;
   std::vector<float> m_inverse_diagonal;
 };
@@ -236,7 +252,7 @@ inline void invert_by_sweeps(double* a, int size, int stride, double cutoff, dou
 /// matrix and 500 for the inverses.
 ///
 /// \cgalModels `MultigridSmoother_3`
-class Patch_smoother {
+class Patch_smoother : public internal::Group_smoother<Patch_smoother> {
 public:
   /// Added to the diagonals, which are near 1, before a block is inverted: well above the rounding
   /// errors of single precision, times the number of entries in a row. Without it a combination of
@@ -246,34 +262,11 @@ public:
 
   Patch_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
                  bool is_parallel = false)
-    : m_is_parallel(is_parallel), m_scale(internal::balancing_scale(a)), m_groups(patches.groups),
-      m_colors(patches.colors) {
+    : Group_smoother(a, patches.colors, is_parallel), m_groups(patches.groups) {
     find_clusters(static_cast<std::size_t>(a.cols()), patches);
     find_parts(patches);
     m_matrix = internal::Block_matrix(is_parallel, a, m_positions, m_scale);
     invert_blocks();
-  }
-
-  /// where unknowns are in the vectors of this level
-  const internal::Level_positions& positions() const { return m_positions; }
-  /// the vectors of this level belong to \f$D A D\f$ with this diagonal matrix
-  const std::vector<double>& scale() const { return m_scale; }
-
-  /// starts from \f$x = 0\f$; on return \f$r = b - A x\f$
-  template <int K>
-  void pre_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-                  internal::Level_vectors<K>& r, int steps) const {
-    x.set_zero(m_positions.number_of_positions);
-    for(int step = 0; step < steps; ++step)
-      sweep<K>(b, x, false);
-    residual<K>(b, x, r);
-  }
-
-  template <int K>
-  void post_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-                   int steps) const {
-    for(int step = 0; step < steps; ++step)
-      sweep<K>(b, x, true);
   }
 
   /// \f$r = b - A x\f$
@@ -284,6 +277,8 @@ public:
   }
 
 private:
+  friend class internal::Group_smoother<Patch_smoother>;
+
   struct Patch {
     std::uint32_t first_part;
     std::uint32_t size;  // number of unknowns
@@ -444,16 +439,14 @@ private:
   }
 
   template <int K>
-  void sweep(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-             bool is_reversed) const {
-    internal::for_each_group(m_is_parallel, m_colors, is_reversed, [&](std::size_t group) {
-      const std::size_t stride = static_cast<std::size_t>(rounded_up(m_largest_size, 8));
-      internal::Aligned_floats residuals(K * stride), update(K * stride);
-      const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
-      for(std::uint32_t k = 0; k < end - begin; ++k)
-        relax<K>(is_reversed ? end - 1 - k : begin + k, b, x, residuals.data(), update.data(),
-                 stride);
-    });
+  void relax_group(std::size_t group, const internal::Level_vectors<K>& b,
+                   internal::Level_vectors<K>& x, bool is_reversed) const {
+    const std::size_t stride = static_cast<std::size_t>(rounded_up(m_largest_size, 8));
+    internal::Aligned_floats residuals(K * stride), update(K * stride);
+    const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
+    for(std::uint32_t k = 0; k < end - begin; ++k)
+      relax<K>(is_reversed ? end - 1 - k : begin + k, b, x, residuals.data(), update.data(),
+               stride);
   }
 
   /// \param residuals,update room for `K` vectors of `stride` numbers
@@ -497,11 +490,8 @@ private:
 
   static constexpr std::uint32_t no_number = (std::numeric_limits<std::uint32_t>::max)();
 
-  bool m_is_parallel;
-  std::vector<double> m_scale;
-  internal::Level_positions m_positions;
   internal::Block_matrix m_matrix;
-  std::vector<std::uint32_t> m_groups, m_colors;
+  std::vector<std::uint32_t> m_groups;
   std::vector<Patch> m_patches; // and one more
   std::vector<Part> m_parts;
   internal::Aligned_floats m_inverses;
