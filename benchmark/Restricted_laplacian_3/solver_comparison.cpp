@@ -8,7 +8,9 @@
 // After the paper's section 5.4 and table 2 (tolerance 5e-3).
 //
 // All solvers get the same singular, consistent system: kernel and near-kernel are left in it.
-// - ours: the Poisson_solver of this package, with each of its smoothers; the first is the default
+// - ours: the Poisson_solver of this package, with each of its smoothers; the first is the default.
+//   It takes the matrices of coarser levels from the assembly; what they add to the time of the
+//   assembly counts as setup.
 // - amg1, amg2, hmis, cgc, alone and as preconditioners of conjugate gradients (_pcg): hypre, see
 //   support/boomer_amg.h. Two threads are two processes: Debian's hypre is built without OpenMP.
 // - cholmod: supernodal factorization of A + 1e-10 diag(A), which preconditions conjugate
@@ -180,27 +182,29 @@ protected:
 class Package_solver : public Local_solver {
 public:
   Package_solver(const RL::Spline_space_3& space, const Matrix& a, const Vector& b,
-                 const Vector& integrals, std::string smoother, int threads)
+                 const Vector& integrals, std::string smoother, int threads, Coarse_levels coarse)
     : Local_solver(a, b), m_space(space), m_integrals(integrals), m_smoother(std::move(smoother)),
-      m_threads(threads) {}
+      m_threads(threads), m_coarse(std::move(coarse)) {}
 
+  // The solver takes the matrices over; the time of copying them is not its own.
   double setup() {
     m_solver.reset();
-    return seconds_of([&] {
-      m_solver.emplace(RL::make_poisson_solver(
-          m_space, *m_a, m_integrals, 0,
-          solver_options(m_smoother, m_threads, m_tolerance, m_maximum_iterations)));
-    });
+    Matrix a = *m_a;
+    std::vector<Matrix> coarse = m_coarse.matrices;
+    return m_coarse.seconds + seconds_of([&] {
+             m_solver.emplace(RL::internal::poisson_solver(
+                 m_space, std::move(a), std::move(coarse), m_integrals, 0,
+                 solver_options(m_smoother, m_threads, m_tolerance, m_maximum_iterations)));
+           });
   }
-  // The tolerance is fixed when a solver is made: the time of making another one does not count.
+  // The limit is fixed when a solver is made: the time of making another one does not count.
   Solution solve(double tolerance, int maximum_iterations) {
-    if(tolerance != m_tolerance || maximum_iterations != m_maximum_iterations) {
-      m_tolerance = tolerance;
+    if(maximum_iterations != m_maximum_iterations) {
       m_maximum_iterations = maximum_iterations;
       setup();
     }
     RL::Solve_report report;
-    const double seconds = seconds_of([&] { report = m_solver->solve(*m_b, m_x); });
+    const double seconds = seconds_of([&] { report = m_solver->solve(*m_b, m_x, tolerance); });
     return {report.iterations, seconds};
   }
 
@@ -209,6 +213,7 @@ private:
   const Vector& m_integrals;
   std::string m_smoother;
   int m_threads;
+  Coarse_levels m_coarse;
   double m_tolerance = 1e-3;
   int m_maximum_iterations = 1000;
   std::optional<RL::Poisson_solver> m_solver;
@@ -556,7 +561,10 @@ private:
     const std::vector<Record> records =
         in_child_process<Record>(m_options.process_seconds(), peak, [&] {
           [[maybe_unused]] const auto limited = limit_threads(threads);
-          Package_solver solver(m_space, m_a, m_b, m_integrals, smoother, threads);
+          const RL::Spline_space_3 space(m_space.surface(),
+                                         space_options(m_depth, m_options.is_split, threads));
+          Package_solver solver(space, m_a, m_b, m_integrals, smoother, threads,
+                                coarse_levels(space, m_options.stabilization));
           return measure(solver, m_options.protocol);
         });
     if(smoother == smoothers().front())

@@ -210,7 +210,7 @@ TEST_CASE("spline_is_a_combination_of_splines_of_the_finer_grid", "[basics]") {
 
 TEST_CASE("cubature_rules_are_exact_up_to_their_degree_and_no_further", "[basics]") {
   for(const auto& [degree, size, error_beyond] :
-      {std::make_tuple(2, 3u, 1e-3), std::make_tuple(5, 7u, 1e-5),
+      {std::make_tuple(2, 3u, 1e-3), std::make_tuple(5, 7u, 1e-5), std::make_tuple(8, 16u, 1e-7),
        std::make_tuple(12, 32u, 1e-9)}) {
     INFO("degree " << degree);
     const auto& rule = RL::triangle_quadrature(degree);

@@ -181,14 +181,15 @@ TEST_CASE("inverse_of_a_block_with_dependent_unknowns", "[multigrid]") {
       if(is_singular && size > 1)
         factor.col(size - 1) = factor.col(0);
       const Eigen::MatrixXd a = factor.transpose() * factor;
-      std::vector<double> stored(static_cast<std::size_t>(stride) * size, 0.), column(stride);
+      std::vector<double> stored(static_cast<std::size_t>(stride) * stride, 0.);
       for(int i = 0; i < size; ++i)
-        for(int j = 0; j < size; ++j)
+        for(int j = 0; j <= i; ++j)
           stored[stride * i + j] = a(i, j);
-      RL::internal::invert_by_sweeps(stored.data(), size, stride, 1e-9, column.data());
+      RL::internal::Symmetric_inverse invert;
+      invert(stored.data(), size, stride, 1e-9);
       Eigen::MatrixXd inverse(size, size);
       for(int i = 0; i < size; ++i)
-        for(int j = i; j < size; ++j)
+        for(int j = 0; j <= i; ++j)
           inverse(i, j) = inverse(j, i) = stored[stride * i + j];
       if(!is_singular || size == 1)
         CHECK((a * inverse - Eigen::MatrixXd::Identity(size, size)).norm() <= 1e-9);
@@ -238,13 +239,17 @@ TEST_CASE("kernels_for_vector_registers_equal_plain_ones", "[multigrid]") {
     RL::internal::plain::multiply_symmetric(matrix.data(), number, from.data(), a.data());
     RL::internal::lanes::multiply_symmetric(matrix.data(), number, from.data(), b.data());
     compare(a.data(), b.data(), rows);
-    std::vector<double> c(static_cast<std::size_t>(rows) * size, 1.), d = c, column(rows, 0.);
+    constexpr int vectors = RL::internal::pivots_of_a_sweep;
+    std::vector<double> c(static_cast<std::size_t>(rows) * rows, 1.), d = c, p(vectors * rows),
+                                                                      q(vectors * rows);
+    for(std::size_t i = 0; i < p.size(); ++i) {
+      p[i] = uniform(generator);
+      q[i] = uniform(generator);
+    }
+    RL::internal::plain::subtract_outer_products(p.data(), q.data(), c.data(), size, rows);
+    RL::internal::lanes::subtract_outer_products(p.data(), q.data(), d.data(), size, rows);
     for(int i = 0; i < size; ++i)
-      column[i] = uniform(generator);
-    RL::internal::plain::subtract_outer_product(column.data(), 0.7, c.data(), size, rows);
-    RL::internal::lanes::subtract_outer_product(column.data(), 0.7, d.data(), size, rows);
-    for(int i = 0; i < size; ++i)
-      for(int j = i; j < size; ++j)
+      for(int j = 0; j <= i; ++j)
         CHECK(c[rows * i + j] == Approx(d[rows * i + j]).margin(1e-14));
   }
 }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <random>
@@ -61,11 +62,18 @@ struct Assembled {
     operators = RL::assemble_operators(*space, 0, depth, cubature);
     stabilized = RL::assemble_operators(*space, 0, depth, cubature, 0.1);
     alone = internal::assemble_stiffness_and_integrals(*space, depth, cubature, 0.1);
+    for(int level : {depth - 2, depth}) {
+      loads.push_back(RL::assemble_load(
+          *space, [](const RL::Surface_point& p) { return std::sin(p.point.x()); }, level));
+      loads.push_back(RL::assemble_gradient_load(
+          *space, [](const RL::Surface_point& p) { return p.point - CGAL::ORIGIN; }, level));
+    }
   }
 
   std::unique_ptr<RL::Spline_space_3> space;
   std::vector<RL::Operators> operators, stabilized;
   internal::Stiffness_and_integrals alone;
+  std::vector<Eigen::VectorXd> loads;
 };
 
 void check_identical(const Assembled& a, const Assembled& b) {
@@ -88,6 +96,7 @@ void check_identical(const Assembled& a, const Assembled& b) {
   }
   CHECK(are_identical(a.alone.stiffness, b.alone.stiffness));
   CHECK(a.alone.integrals == b.alone.integrals);
+  CHECK(a.loads == b.loads);
 }
 
 } // namespace
@@ -237,5 +246,18 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
   plain::mass_blocks(sheets, p);
   lanes::mass_blocks(sheets, q);
   CHECK(difference(p, q) <= 1e-15);
+
+  internal::Cell_load_nodes nodes;
+  for(std::size_t i = 0; i < internal::Cell_load_nodes::size; ++i) {
+    for(auto& coordinates : nodes.t)
+      coordinates[i] = uniform(generator);
+    nodes.value[i] = uniform(generator) - 0.5;
+  }
+  internal::Cell_load_sums of_plain = {}, of_lanes = {};
+  plain::add_nodes(nodes, of_plain);
+  lanes::add_nodes(nodes, of_lanes);
+  for(int i = 0; i < 27; ++i)
+    for(int lane = 0; lane < 4; ++lane)
+      CHECK(std::abs(of_plain[i][lane] - of_lanes[i][lane]) <= 1e-15);
 }
 #endif

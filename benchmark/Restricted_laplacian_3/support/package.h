@@ -10,12 +10,15 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <fstream>
 #include <optional>
@@ -89,6 +92,35 @@ inline RL::Poisson_solver_options solver_options(const std::string& smoother, in
   options.relative_tolerance = tolerance;
   options.maximum_iterations = maximum_iterations;
   return options;
+}
+
+/// What the solver of the package needs besides the matrix of the finest level: the matrices of the
+/// coarser ones, which the assembly makes in the same pass, and the seconds that this adds to it.
+struct Coarse_levels {
+  std::vector<RL::Sparse_matrix> matrices;
+  double seconds;
+};
+
+inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, double stabilization) {
+  const RL::Cubature cubature(space);
+  Coarse_levels result;
+  std::array<double, 2> seconds = {1e9, 1e9};
+  for(int repetition = 0; repetition < 3; ++repetition)
+    for(int is_all = 0; is_all < 2; ++is_all) {
+      CGAL::Real_timer timer;
+      timer.start();
+      auto matrices =
+          RL::internal::assemble_system(
+              space, is_all ? RL::internal::coarsest_multigrid_level(space) : space.depth(),
+              cubature, 0, stabilization)
+              .matrices;
+      seconds[is_all] = std::min(seconds[is_all], timer.time());
+      if(is_all)
+        result.matrices = std::move(matrices);
+    }
+  result.matrices.pop_back();
+  result.seconds = std::max(0., seconds[1] - seconds[0]);
+  return result;
 }
 
 /// the default solver, with the matrices of all levels from one pass over the surface

@@ -134,29 +134,31 @@ public:
   /// are computed as Galerkin products
   /// \param is_parallel whether several threads are used; results do not depend on that
   /// \throws Parameter_error if the sizes do not fit
-  Multigrid(const Sparse_matrix& a, const std::vector<Sparse_matrix>& prolongations,
-            const std::vector<Smoothing_patches>& patches, bool is_parallel = false,
+  Multigrid(const Sparse_matrix& a, std::vector<Sparse_matrix> prolongations,
+            std::vector<Smoothing_patches> patches, bool is_parallel = false,
             std::vector<Sparse_matrix> coarse_matrices = {})
     : m_is_parallel(is_parallel), m_size(a.cols()) {
     check_sizes(a, prolongations, patches, coarse_matrices);
     const std::size_t finest = prolongations.size();
-    m_levels.resize(finest + 1);
-    Sparse_matrix coarse;
-    for(std::size_t level = finest;; --level) {
-      const Sparse_matrix& fine = level == finest ? a : coarse;
-      if(level == 0) {
-        set_coarsest(fine);
-        break;
-      }
-      m_smoothers.emplace_back(fine, patches[level - 1], is_parallel);
-      if(coarse_matrices.empty())
-        galerkin_product(fine, prolongations[level - 1], is_parallel).swap(coarse);
-      else
-        coarse.swap(coarse_matrices[level - 1]);
+    if(coarse_matrices.empty()) {
+      coarse_matrices.resize(finest);
+      for(std::size_t level = finest; level > 0; --level)
+        galerkin_product(level == finest ? a : coarse_matrices[level], prolongations[level - 1],
+                         is_parallel)
+            .swap(coarse_matrices[level - 1]);
     }
-    std::reverse(m_smoothers.begin(), m_smoothers.end());
-    for(std::size_t level = finest; level > 0; --level)
+    // What a level no longer needs makes room for the next finer one, which takes most.
+    m_levels.resize(finest + 1);
+    m_smoothers.reserve(finest);
+    set_coarsest(finest == 0 ? a : coarse_matrices[0]);
+    for(std::size_t level = 1; level <= finest; ++level) {
+      Sparse_matrix().swap(coarse_matrices[level - 1]);
+      m_smoothers.emplace_back(level == finest ? a : coarse_matrices[level], patches[level - 1],
+                               is_parallel);
+      patches[level - 1] = Smoothing_patches();
       set_transfer(level, prolongations[level - 1]);
+      Sparse_matrix().swap(prolongations[level - 1]);
+    }
   }
 
   std::size_t number_of_levels() const { return m_levels.size(); }
@@ -271,11 +273,11 @@ private:
     std::vector<double> inverse_scale = scale(level);
     for(double& s : inverse_scale)
       s = 1 / s;
-    const Sparse_matrix transposed = p.transpose();
-    m_levels[level].restriction = internal::Row_matrix(p, positions(level - 1), scale(level - 1),
-                                                       positions(level), inverse_scale);
-    m_levels[level].prolongation = internal::Row_matrix(transposed, positions(level), inverse_scale,
-                                                        positions(level - 1), scale(level - 1));
+    const std::vector<double>& coarse_scale = scale(level - 1);
+    m_levels[level].restriction = internal::Row_matrix::of_transpose(
+        p, positions(level - 1), coarse_scale, positions(level), inverse_scale);
+    m_levels[level].prolongation = internal::Row_matrix::of(p, positions(level), inverse_scale,
+                                                            positions(level - 1), coarse_scale);
   }
 
   /// scales the columns to largest entry 1, returns the factors

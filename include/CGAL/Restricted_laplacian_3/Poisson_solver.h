@@ -167,15 +167,15 @@ public:
   /// are computed as Galerkin products
   /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry
   /// of the matrix is not finite, or a diagonal entry negative beyond rounding
-  Poisson_solver(const Sparse_matrix& a, const std::vector<Sparse_matrix>& prolongations,
+  Poisson_solver(const Sparse_matrix& a, std::vector<Sparse_matrix> prolongations,
                  const Eigen::VectorXd& element_integrals, double alpha = 0,
                  const Options& options = Options(), std::vector<Smoothing_patches> patches = {},
                  std::vector<Sparse_matrix> coarse_matrices = {})
-    : Poisson_solver(Sparse_matrix(a), prolongations, element_integrals, alpha, options,
+    : Poisson_solver(Sparse_matrix(a), std::move(prolongations), element_integrals, alpha, options,
                      std::move(patches), std::move(coarse_matrices)) {}
 
   /// The same, without a copy of the matrix; it is empty afterwards.
-  Poisson_solver(Sparse_matrix&& a, const std::vector<Sparse_matrix>& prolongations,
+  Poisson_solver(Sparse_matrix&& a, std::vector<Sparse_matrix> prolongations,
                  const Eigen::VectorXd& element_integrals, double alpha = 0,
                  const Options& options = Options(), std::vector<Smoothing_patches> patches = {},
                  std::vector<Sparse_matrix> coarse_matrices = {})
@@ -187,11 +187,11 @@ public:
       m_options.smoother = Smoother::point;
     patches.resize(prolongations.size());
     if(m_options.smoother == Smoother::patch)
-      m_multigrid.emplace<Patch_multigrid>(m_matrix, prolongations, patches, m_options.is_parallel,
-                                           std::move(coarse_matrices));
+      m_multigrid.emplace<Patch_multigrid>(m_matrix, std::move(prolongations), std::move(patches),
+                                           m_options.is_parallel, std::move(coarse_matrices));
     else
-      m_multigrid.emplace<Point_multigrid>(m_matrix, prolongations, patches, m_options.is_parallel,
-                                           std::move(coarse_matrices));
+      m_multigrid.emplace<Point_multigrid>(m_matrix, std::move(prolongations), std::move(patches),
+                                           m_options.is_parallel, std::move(coarse_matrices));
     m_setup_seconds = timer.time();
   }
 

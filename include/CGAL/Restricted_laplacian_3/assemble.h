@@ -5,18 +5,24 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLE_H
 
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/cell_integrals.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/internal/Element_matrix_pattern.h>
 #include <CGAL/Restricted_laplacian_3/internal/Operator_assembly.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/surface_integration.h>
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -250,46 +256,74 @@ inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
 
 namespace internal {
 
-/// Visits the sheets of `level`, collects the nodes of each of them through `add(t, point, weight)`
-/// (local coordinate in its cell; weight in units of the squared width of the finest cells), and
-/// calls `finish(sheet)` after the last one.
-template <class SurfaceIntegration, class Add, class Finish>
-void for_each_sheet_and_node(const Spline_space_3& space, int level,
-                             const SurfaceIntegration& integration, Add&& add, Finish&& finish) {
+/// The degree of the polynomials that a function on the surface consists of, one on each triangle;
+/// that of others is taken for 6, so that the product with an element has degree 12.
+template <class Function> struct Degree_on_triangles : std::integral_constant<int, 6> {};
+template <class T>
+struct Degree_on_triangles<Linear_surface_function<T>> : std::integral_constant<int, 1> {};
+
+/// the constant 1
+struct One {
+  double operator()(const Surface_point&) const { return 1; }
+};
+template <> struct Degree_on_triangles<One> : std::integral_constant<int, 0> {};
+
+/// Visits the nodes on a sheet of `level` through `visit(t, point, weight)`: local coordinate in its
+/// cell; weight in units of the squared width of the finest cells.
+/// \param degree of what is integrated
+template <class SurfaceIntegration, class Visitor>
+void for_each_node_of_level(const Spline_space_3& space, int level, std::size_t sheet,
+                            const SurfaceIntegration& integration, int degree, Visitor&& visit) {
   const Octree_3& octree = space.octree();
   const int depth = octree.depth();
-  std::vector<std::uint32_t> descendants, next;
-  for(std::uint32_t sheet = 0; sheet < octree.number_of_sheets(level); ++sheet) {
-    descendants.assign(1, sheet);
-    for(int l = level; l < depth; ++l, descendants.swap(next)) {
-      next.clear();
-      for(std::uint32_t s : descendants)
-        next.insert(next.end(), octree.children(l, s).begin(), octree.children(l, s).end());
-    }
-    const Cell_3 coarse = octree.cell(level, sheet);
-    // local coordinate in the coarse cell: scale (t + offset)
-    const double scale = std::ldexp(1., level - depth);
-    for(std::uint32_t s : descendants) {
-      const Cell_3 fine = octree.cell(depth, s);
-      std::array<double, 3> offset;
-      for(int axis = 0; axis < 3; ++axis)
-        offset[axis] = fine.index[axis] - (coarse.index[axis] << (depth - level));
-      integration.for_each_node(
-          s, [&](const std::array<double, 3>& t, const Surface_location& location, double weight) {
-            add(std::array<double, 3>{scale * (t[0] + offset[0]), scale * (t[1] + offset[1]),
+  std::vector<std::uint32_t> descendants(1, static_cast<std::uint32_t>(sheet)), next;
+  for(int l = level; l < depth; ++l, descendants.swap(next)) {
+    next.clear();
+    for(std::uint32_t s : descendants)
+      next.insert(next.end(), octree.children(l, s).begin(), octree.children(l, s).end());
+  }
+  const Cell_3 coarse = octree.cell(level, sheet);
+  // local coordinate in the coarse cell: scale (t + offset)
+  const double scale = std::ldexp(1., level - depth);
+  for(std::uint32_t s : descendants) {
+    const Cell_3 fine = octree.cell(depth, s);
+    std::array<double, 3> offset;
+    for(int axis = 0; axis < 3; ++axis)
+      offset[axis] = fine.index[axis] - (coarse.index[axis] << (depth - level));
+    for_each_node(
+        integration, s, degree,
+        [&](const std::array<double, 3>& t, const Surface_location& location, double weight) {
+          visit(std::array<double, 3>{scale * (t[0] + offset[0]), scale * (t[1] + offset[1]),
                                       scale * (t[2] + offset[2])},
                 octree.surface().surface_point(location), weight);
-          });
-    }
-    finish(sheet);
+        });
   }
 }
 
-inline void add_cell_load(const Cell_elements& elements, const Cell_load::Load& values,
-                          double factor, Eigen::VectorXd& load) {
-  for(int i = 0; i < 27; ++i)
-    if(elements[i] != Spline_space_3::no_element)
-      load[elements[i]] += factor * values[i];
+/// The vector that gets from each sheet of `level` what `load_of_sheet(sheet)` returns for its
+/// elements, times `factor`. Sheets are computed on several threads, and added in their order.
+template <class LoadOfSheet>
+Eigen::VectorXd sum_loads(const Spline_space_3& space, int level, double factor,
+                          LoadOfSheet&& load_of_sheet) {
+  constexpr std::size_t grain = 256, sheets_at_once = 256 * grain;
+  const std::size_t number_of_sheets = space.octree().number_of_sheets(level);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
+  std::vector<Cell_load::Load> loads((std::min)(sheets_at_once, number_of_sheets));
+  for(std::size_t first = 0; first < number_of_sheets; first += sheets_at_once) {
+    const std::size_t last = (std::min)(first + sheets_at_once, number_of_sheets);
+    parallel_for(space.options().is_parallel, first, last, grain,
+                 [&](std::size_t begin, std::size_t end) {
+                   for(std::size_t sheet = begin; sheet < end; ++sheet)
+                     loads[sheet - first] = load_of_sheet(sheet);
+                 });
+    for(std::size_t sheet = first; sheet < last; ++sheet) {
+      const Cell_elements& elements = space.elements(level, sheet);
+      for(int i = 0; i < 27; ++i)
+        if(elements[i] != Spline_space_3::no_element)
+          load[elements[i]] += factor * loads[sheet - first][i];
+    }
+  }
+  return load;
 }
 
 } // namespace internal
@@ -300,26 +334,24 @@ inline void add_cell_load(const Cell_elements& elements, const Cell_load::Load& 
 /// The Poisson problem \f$\Delta_{\mathcal M} u = f\f$ is \f$S \eta = -\phi\f$.
 /// \param f a function object that takes a `const Surface_point&` and returns a number. Exact up to
 /// rounding if it is a polynomial of degree at most 6 on each triangle, as `vertex_function()` is.
+/// It is called by several threads at once if `Spline_space_options::is_parallel` is set.
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class Function, class SurfaceIntegration>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level,
                               const SurfaceIntegration& integration) {
   space.checked_level(level);
   const double h = space.octree().cell_width(space.depth());
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
-  Cell_load cell_load;
-  internal::for_each_sheet_and_node(
-      space, level, integration,
-      [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
-        cell_load.add(t, weight * static_cast<double>(f(p)));
-      },
-      [&](std::size_t sheet) {
-        Cell_load::Load values = {};
-        cell_load.add_values_to(values);
-        internal::add_cell_load(space.elements(level, sheet), values, h * h, load);
-        cell_load = Cell_load();
-      });
-  return load;
+  return internal::sum_loads(space, level, h * h, [&](std::size_t sheet) {
+    internal::Cell_load moments;
+    internal::for_each_node_of_level(
+        space, level, sheet, integration, 6 + internal::Degree_on_triangles<Function>::value,
+        [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
+          moments.add(t, weight * static_cast<double>(f(p)));
+        });
+    internal::Cell_load::Load values = {};
+    moments.add_values_to(values);
+    return values;
+  });
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -349,24 +381,21 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
   space.checked_level(level);
   const double h = space.octree().cell_width(space.depth());
   const double coarse_h = space.octree().cell_width(level);
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
-  std::array<Cell_load, 3> components;
-  internal::for_each_sheet_and_node(
-      space, level, integration,
-      [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
-        const Vector_3 value = v(p);
-        const Vector_3 tangential = value - (value * p.normal) * p.normal;
-        for(int axis = 0; axis < 3; ++axis)
-          components[axis].add(t, weight * tangential[axis]);
-      },
-      [&](std::size_t sheet) {
-        Cell_load::Load values = {};
-        for(int axis = 0; axis < 3; ++axis)
-          components[axis].add_derivatives_to(axis, values);
-        internal::add_cell_load(space.elements(level, sheet), values, h * h / coarse_h, load);
-        components.fill(Cell_load());
-      });
-  return load;
+  return internal::sum_loads(space, level, h * h / coarse_h, [&](std::size_t sheet) {
+    std::array<internal::Cell_load, 3> components;
+    internal::for_each_node_of_level(
+        space, level, sheet, integration, 6 + internal::Degree_on_triangles<VectorField>::value,
+        [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
+          const Vector_3 value = v(p);
+          const Vector_3 tangential = value - (value * p.normal) * p.normal;
+          for(int axis = 0; axis < 3; ++axis)
+            components[axis].add(t, weight * tangential[axis]);
+        });
+    internal::Cell_load::Load values = {};
+    for(int axis = 0; axis < 3; ++axis)
+      components[axis].add_derivatives_to(axis, values);
+    return values;
+  });
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -387,8 +416,7 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
 /// \f$ \int_{\mathcal M} b_i \f$, `dimension(level)` entries: the load of the constant 1. The
 /// surface integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, int level) {
-  return assemble_load(
-      space, [](const Surface_point&) { return 1.; }, level);
+  return assemble_load(space, internal::One(), level);
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// \overload

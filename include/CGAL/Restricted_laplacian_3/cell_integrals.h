@@ -66,12 +66,6 @@ inline std::array<double, 5> bernstein_4(double t) {
   return {u2 * u2, 4 * tu * u2, 6 * tu * tu, 4 * tu * t2, t2 * t2};
 }
 
-/// Bernstein polynomials of degree 2 at \f$t\f$
-inline std::array<double, 3> bernstein_2(double t) {
-  const double u = 1 - t;
-  return {u * u, 2 * t * u, t * t};
-}
-
 /// adds `weight` \f$B_a(t_x) B_b(t_y) B_c(t_z)\f$
 inline void add_node(const std::array<double, 3>& t, double weight,
                      Cell_moments::Moments& moments) {
@@ -414,62 +408,6 @@ inline std::array<double, 27> element_integrals(const Cell_moments& moments) {
   internal::contract(pieces, pieces, pieces, moments.mass, integrals);
   return integrals;
 }
-
-/// Values of a function against the 27 elements of a cell: \f$\int f b_i\f$ over the surface in the
-/// cell, from the moments of \f$f\f$ with the Bernstein polynomials of degree 2.
-class Cell_load {
-public:
-  using Load = std::array<double, 27>;
-
-  Cell_load() { m_moments.fill(0); }
-
-  /// adds a node: local coordinate, value times weight
-  void add(const std::array<double, 3>& t, double value) {
-    const auto x = internal::bernstein_2(t[0]), y = internal::bernstein_2(t[1]),
-               z = internal::bernstein_2(t[2]);
-    for(int c = 0; c < 3; ++c)
-      for(int b = 0; b < 3; ++b) {
-        const double yz = value * y[b] * z[c];
-        for(int a = 0; a < 3; ++a)
-          m_moments[a + 3 * (b + 3 * c)] += x[a] * yz;
-      }
-  }
-
-  /// adds \f$\int f b_i\f$
-  void add_values_to(Load& load) const {
-    const auto b = B_spline_1::bernstein_coefficients();
-    add_contraction_to(b, b, b, load);
-  }
-
-  /// adds \f$\int f \partial_k b_i\f$, times the cell width
-  void add_derivatives_to(int axis, Load& load) const {
-    const auto b = B_spline_1::bernstein_coefficients(),
-               d = B_spline_1::derivative_bernstein_coefficients();
-    add_contraction_to(axis == 0 ? d : b, axis == 1 ? d : b, axis == 2 ? d : b, load);
-  }
-
-private:
-  using Factor = std::array<std::array<double, 3>, 3>;
-
-  void add_contraction_to(const Factor& x, const Factor& y, const Factor& z, Load& load) const {
-    for(int k = 0; k < 3; ++k) {
-      std::array<double, 9> plane = {};
-      for(int c = 0; c < 3; ++c)
-        for(int i = 0; i < 9; ++i)
-          plane[i] += z[k][c] * m_moments[i + 9 * c];
-      for(int j = 0; j < 3; ++j) {
-        std::array<double, 3> line = {};
-        for(int b = 0; b < 3; ++b)
-          for(int a = 0; a < 3; ++a)
-            line[a] += y[j][b] * plane[a + 3 * b];
-        for(int i = 0; i < 3; ++i)
-          load[i + 3 * (j + 3 * k)] += x[i][0] * line[0] + x[i][1] * line[1] + x[i][2] * line[2];
-      }
-    }
-  }
-
-  std::array<double, 27> m_moments;
-};
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -10,6 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/internal/level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/internal/renumbering.h>
+#include <CGAL/Restricted_laplacian_3/internal/symmetric_inverse.h>
 
 #include <Eigen/SparseCore>
 
@@ -162,7 +163,7 @@ public:
       m_positions.of_unknown[order[i]] = static_cast<std::uint32_t>(i);
     m_positions.number_of_positions =
         (n + internal::lanes_of_floats - 1) / internal::lanes_of_floats * internal::lanes_of_floats;
-    m_matrix = internal::Row_matrix(a, m_positions, m_scale, m_positions, m_scale);
+    m_matrix = internal::Row_matrix::of(a, m_positions, m_scale, m_positions, m_scale);
     m_inverse_diagonal.assign(n, 0.f);
     for(std::size_t i = 0; i < n; ++i) {
       const double diagonal = a.coeff(order[i], order[i]) * m_scale[order[i]] * m_scale[order[i]];
@@ -201,43 +202,6 @@ private:
   internal::Row_matrix m_matrix;
   std::vector<float> m_inverse_diagonal;
 };
-
-namespace internal {
-
-/// Inverts the symmetric positive semi-definite matrix `a` of `size` rows, stored with `stride`
-/// numbers a row, in its upper triangle, by Gauss-Jordan elimination without exchanges, which keeps
-/// it symmetric (Beaton's sweep operator). A pivot that is at most `cutoff` belongs to an unknown
-/// that nearly depends on those before it: its row and column become 0, and the result is the
-/// inverse of the rest, so it is positive semi-definite for any matrix. Takes `size`\f${}^3 / 2\f$
-/// multiplications.
-/// \param column as long as a row
-inline void invert_by_sweeps(double* a, int size, int stride, double cutoff, double* column) {
-  const auto entry = [a, stride](int i, int j) -> double& {
-    return a[static_cast<std::size_t>(stride) * (std::min)(i, j) + (std::max)(i, j)];
-  };
-  std::fill(column, column + stride, 0.);
-  // The result is minus the inverse.
-  for(int k = 0; k < size; ++k) {
-    const double pivot = entry(k, k);
-    const bool is_dependent = !(pivot > cutoff);
-    const double inverse = is_dependent ? 0 : 1 / pivot;
-    for(int i = 0; i < size; ++i) {
-      column[i] = is_dependent || i == k ? 0 : entry(i, k);
-      entry(i, k) = 0;
-    }
-    if(is_dependent)
-      continue;
-    subtract_outer_product(column, inverse, a, size, stride);
-    for(int i = 0; i < size; ++i)
-      entry(i, k) = column[i] * inverse;
-    entry(k, k) = -inverse;
-  }
-  for(int i = 0; i < size; ++i)
-    for(int j = i; j < size; ++j)
-      entry(i, j) = -entry(i, j);
-}
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Overlapping multiplicative Schwarz: the unknowns of each patch in turn are set to the solution
@@ -370,7 +334,8 @@ private:
     constexpr std::size_t grain = 256;
     internal::parallel_for(
         m_is_parallel, 0, m_patches.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
-          std::vector<double> block, column;
+          internal::Symmetric_inverse invert;
+          std::vector<double> block;
           Local_numbers local;
           local.part.assign(m_positions.number_of_clusters(), no_number);
           for(std::size_t p = begin; p < end; ++p) {
@@ -382,30 +347,32 @@ private:
               // Where it is 0 the row is 0, and the unknown remains 0.
               diagonal = diagonal > 0 ? diagonal + relative_regularization : 0;
             }
-            column.resize(stride);
-            internal::invert_by_sweeps(block.data(), size, stride, relative_regularization / 2,
-                                       column.data());
-            const auto entry = [&](int i, int j) {
-              return i < size && j < size
-                         ? block[static_cast<std::size_t>(stride) * (std::min)(i, j) +
-                                 (std::max)(i, j)]
-                         : 0.;
-            };
-            float* inverse = m_inverses.data() + patch.inverse;
-            for(int column = 0; column < stride; column += 8)
-              for(int row = 0; row <= column; row += 8)
-                for(int j = column; j < column + 8; ++j)
-                  for(int i = row; i < row + 8; ++i)
-                    *inverse++ = static_cast<float>(entry(i, j));
+            invert(block.data(), size, stride, relative_regularization / 2);
+            pack(block, stride, m_inverses.data() + patch.inverse);
           }
         });
   }
 
-  /// the upper triangle of the dense block of a patch
+  /// the lower triangle of a matrix, as `multiply_symmetric()` wants it
+  static void pack(std::vector<double>& matrix, int stride, float* to) {
+    const auto row = [&matrix, stride](int i) {
+      return matrix.data() + static_cast<std::size_t>(stride) * i;
+    };
+    for(int first = 0; first < stride; first += 8) {
+      for(int i = first; i < first + 8; ++i)
+        for(int j = first; j < i; ++j)
+          row(j)[i] = row(i)[j];
+      for(int column = 0; column <= first; column += 8)
+        for(int i = first; i < first + 8; ++i, to += 8)
+          std::copy(row(i) + column, row(i) + column + 8, to);
+    }
+  }
+
+  /// the lower triangle of the dense block of a patch, with as many rows as columns in memory
   void extract(std::size_t p, int stride, Local_numbers& local, std::vector<double>& block) const {
     const Patch& patch = m_patches[p];
     const std::uint32_t first = patch.first_part, last = m_patches[p + 1].first_part;
-    block.assign(static_cast<std::size_t>(stride) * patch.size, 0.);
+    block.assign(static_cast<std::size_t>(stride) * stride, 0.);
     // number of the first unknown of each part in the block
     std::vector<int>& offsets = local.offsets;
     offsets.assign(1, 0);
@@ -423,15 +390,21 @@ private:
         const std::uint32_t other = local.part[column_cluster];
         if(other == no_number || other < k - first)
           return;
+        // The block is transposed, so that a row of the result is read from consecutive numbers.
         const std::uint8_t *rows = local.lanes.data() + offsets[k - first],
                            *columns = local.lanes.data() + offsets[other];
         const int number_of_rows = offsets[k - first + 1] - offsets[k - first],
                   number_of_columns = offsets[other + 1] - offsets[other];
         double* to =
-            block.data() + static_cast<std::size_t>(stride) * offsets[k - first] + offsets[other];
-        for(int i = 0; i < number_of_rows; ++i, to += stride)
-          for(int j = 0; j < number_of_columns; ++j)
-            to[j] = values[rows[i] + internal::lanes_of_floats * columns[j]];
+            block.data() + static_cast<std::size_t>(stride) * offsets[other] + offsets[k - first];
+        for(int j = 0; j < number_of_columns; ++j, to += stride) {
+          const float* column = values + internal::lanes_of_floats * columns[j];
+          if(number_of_rows == internal::lanes_of_floats)
+            std::copy(column, column + internal::lanes_of_floats, to);
+          else
+            for(int i = 0; i < number_of_rows; ++i)
+              to[i] = column[rows[i]];
+        }
       });
     }
     for(std::uint32_t k = first; k < last; ++k)

@@ -50,11 +50,18 @@ public:
   /// coordinate in the cell, as `std::array<double, 3>`; `Surface_location`; weight in units of the
   /// squared cell width.
   template <class Visitor> void for_each_node(std::size_t sheet, Visitor&& visit) const {
+    for_each_node(sheet, 12, visit);
+  }
+
+  /// The same with the nodes of a rule that is exact up to `degree`, at most 12.
+  template <class Visitor>
+  void for_each_node(std::size_t sheet, int degree, Visitor&& visit) const {
     const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
+    const std::vector<Triangle_quadrature_node>& rule = triangle_quadrature(degree);
     Surface_location location;
     for(std::uint32_t face : m_octree->faces(sheet)) {
       location.face = face;
-      internal::for_each_node(m_octree->fragment(cell, face), cell.index, triangle_quadrature(12),
+      internal::for_each_node(m_octree->fragment(cell, face), cell.index, rule,
                               [&](const std::array<double, 3>& t,
                                   const std::array<double, 3>& barycentric, double weight) {
                                 location.barycentric = barycentric;
@@ -186,6 +193,19 @@ void add_sheet_moments(const SurfaceIntegration& integration, std::size_t sheet,
 
 inline void add_sheet_moments(const Cubature& cubature, std::size_t sheet, Sheet_moments& moments) {
   cubature.add_moments(sheet, moments);
+}
+
+/// Nodes for an integrand of the given degree on each triangle, by any model of
+/// `SurfaceIntegration_3`. All but `Cubature` have the same for all degrees.
+template <class SurfaceIntegration, class Visitor>
+void for_each_node(const SurfaceIntegration& integration, std::size_t sheet, int /*degree*/,
+                   Visitor&& visit) {
+  integration.for_each_node(sheet, visit);
+}
+
+template <class Visitor>
+void for_each_node(const Cubature& cubature, std::size_t sheet, int degree, Visitor&& visit) {
+  cubature.for_each_node(sheet, degree, visit);
 }
 
 } // namespace internal

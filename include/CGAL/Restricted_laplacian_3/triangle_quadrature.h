@@ -64,6 +64,33 @@ inline const std::vector<Triangle_quadrature_node>& taylor_rule_of_degree_12() {
   return rule;
 }
 
+/// J. N. Lyness, D. Jespersen, Moderate degree symmetric quadrature rules for the triangle,
+/// J. Inst. Math. Appl. 15 (1975): 16 nodes, degree 8, all weights positive, all nodes inside.
+inline const std::vector<Triangle_quadrature_node>& lyness_jespersen_rule_of_degree_8() {
+  static const std::vector<Triangle_quadrature_node> rule = [] {
+    const double third = 1. / 3;
+    std::vector<Triangle_quadrature_node> nodes = {{third, third, third, 0.144315607677787168251}};
+    // on the medians: two coordinates are equal
+    constexpr double on_medians[3][2] = {{0.459292588292723156029, 0.0950916342672846247939},
+                                         {0.170569307751760206622, 0.103217370534718250282},
+                                         {0.0505472283170309754584, 0.0324584976231980803109}};
+    for(const auto& [a, weight] : on_medians) {
+      const double b = 1 - 2 * a;
+      nodes.insert(nodes.end(), {{b, a, a, weight}, {a, b, a, weight}, {a, a, b, weight}});
+    }
+    const double a = 0.00839477740995760533721, b = 0.263112829634638113422, c = 1 - a - b,
+                 weight = 0.0272303141744349942648;
+    nodes.insert(nodes.end(), {{a, b, c, weight},
+                               {b, c, a, weight},
+                               {c, a, b, weight},
+                               {a, c, b, weight},
+                               {c, b, a, weight},
+                               {b, a, c, weight}});
+    return nodes;
+  }();
+  return rule;
+}
+
 /// J. Radon (1948): 7 nodes, degree 5
 inline const std::vector<Triangle_quadrature_node>& radon_rule_of_degree_5() {
   static const std::vector<Triangle_quadrature_node> rule = [] {
@@ -93,8 +120,9 @@ inline const std::vector<Triangle_quadrature_node>& three_point_rule_of_degree_2
 } // namespace internal
 
 /// The smallest rule of this package that integrates all polynomials of total degree at most
-/// `degree` exactly: 3 nodes up to degree 2, 7 up to 5, and Taylor's 32 up to 12, which is what a
-/// product of two triquadratic functions on a plane needs.
+/// `degree` exactly: 3 nodes up to degree 2, 7 up to 5, 16 up to 8, and Taylor's 32 up to 12. A
+/// product of two triquadratic functions on a plane has degree 12, one of a triquadratic with a
+/// linear function 7.
 /// \throws Parameter_error if `degree` is negative or above 12
 inline const std::vector<Triangle_quadrature_node>& triangle_quadrature(int degree) {
   if(degree < 0 || degree > 12)
@@ -104,6 +132,8 @@ inline const std::vector<Triangle_quadrature_node>& triangle_quadrature(int degr
     return internal::three_point_rule_of_degree_2();
   if(degree <= 5)
     return internal::radon_rule_of_degree_5();
+  if(degree <= 8)
+    return internal::lyness_jespersen_rule_of_degree_8();
   return internal::taylor_rule_of_degree_12();
 }
 

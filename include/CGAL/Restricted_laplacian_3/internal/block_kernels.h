@@ -18,6 +18,9 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
+/// how many vectors `subtract_outer_products()` takes
+constexpr int pivots_of_a_sweep = 4;
+
 namespace plain {
 
 template <int K>
@@ -50,11 +53,14 @@ inline void multiply_symmetric(const float* blocks, int number, const float* fro
         }
 }
 
-inline void subtract_outer_product(const double* column, double factor, double* a, int size,
-                                   int stride) {
+inline void subtract_outer_products(const double* c, const double* d, double* a, int size,
+                                    int stride) {
   for(int i = 0; i < size; ++i)
-    for(int j = i; j < size; ++j)
-      a[static_cast<std::size_t>(stride) * i + j] -= factor * column[i] * column[j];
+    for(int p = 0; p < pivots_of_a_sweep; ++p) {
+      const double factor = c[p * stride + i];
+      for(int j = 0; j <= i; ++j)
+        a[static_cast<std::size_t>(stride) * i + j] -= factor * d[p * stride + j];
+    }
 }
 
 } // namespace plain
@@ -162,12 +168,26 @@ multiply_symmetric(const float* blocks, int number, const float* from, float* to
 }
 
 inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-subtract_outer_product(const double* column, double factor, double* a, int size, int stride) {
-  for(int i = 0; i < size; ++i) {
-    const double f = factor * column[i];
+subtract_outer_products(const double* c, const double* d, double* a, int size, int stride) {
+  // Two rows at a time: what is loaded of `d` serves both.
+  for(int i = 0; i < size; i += 2) {
     double* row = a + static_cast<std::size_t>(stride) * i;
-    for(int j = i & ~3; j < stride; j += 4)
-      store(load(row + j) - f * load(column + j), row + j);
+    double* next = row + stride;
+    Lanes of_row[pivots_of_a_sweep], of_next[pivots_of_a_sweep];
+    for(int p = 0; p < pivots_of_a_sweep; ++p) {
+      of_row[p] = Lanes{} + c[p * stride + i];
+      of_next[p] = Lanes{} + c[p * stride + i + 1];
+    }
+    for(int j = 0; j <= i + 1; j += 4) {
+      Lanes sum = load(row + j), next_sum = load(next + j);
+      for(int p = 0; p < pivots_of_a_sweep; ++p) {
+        const Lanes factor = load(d + p * stride + j);
+        sum -= of_row[p] * factor;
+        next_sum -= of_next[p] * factor;
+      }
+      store(sum, row + j);
+      store(next_sum, next + j);
+    }
   }
 }
 
@@ -198,12 +218,12 @@ inline void multiply_symmetric(const float* blocks, int number, const float* fro
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_symmetric(blocks, number, from, to));
 }
 
-/// Subtracts `factor` times the outer product of a vector with itself from the upper triangle of a
-/// symmetric matrix, stored with `stride` numbers a row, a multiple of 4, as has the vector. Lower
-/// entries may change.
-inline void subtract_outer_product(const double* column, double factor, double* a, int size,
-                                   int stride) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(subtract_outer_product(column, factor, a, size, stride));
+/// Subtracts the sum of the outer products of the vectors `c[p]` and `d[p]` from the lower triangle
+/// of a matrix of `size` rows. Vectors and rows have `stride` numbers, a multiple of 4 and at least
+/// `size`; there are `stride` rows, of which those from `size` on may change, as upper entries may.
+inline void subtract_outer_products(const double* c, const double* d, double* a, int size,
+                                    int stride) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(subtract_outer_products(c, d, a, size, stride));
 }
 
 #undef CGAL_RESTRICTED_LAPLACIAN_3_BEST

@@ -64,24 +64,22 @@ class Row_matrix {
 public:
   Row_matrix() : m_first(1, 0) {}
 
-  /// The transpose of a matrix that is stored by columns: row `rows.of_unknown[j]` is its column
-  /// `j`, times `row_scale[j]` and, entry by entry, `column_scale`.
-  Row_matrix(const Eigen::SparseMatrix<double>& transposed, const Level_positions& rows,
-             const std::vector<double>& row_scale, const Level_positions& columns,
-             const std::vector<double>& column_scale)
-    : m_first(rows.number_of_positions + 1, 0) {
-    for(Eigen::Index j = 0; j < transposed.cols(); ++j)
-      m_first[rows.of_unknown[j] + 1] = static_cast<std::uint32_t>(
-          transposed.outerIndexPtr()[j + 1] - transposed.outerIndexPtr()[j]);
-    for(std::size_t i = 0; i < rows.number_of_positions; ++i)
-      m_first[i + 1] += m_first[i];
-    m_entries.resize(m_first.back());
-    for(Eigen::Index j = 0; j < transposed.cols(); ++j) {
-      std::size_t next = m_first[rows.of_unknown[j]];
-      for(Eigen::SparseMatrix<double>::InnerIterator i(transposed, j); i; ++i)
-        m_entries[next++] = {columns.of_unknown[i.row()],
-                             static_cast<float>(row_scale[j] * i.value() * column_scale[i.row()])};
-    }
+  /// The matrix with row `rows.of_unknown[i]` for each row `i` of `a`, times `row_scale[i]`, and
+  /// with its columns placed and scaled likewise.
+  static Row_matrix of(const Eigen::SparseMatrix<double>& a, const Level_positions& rows,
+                       const std::vector<double>& row_scale, const Level_positions& columns,
+                       const std::vector<double>& column_scale) {
+    return Row_matrix(a, rows, row_scale, columns, column_scale,
+                      [](int i, int /*j*/) { return i; });
+  }
+
+  /// the same for the transpose of `a`
+  static Row_matrix of_transpose(const Eigen::SparseMatrix<double>& a, const Level_positions& rows,
+                                 const std::vector<double>& row_scale,
+                                 const Level_positions& columns,
+                                 const std::vector<double>& column_scale) {
+    return Row_matrix(a, rows, row_scale, columns, column_scale,
+                      [](int /*i*/, int j) { return j; });
   }
 
   /// \f$y = A x\f$, or \f$y = y + A x\f$
@@ -118,6 +116,30 @@ private:
     std::uint32_t column;
     float value;
   };
+
+  /// \param row whether an entry (i, j) of `a` goes to row i or j
+  template <class Row>
+  Row_matrix(const Eigen::SparseMatrix<double>& a, const Level_positions& rows,
+             const std::vector<double>& row_scale, const Level_positions& columns,
+             const std::vector<double>& column_scale, Row&& row)
+    : m_first(rows.number_of_positions + 1, 0) {
+    const auto for_each_entry = [&](auto&& visit) {
+      for(int j = 0; j < a.cols(); ++j)
+        for(Eigen::SparseMatrix<double>::InnerIterator k(a, j); k; ++k) {
+          const int i = static_cast<int>(k.row());
+          visit(row(i, j), row(j, i), k.value());
+        }
+    };
+    // Ends are counted down to beginnings while the rows are filled from their ends.
+    for_each_entry([&](int i, int, double) { ++m_first[rows.of_unknown[i]]; });
+    for(std::size_t i = 0; i < rows.number_of_positions; ++i)
+      m_first[i + 1] += m_first[i];
+    m_entries.resize(m_first.back());
+    for_each_entry([&](int i, int j, double value) {
+      m_entries[--m_first[rows.of_unknown[i]]] = {
+          columns.of_unknown[j], static_cast<float>(row_scale[i] * value * column_scale[j])};
+    });
+  }
 
   std::vector<std::uint32_t> m_first;
   std::vector<Entry> m_entries;
