@@ -268,8 +268,8 @@ struct One {
 };
 template <> struct Degree_on_triangles<One> : std::integral_constant<int, 0> {};
 
-/// Visits the nodes on a sheet of `level` through `visit(t, point, weight)`: local coordinate in its
-/// cell; weight in units of the squared width of the finest cells.
+/// Visits the nodes on a sheet of `level` through `visit(t, point, weight)`: local coordinate in
+/// its cell; weight in units of the squared width of the finest cells.
 /// \param degree of what is integrated
 template <class SurfaceIntegration, class Visitor>
 void for_each_node_of_level(const Spline_space_3& space, int level, std::size_t sheet,
