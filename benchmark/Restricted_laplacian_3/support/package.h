@@ -32,17 +32,24 @@ namespace RL = CGAL::Restricted_laplacian_3;
 
 /// A mesh file, or the mesh of that name in the folder of shared meshes; nothing, and a message, if
 /// there is none.
-inline std::optional<RL::Triangulated_surface_3> find_mesh(const std::string& name) {
+inline std::optional<CGAL::Surface_mesh<RL::Point_3>> find_mesh_file(const std::string& name) {
   for(const std::string& file :
       {name, std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + name + ".ply"}) {
     if(!std::ifstream(file).good())
       continue;
     CGAL::Surface_mesh<RL::Point_3> mesh;
     if(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
-      return RL::read_surface(mesh);
+      return mesh;
   }
   std::fprintf(stderr, "SKIPPED: there is no mesh %s, nor %s.ply in the folder of shared meshes\n",
                name.c_str(), name.c_str());
+  return std::nullopt;
+}
+
+/// the same as a surface
+inline std::optional<RL::Triangulated_surface_3> find_mesh(const std::string& name) {
+  if(const auto mesh = find_mesh_file(name))
+    return RL::read_surface(*mesh);
   return std::nullopt;
 }
 
