@@ -4,6 +4,7 @@
 // Identities that the matrices and loads satisfy to rounding, whatever the surface.
 
 #include "catch.h"
+#include "matrices.h"
 #include "shapes.h"
 #include "special_shapes.h"
 
@@ -46,10 +47,6 @@ std::vector<Named_mesh> surfaces() {
       result.push_back({file, std::move(mesh), depth});
   }
   return result;
-}
-
-double relative_difference(const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
-  return RL::Sparse_matrix(a - b).coeffs().abs().maxCoeff() / b.coeffs().abs().maxCoeff();
 }
 
 /// largest |a_ij - b_ij| / sqrt(b_ii b_jj): also small entries have to agree
