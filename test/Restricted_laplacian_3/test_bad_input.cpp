@@ -26,7 +26,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 double z(const RL::Surface_point& p) { return p.point.z(); }
 
-RL::Spline_space_3 space_of(const shapes::Triangles& t, int depth) {
+RL::Spline_space_3 space_at_depth(const shapes::Triangles& t, int depth) {
   RL::Spline_space_options options;
   options.octree_depth = depth;
   return RL::Spline_space_3(RL::Triangulated_surface_3(t.points, t.faces), options);
@@ -229,7 +229,7 @@ TEST_CASE("degenerate_faces_are_skipped_and_counted", "[input]") {
   dirty.faces.insert(dirty.faces.begin(), {0, 0, 4});     // a corner twice
   dirty.faces.insert(dirty.faces.begin() + 5, {0, n, 2}); // on a line
   dirty.faces.push_back({0, n + 1, 2});                   // two vertices at the same point
-  const RL::Spline_space_3 space = space_of(dirty, 4), clean = space_of(sphere, 4);
+  const RL::Spline_space_3 space = space_at_depth(dirty, 4), clean = space_at_depth(sphere, 4);
   CHECK(space.surface().number_of_degenerate_faces() == 3);
   CHECK(space.surface().area() == Approx(clean.surface().area()).epsilon(1e-14));
   REQUIRE(space.dimension() == clean.dimension());
@@ -240,11 +240,11 @@ TEST_CASE("degenerate_faces_are_skipped_and_counted", "[input]") {
 
 TEST_CASE("scale_and_place_do_not_matter", "[input]") {
   const shapes::Triangles sphere = shapes::sphere(3);
-  const RL::Laplace_spectrum reference = RL::laplace_spectrum(space_of(sphere, 3), 12);
+  const RL::Laplace_spectrum reference = RL::laplace_spectrum(space_at_depth(sphere, 3), 12);
   for(double scale : {1e-90, 1e-6, 0.37, 1e9, 1e90}) {
     INFO("scale " << scale);
     const shapes::Triangles t = transformed(sphere, scale, {3 * scale, -2 * scale, scale});
-    const RL::Spline_space_3 space = space_of(t, 3);
+    const RL::Spline_space_3 space = space_at_depth(t, 3);
     REQUIRE(Eigen::Index(space.dimension()) == reference.pairs.vectors.rows());
     const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 12);
     CHECK(spectrum.report.converged);
@@ -263,7 +263,7 @@ TEST_CASE("scale_and_place_do_not_matter", "[input]") {
   for(double offset : {1e3, 1e6, 1e9}) {
     INFO("offset " << offset);
     const shapes::Triangles t = transformed(sphere, 1, {offset, 0.7 * offset, -0.3 * offset});
-    const RL::Spline_space_3 space = space_of(t, 3);
+    const RL::Spline_space_3 space = space_at_depth(t, 3);
     const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 12);
     // the coordinates themselves are rounded to offset times 1e-16
     CHECK((spectrum.eigenvalues - reference.eigenvalues).cwiseAbs().maxCoeff() <=
@@ -272,9 +272,11 @@ TEST_CASE("scale_and_place_do_not_matter", "[input]") {
         RL::Spline_function_3(space, Eigen::VectorXd::Ones(space.dimension())).values_at_vertices())
       REQUIRE(value == Approx(1));
   }
-  CHECK(refused_parameter([&] { space_of(transformed(sphere, 1e120, {0, 0, 0}), 3); }) == "extent");
   CHECK(refused_parameter([&] {
-          space_of(transformed(sphere, 1e-120, {0, 0, 0}), 3);
+          space_at_depth(transformed(sphere, 1e120, {0, 0, 0}), 3);
+        }) == "extent");
+  CHECK(refused_parameter([&] {
+          space_at_depth(transformed(sphere, 1e-120, {0, 0, 0}), 3);
         }) == "extent");
 }
 

@@ -5,6 +5,7 @@
 // in walls, and through what they do to spectra.
 
 #include "catch.h"
+#include "matrices.h"
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/galerkin_product.h>
@@ -38,7 +39,7 @@ RL::Spline_space_3 space_of(const Triangles& t, int depth, bool is_split = true,
 }
 
 /// the number of connected components of the faces, which are joined along common edges
-std::size_t number_of_components(const Triangles& t) {
+std::size_t number_of_face_components(const Triangles& t) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> edges;
   for(std::size_t f = 0; f < t.faces.size(); ++f)
     for(int side = 0; side < 3; ++side)
@@ -209,10 +210,6 @@ Triangles rotor(int blades, double thickness) {
   return t;
 }
 
-double relative_difference(const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
-  return RL::Sparse_matrix(a - b).coeffs().abs().maxCoeff() / b.coeffs().abs().maxCoeff();
-}
-
 Eigen::VectorXd eigenvalues(const RL::Spline_space_3& space, int count) {
   const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, count);
   CHECK(spectrum.report.converged);
@@ -272,7 +269,7 @@ TEST_CASE("split_elements_are_those_of_the_definition", "[sheets]") {
       INFO(name << ", depth " << depth);
       const RL::Spline_space_3 space = space_of(t, depth);
       CHECK(space.dimension() == number_of_elements(space.octree(), t));
-      CHECK(space.octree().number_of_sheets(0) == number_of_components(t));
+      CHECK(space.octree().number_of_sheets(0) == number_of_face_components(t));
     }
 }
 

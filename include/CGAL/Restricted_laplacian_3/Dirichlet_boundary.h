@@ -10,6 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 #include <CGAL/Restricted_laplacian_3/cell_integrals.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/wall_crossings.h>
 #include <CGAL/Restricted_laplacian_3/surface_integration.h>
 
 #include <Eigen/Dense>
@@ -162,14 +163,8 @@ private:
     const Triangulated_surface_3& surface = m_space->surface();
     const int depth = octree.depth(), other = (side + 1) % 3;
     const Point_3 &p = surface.point(face, side), &q = surface.point(face, other);
-    const auto x = octree.grid_coordinates(depth, p), y = octree.grid_coordinates(depth, q);
-    std::vector<double> cuts = {0, 1};
-    for(int axis = 0; axis < 3; ++axis)
-      for(double wall = std::floor((std::min)(x[axis], y[axis])) + 1;
-          wall < (std::max)(x[axis], y[axis]); ++wall)
-        cuts.push_back((wall - x[axis]) / (y[axis] - x[axis]));
-    std::sort(cuts.begin(), cuts.end());
-
+    const std::vector<double> cuts = internal::wall_crossings(octree.grid_coordinates(depth, p),
+                                                              octree.grid_coordinates(depth, q));
     const double length = std::sqrt((q - p).squared_length());
     if(length == 0)
       return;

@@ -10,16 +10,17 @@
 #include <CGAL/Restricted_laplacian_3/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/internal/Finest_sheets.h>
 #include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
+#include <CGAL/Restricted_laplacian_3/internal/Piece_sorter.h>
 #include <CGAL/Restricted_laplacian_3/internal/Seams_in_grid.h>
+#include <CGAL/Restricted_laplacian_3/internal/element_masks.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/internal/stable_sort_by_key.h>
 
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -104,8 +105,8 @@ public:
     m_levels.resize(depth + 1);
     // A plane section of a cube has at most the area sqrt(2) h^2: refuse before any work.
     const double h = cell_width(depth);
-    refuse_if(m_surface.area() / (h * h) > 1.4143 * maximum_number_of_fragments);
-    std::vector<Place> places = build_finest_level(joining_tolerance);
+    limits().refuse_if(m_surface.area() / (h * h) > 1.4143 * maximum_number_of_fragments);
+    std::vector<internal::Place> places = build_finest_level(joining_tolerance);
     for(int level = depth - 1; level >= 0; --level)
       build_coarser_level(level, places);
   }
@@ -166,7 +167,7 @@ public:
   /// each -1, 0 or 1, is not zero on all of the sheet. It is zero on it where the sheet is part of
   /// the wall opposite to the neighbour.
   bool meets_element(int level, std::size_t sheet, int dx, int dy, int dz) const {
-    return m_levels[level].element_masks[sheet] >> mask_bit(dx, dy, dz) & 1;
+    return m_levels[level].element_masks[sheet] >> internal::element_bit(dx, dy, dz) & 1;
   }
 
   /// the faces that have a fragment in a sheet of the finest level, in ascending order
@@ -223,76 +224,12 @@ private:
     internal::Number_lists links;
   };
 
-  /// Area of a piece of the surface, and its integral of the position along `sorting_direction()`.
-  struct Place {
-    double area = 0;
-    double moment = 0;
-
-    void add(const Place& other) {
-      area += other.area;
-      moment += other.moment;
-    }
-    double position() const { return moment / area; }
-  };
-
-  struct Key_and_face {
-    std::uint64_t key;
-    std::uint32_t face;
-    std::uint32_t element_mask;
-    Place place;
-  };
-
-  /// a direction in which the centroids of two pieces of a symmetric surface differ
-  static std::array<double, 3> sorting_direction() {
-    return {0.5301239457, 0.3190881637, 0.7855683291};
-  }
-
-  static int mask_bit(int dx, int dy, int dz) { return (dx + 1) + 3 * (dy + 1) + 9 * (dz + 1); }
-
   Cell_clipper clipper() const { return Cell_clipper(1 << m_depth, wall_tolerance(m_depth)); }
 
   std::array<std::array<double, 3>, 3> grid_triangle(std::size_t face) const {
     return {grid_coordinates(m_depth, m_surface.point(face, 0)),
             grid_coordinates(m_depth, m_surface.point(face, 1)),
             grid_coordinates(m_depth, m_surface.point(face, 2))};
-  }
-
-  /// The element pieces of offsets -1, 0, 1 are (1-t)^2/2, 1/2+t-t^2 and t^2/2: with all of a
-  /// fragment at t = 0 the last, with all of it at t = 1 the first vanishes on it.
-  static std::uint32_t element_mask(const Fragment& fragment, const std::array<int, 3>& cell) {
-    std::uint32_t mask = (1u << 27) - 1;
-    for(int axis = 0; axis < 3; ++axis) {
-      const auto range = internal::range(fragment, axis);
-      if(!(range[0] < cell[axis] + 1))
-        mask &= ~offset_mask(axis, -1);
-      if(!(range[1] > cell[axis]))
-        mask &= ~offset_mask(axis, 1);
-    }
-    return mask;
-  }
-
-  /// the bits of all neighbours at an offset along an axis
-  static std::uint32_t offset_mask(int axis, int offset) {
-    static constexpr std::array<std::uint32_t, 3> lowest = {0x1249249, 0x1c0e07, 0x1ff};
-    static constexpr std::array<int, 3> shift = {1, 3, 9};
-    return lowest[axis] << (shift[axis] * (offset + 1));
-  }
-
-  /// The mask of a parent follows from those of its children: in the lower child of an axis
-  /// (parity 0) the surface is never all at t = 1 of the parent, in the upper one never at t = 0.
-  static std::uint32_t parent_mask(std::uint32_t child_mask, int octant) {
-    const auto child_offset = [octant](int axis, int offset) {
-      const bool upper = octant >> axis & 1;
-      return (offset == 1 && upper) || (offset == -1 && !upper) ? 0 : offset;
-    };
-    std::uint32_t mask = 0;
-    for(int dz = -1; dz <= 1; ++dz)
-      for(int dy = -1; dy <= 1; ++dy)
-        for(int dx = -1; dx <= 1; ++dx)
-          if(child_mask >> mask_bit(child_offset(0, dx), child_offset(1, dy), child_offset(2, dz)) &
-             1)
-            mask |= 1u << mask_bit(dx, dy, dz);
-    return mask;
   }
 
   void index_keys(int level) {
@@ -310,59 +247,8 @@ private:
     }
   }
 
-  void refuse_if(bool is_too_large) const {
-    if(is_too_large)
-      throw Parameter_error("octree_depth", "is " + std::to_string(m_depth) +
-                                                ", which gives this surface more than " +
-                                                std::to_string(maximum_number_of_sheets) +
-                                                " sheets or too many fragments of triangles");
-  }
-
-  /// all fragments of triangles in finest cells, sorted by cell, and by face in a cell
-  /// \param points of the vertices, see `grid_points()`
-  std::vector<Key_and_face> cut_faces(const std::vector<std::array<double, 3>>& points) const {
-    const std::size_t number_of_faces = m_surface.number_of_faces();
-    const std::size_t grain = 1 << 14;
-    std::vector<std::vector<Key_and_face>> of_chunks((number_of_faces - 1) / grain + 1);
-    std::atomic<std::size_t> number_of_fragments(0);
-    internal::parallel_for(
-        m_is_parallel, 0, number_of_faces, grain, [&](std::size_t begin, std::size_t end) {
-          auto& of_chunk = of_chunks[begin / grain];
-          of_chunk.reserve(3 * (end - begin) / 2);
-          for(std::size_t face = begin; face < end; ++face) {
-            cut_face(face, points, of_chunk);
-            refuse_if(of_chunk.size() > maximum_number_of_fragments);
-          }
-          refuse_if((number_of_fragments += of_chunk.size()) > maximum_number_of_fragments);
-        });
-    if(number_of_fragments == 0)
-      throw Zero_area_error(number_of_faces);
-    std::vector<Key_and_face> pairs;
-    pairs.reserve(number_of_fragments);
-    for(auto& of_chunk : of_chunks) {
-      pairs.insert(pairs.end(), of_chunk.begin(), of_chunk.end());
-      std::vector<Key_and_face>().swap(of_chunk);
-    }
-    internal::stable_sort_by_key(pairs, 3 * m_depth, m_is_parallel,
-                                 [](const Key_and_face& p) { return p.key; });
-    return pairs;
-  }
-
-  /// appends the fragments of a face
-  void cut_face(std::size_t face, const std::vector<std::array<double, 3>>& points,
-                std::vector<Key_and_face>& pairs) const {
-    if(m_surface.is_degenerate(face))
-      return;
-    const auto& t = m_surface.triangle(face);
-    clipper().cut_snapped(
-        {points[t[0]], points[t[1]], points[t[2]]},
-        [&](const std::array<int, 3>& cell, const Fragment& fragment) {
-          Place place;
-          if(m_is_split)
-            place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
-          pairs.push_back({morton_key(cell), static_cast<std::uint32_t>(face),
-                           element_mask(fragment, cell), place});
-        });
+  internal::Octree_limits limits() const {
+    return {m_depth, maximum_number_of_sheets, maximum_number_of_fragments};
   }
 
   /// coordinates of the vertices in the finest grid, as the clipper sees them; unspecified for
@@ -385,154 +271,49 @@ private:
   }
 
   /// returns the places of the sheets
-  std::vector<Place> build_finest_level(double joining_tolerance) {
+  std::vector<internal::Place> build_finest_level(double joining_tolerance) {
     const std::vector<std::array<double, 3>> points = grid_points();
-    std::vector<Key_and_face> pairs = cut_faces(points);
     std::vector<internal::Number_lists::Pair> links;
-    std::vector<Place> places;
+    std::vector<internal::Place> places;
     if(m_is_split) {
       const double h = cell_width(m_depth);
       const Surface_seams seams(m_surface, thin_face_height * h, joining_tolerance);
       const double width = (std::max)(2 * thin_face_height, 1.01 * joining_tolerance / h);
       const internal::Seams_in_grid in_grid(m_surface, seams, points, 1 << m_depth, width);
       places =
-          make_finest_sheets(pairs, [&in_grid](const std::array<int, 3>& cell, std::uint32_t size,
-                                               auto&& face_of, Sheet_scratch& scratch) {
+          make_finest_sheets(points, [&in_grid](const std::array<int, 3>& cell, std::uint32_t size,
+                                                auto&& face_of, internal::Sheet_scratch& scratch) {
             in_grid.join(cell, size, face_of, scratch.sides, scratch.sets);
           });
-      std::vector<Key_and_face>().swap(pairs);
       link_fragments_of_same_face(links);
       link_faces_along_walls(in_grid, links);
     } else
-      places = make_finest_sheets(
-          pairs, [](const std::array<int, 3>&, std::uint32_t size, auto&&, Sheet_scratch& scratch) {
-            scratch.sets.reset(size);
-            for(std::uint32_t i = 1; i < size; ++i)
-              scratch.sets.unite(0, i);
-          });
+      places = make_finest_sheets(points, [](const std::array<int, 3>&, std::uint32_t size, auto&&,
+                                             internal::Sheet_scratch& scratch) {
+        scratch.sets.reset(size);
+        for(std::uint32_t i = 1; i < size; ++i)
+          scratch.sets.unite(0, i);
+      });
     m_levels[m_depth].links = internal::Number_lists(number_of_sheets(m_depth), links);
     return places;
   }
 
-  struct Place_and_number {
-    Place place;
-    std::uint32_t number;
-  };
-
-  /// what is used again for each cell
-  struct Sheet_scratch {
-    internal::Disjoint_sets sets;
-    std::vector<internal::Seams_in_grid::Side> sides;
-    std::vector<Place_and_number> sorted;
-    std::vector<std::uint32_t> firsts;
-  };
-
-  /// the sheets of some consecutive cells
-  struct Finest_sheets {
-    std::vector<std::uint32_t> sizes; // of cells, number of their sheets
-    std::vector<std::uint32_t> masks; // of sheets, as all that follows
-    std::vector<std::size_t> first_faces;
-    std::vector<Place> places;
-  };
-
-  /// Groups the fragments of each cell into sheets.
-  /// \param join `join(cell, size, face_of, scratch)`: unites those of the numbers 0 .. size - 1 in
-  /// `scratch.sets` whose faces `face_of(i)` are in the same sheet
+  /// \param join see `internal::group_into_sheets()`
   template <class Join>
-  std::vector<Place> make_finest_sheets(const std::vector<Key_and_face>& pairs, Join&& join) {
+  std::vector<internal::Place> make_finest_sheets(const std::vector<std::array<double, 3>>& points,
+                                                  Join&& join) {
+    internal::Finest_sheets sheets = internal::group_into_sheets(
+        internal::cut_faces(m_surface, points, clipper(), m_is_split, limits(), m_is_parallel),
+        join, limits(), m_is_parallel);
     Level& finest = m_levels[m_depth];
-    std::vector<std::size_t> begins;
-    for(std::size_t i = 0; i < pairs.size(); ++i)
-      if(i == 0 || pairs[i].key != pairs[i - 1].key) {
-        begins.push_back(i);
-        finest.keys.push_back(pairs[i].key);
-      }
-    begins.push_back(pairs.size());
-    refuse_if(finest.keys.size() > maximum_number_of_sheets);
-
-    const std::size_t number_of_cells = finest.keys.size(), grain = 1 << 10;
-    m_faces.resize(pairs.size());
-    std::vector<Finest_sheets> of_chunks((number_of_cells - 1) / grain + 1);
-    internal::parallel_for(m_is_parallel, 0, number_of_cells, grain,
-                           [&](std::size_t begin, std::size_t end) {
-                             Sheet_scratch scratch;
-                             for(std::size_t i = begin; i < end; ++i)
-                               add_sheets_of_cell(pairs, begins[i], begins[i + 1], join, scratch,
-                                                  of_chunks[begin / grain]);
-                           });
-
-    std::vector<Place> places;
-    for(const Finest_sheets& of_chunk : of_chunks) {
-      for(std::uint32_t size : of_chunk.sizes) {
-        const auto cell = static_cast<std::uint32_t>(finest.first_sheets.size());
-        finest.first_sheets.push_back(static_cast<std::uint32_t>(finest.cells.size()));
-        finest.cells.insert(finest.cells.end(), size, cell);
-      }
-      refuse_if(finest.cells.size() > maximum_number_of_sheets);
-      finest.element_masks.insert(finest.element_masks.end(), of_chunk.masks.begin(),
-                                  of_chunk.masks.end());
-      m_first_faces.insert(m_first_faces.end(), of_chunk.first_faces.begin(),
-                           of_chunk.first_faces.end());
-      places.insert(places.end(), of_chunk.places.begin(), of_chunk.places.end());
-    }
-    finest.first_sheets.push_back(static_cast<std::uint32_t>(finest.cells.size()));
-    m_first_faces.push_back(m_faces.size());
+    finest.keys = std::move(sheets.keys);
+    finest.first_sheets = std::move(sheets.first_sheets);
+    finest.cells = std::move(sheets.cells);
+    finest.element_masks = std::move(sheets.element_masks);
+    m_first_faces = std::move(sheets.first_faces);
+    m_faces = std::move(sheets.faces);
     index_keys(m_depth);
-    return places;
-  }
-
-  /// the sheets of the cell of the fragments `begin` .. `end` - 1
-  template <class Join>
-  void add_sheets_of_cell(const std::vector<Key_and_face>& pairs, std::size_t begin,
-                          std::size_t end, Join&& join, Sheet_scratch& scratch,
-                          Finest_sheets& result) {
-    const std::uint32_t size = static_cast<std::uint32_t>(end - begin);
-    join(
-        morton_index(pairs[begin].key), size,
-        [&pairs, begin](std::uint32_t i) { return pairs[begin + i].face; }, scratch);
-    sort_by_place(
-        0, size, [&pairs, begin](std::uint32_t i) { return pairs[begin + i].place; }, scratch,
-        result.places);
-    result.sizes.push_back(static_cast<std::uint32_t>(scratch.firsts.size()));
-    std::size_t next = begin;
-    for(std::uint32_t first : scratch.firsts) {
-      result.first_faces.push_back(next);
-      std::uint32_t mask = 0;
-      for(std::uint32_t i = first; i < size; ++i)
-        if(scratch.sets.find(i) == first) {
-          m_faces[next++] = pairs[begin + i].face;
-          mask |= pairs[begin + i].element_mask;
-        }
-      result.masks.push_back(mask);
-    }
-  }
-
-  /// Sets `scratch.firsts` to the representatives of the sets of the numbers `begin` .. `end` - 1,
-  /// sorted by the position of their centroids, and appends their places to `places`.
-  template <class PlaceOf>
-  static void sort_by_place(std::uint32_t begin, std::uint32_t end, PlaceOf&& place_of,
-                            Sheet_scratch& scratch, std::vector<Place>& places) {
-    auto& sorted = scratch.sorted;
-    sorted.clear();
-    for(std::uint32_t i = begin; i < end; ++i)
-      if(scratch.sets.find(i) == i)
-        sorted.push_back({Place(), i});
-    for(std::uint32_t i = begin; i < end; ++i) {
-      const auto it =
-          std::lower_bound(sorted.begin(), sorted.end(), scratch.sets.find(i),
-                           [](const Place_and_number& s, std::uint32_t j) { return s.number < j; });
-      it->place.add(place_of(i));
-    }
-    if(sorted.size() > 1)
-      std::stable_sort(sorted.begin(), sorted.end(),
-                       [](const Place_and_number& a, const Place_and_number& b) {
-                         return a.place.position() < b.place.position();
-                       });
-    scratch.firsts.clear();
-    for(const Place_and_number& s : sorted) {
-      scratch.firsts.push_back(s.number);
-      places.push_back(s.place);
-    }
+    return std::move(sheets.places);
   }
 
   bool have_common_face(std::size_t sheet, std::size_t other) const {
@@ -612,14 +393,14 @@ private:
   }
 
   /// \param places of the sheets of the next finer level; on return of those of this level
-  void build_coarser_level(int level, std::vector<Place>& places) {
+  void build_coarser_level(int level, std::vector<internal::Place>& places) {
     Level &coarse = m_levels[level], &fine = m_levels[level + 1];
     const auto number_of_fine_sheets = static_cast<std::uint32_t>(fine.cells.size());
     const auto parent_key = [&fine](std::size_t sheet) {
       return fine.keys[fine.cells[sheet]] >> 3;
     };
-    Sheet_scratch scratch;
-    internal::Disjoint_sets& sets = scratch.sets;
+    internal::Disjoint_sets sets;
+    internal::Piece_sorter sort;
     sets.reset(number_of_fine_sheets);
     for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
       if(!m_is_split && sheet > 0 && parent_key(sheet - 1) == parent_key(sheet))
@@ -629,23 +410,23 @@ private:
           sets.unite(other, sheet);
     }
     fine.parents.resize(number_of_fine_sheets);
-    std::vector<Place> coarse_places;
+    std::vector<internal::Place> coarse_places;
     for(std::uint32_t begin = 0, end = 0; begin < number_of_fine_sheets; begin = end) {
       while(end < number_of_fine_sheets && parent_key(end) == parent_key(begin))
         ++end;
-      sort_by_place(
-          begin, end, [&places](std::uint32_t sheet) { return places[sheet]; }, scratch,
+      const auto& firsts = sort(
+          sets, begin, end, [&places](std::uint32_t sheet) { return places[sheet]; },
           coarse_places);
       coarse.keys.push_back(parent_key(begin));
       coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
-      for(std::uint32_t first : scratch.firsts) {
+      for(std::uint32_t first : firsts) {
         fine.parents[first] = static_cast<std::uint32_t>(coarse.cells.size());
         coarse.cells.push_back(static_cast<std::uint32_t>(coarse.keys.size() - 1));
         coarse.element_masks.push_back(0);
       }
       for(std::uint32_t sheet = begin; sheet < end; ++sheet) {
         const std::uint32_t parent = fine.parents[sheet] = fine.parents[sets.find(sheet)];
-        coarse.element_masks[parent] |= parent_mask(
+        coarse.element_masks[parent] |= internal::parent_element_mask(
             fine.element_masks[sheet], static_cast<int>(fine.keys[fine.cells[sheet]] & 7));
       }
     }

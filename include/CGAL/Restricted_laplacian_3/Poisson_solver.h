@@ -58,28 +58,16 @@ namespace internal {
 /// beforehand, \f$1_c^T b / (\alpha\, 1_c^T m_c)\f$, and both are split off in the same way.
 class Constants {
 public:
-  /// The relation counts as satisfied if no entry is off by more than this fraction of the largest
-  /// diagonal entry of the component: a thousand times the rounding error of a row sum.
-  static constexpr double relative_tolerance = 1e-13;
-
   Constants(const Eigen::SparseMatrix<double>& a, Eigen::VectorXd integrals, double alpha)
     : m_integrals(std::move(integrals)), m_alpha(alpha) {
     int number = 0;
     std::tie(m_component, number) = connected_components(a);
-    const Eigen::VectorXd defect = a * Eigen::VectorXd::Ones(a.cols()) - alpha * m_integrals;
-    const Eigen::VectorXd diagonal = a.diagonal();
-    std::vector<double> largest_defect(number, 0.), largest_diagonal(number, 0.);
     m_areas.assign(number, 0.);
-    for(std::size_t i = 0; i < m_component.size(); ++i) {
-      const int c = m_component[i];
-      largest_defect[c] = (std::max)(largest_defect[c], std::abs(defect[i]));
-      largest_diagonal[c] = (std::max)(largest_diagonal[c], std::abs(diagonal[i]));
-      m_areas[c] += m_integrals[i];
-    }
-    m_is_split_off.resize(number);
+    for(std::size_t i = 0; i < m_component.size(); ++i)
+      m_areas[m_component[i]] += m_integrals[i];
+    m_is_split_off = maps_constants_to(alpha * m_integrals, a, m_component, number);
     for(int c = 0; c < number; ++c) {
-      m_is_split_off[c] = largest_diagonal[c] > 0 && m_areas[c] > 0 &&
-                          largest_defect[c] <= relative_tolerance * largest_diagonal[c];
+      m_is_split_off[c] = m_is_split_off[c] && m_areas[c] > 0;
       m_number += m_is_split_off[c];
     }
   }

@@ -276,21 +276,13 @@ inline std::pair<Eigen::MatrixXd, Eigen::VectorXd> lanczos(Inverted_pencil& penc
 /// The functions that are constant on one connected component of the graph of \f$S\f$ and 0 on the
 /// others, as far as they are in its kernel: columns of 1 and 0.
 inline Eigen::MatrixXd constants_in_kernel(const Eigen::SparseMatrix<double>& s) {
-  // a thousand times the rounding error of a row sum
-  constexpr double relative_tolerance = 1e-13;
   const auto [component, number] = connected_components(s);
-  const Eigen::VectorXd sums = s * Eigen::VectorXd::Ones(s.cols()), diagonal = s.diagonal();
-  Eigen::VectorXd largest_sum = Eigen::VectorXd::Zero(number),
-                  largest_diagonal = Eigen::VectorXd::Zero(number);
-  for(Eigen::Index i = 0; i < s.cols(); ++i) {
-    double &sum = largest_sum[component[i]], &entry = largest_diagonal[component[i]];
-    sum = (std::max)(sum, std::abs(sums[i]));
-    entry = (std::max)(entry, std::abs(diagonal[i]));
-  }
+  const std::vector<char> is_in_kernel =
+      maps_constants_to(Eigen::VectorXd::Zero(s.cols()), s, component, number);
   std::vector<int> column(number, -1);
   int columns = 0;
   for(int c = 0; c < number; ++c)
-    if(largest_diagonal[c] > 0 && largest_sum[c] <= relative_tolerance * largest_diagonal[c])
+    if(is_in_kernel[c])
       column[c] = columns++;
   Eigen::MatrixXd constants = Eigen::MatrixXd::Zero(s.cols(), columns);
   for(Eigen::Index i = 0; i < s.cols(); ++i)

@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
+#include <CGAL/Restricted_laplacian_3/internal/wall_crossings.h>
 
 #include <algorithm>
 #include <array>
@@ -145,15 +146,10 @@ private:
   template <class Visitor>
   void for_each_piece(std::size_t face, int side, double width, Visitor&& visit) const {
     const Point &p = *ends(face, side).first, &q = *ends(face, side).second;
-    std::vector<double> cuts = {0, 1};
+    const std::vector<double> cuts = wall_crossings(p, q);
     double length = 0;
-    for(int axis = 0; axis < 3; ++axis) {
-      const double low = (std::min)(p[axis], q[axis]), high = (std::max)(p[axis], q[axis]);
-      for(double wall = std::floor(low) + 1; wall < high; ++wall)
-        cuts.push_back((wall - p[axis]) / (q[axis] - p[axis]));
-      length = (std::max)(length, high - low);
-    }
-    std::sort(cuts.begin(), cuts.end());
+    for(int axis = 0; axis < 3; ++axis)
+      length = (std::max)(length, std::abs(q[axis] - p[axis]));
     for(std::size_t i = 1; i < cuts.size(); ++i) {
       if(cuts.size() > 2 && (cuts[i] - cuts[i - 1]) * length <= shortest_piece)
         continue;

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 /// \file
 /// The loops in which a cycle spends its time, for any processor (`plain`) and for vectors of 256
@@ -69,18 +68,6 @@ inline void subtract_outer_products(const double* c, const double* d, double* a,
 
 namespace lanes {
 
-using Float_lanes = float __attribute__((vector_size(32)));
-
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes load(const float* from) {
-  Float_lanes result;
-  std::memcpy(&result, from, sizeof(Float_lanes));
-  return result;
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void store(const Float_lanes& from, float* to) {
-  std::memcpy(to, &from, sizeof(Float_lanes));
-}
-
 template <int K>
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
 subtract_blocks(const float* values, const std::uint32_t* columns,
@@ -111,32 +98,6 @@ subtract_blocks(const float* values, const std::uint32_t* columns,
     for(int c = 0; c < K; ++c)
       store(load(sum + 8 * c) - own[c], sum + 8 * c);
 }
-
-#if defined(__clang__) || __GNUC__ >= 12
-#define CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
-#else
-using Float_lane_numbers = int __attribute__((vector_size(32)));
-#define CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a, b, ...)                                             \
-  __builtin_shuffle(a, b, Float_lane_numbers{__VA_ARGS__})
-#endif
-
-/// the sums of the components of eight vectors
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes sums_of_components(const Float_lanes* a) {
-  Float_lanes pairs[4], fours[2];
-  for(int i = 0; i < 4; ++i)
-    pairs[i] =
-        CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a[2 * i], a[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
-        CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a[2 * i], a[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  for(int i = 0; i < 2; ++i)
-    fours[i] = CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(pairs[2 * i], pairs[2 * i + 1], 0, 1, 8, 9, 4, 5,
-                                                   12, 13) +
-               CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(pairs[2 * i], pairs[2 * i + 1], 2, 3, 10, 11, 6,
-                                                   7, 14, 15);
-  return CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
-         CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
-}
-
-#undef CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE
 
 inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
 multiply_symmetric(const float* blocks, int number, const float* from, float* to) {

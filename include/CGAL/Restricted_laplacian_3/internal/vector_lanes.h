@@ -5,11 +5,12 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_VECTOR_LANES_H
 
 /// \file
-/// Vectors of four numbers, through the vector extensions of GCC and Clang. On x86-64 functions
-/// marked by `CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION` are compiled for AVX2 with fused
-/// multiplication and addition, whatever the flags of the program are; they may be called only if
-/// `processor_has_lanes()`. The macro `CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES` tells whether the
-/// compiler is one that has all this. (`CGAL_RESTRICTED_LAPLACIAN_3_NO_LANES` turns it off.)
+/// Vectors of four numbers, or of eight in single precision, through the vector extensions of GCC
+/// and Clang. On x86-64 functions marked by `CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION` are
+/// compiled for AVX2 with fused multiplication and addition, whatever the flags of the program are;
+/// they may be called only if `processor_has_lanes()`. The macro
+/// `CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES` tells whether the compiler is one that has all this.
+/// (`CGAL_RESTRICTED_LAPLACIAN_3_NO_LANES` turns it off.)
 
 #if defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 9) &&                                  \
     !defined(CGAL_RESTRICTED_LAPLACIAN_3_NO_LANES)
@@ -33,6 +34,7 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 using Lanes = double __attribute__((vector_size(32)));
+using Float_lanes = float __attribute__((vector_size(32)));
 
 inline bool processor_has_lanes() {
 #ifdef __x86_64__
@@ -52,17 +54,26 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Lanes load(const double* from) {
   return result;
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes load(const float* from) {
+  Float_lanes result;
+  std::memcpy(&result, from, sizeof(Float_lanes));
+  return result;
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void store(const Lanes& from, double* to) {
   std::memcpy(to, &from, sizeof(Lanes));
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void store(const Float_lanes& from, float* to) {
+  std::memcpy(to, &from, sizeof(Float_lanes));
+}
+
+// Before version 12 GCC wants the numbers in a vector of integers, such as a comparison gives.
 #if defined(__clang__) || __GNUC__ >= 12
-#define CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a, b, i, j, k, l)                                      \
-  __builtin_shufflevector(a, b, i, j, k, l)
+#define CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
-using Lane_numbers = long long __attribute__((vector_size(32)));
-#define CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a, b, i, j, k, l)                                      \
-  __builtin_shuffle(a, b, Lane_numbers{i, j, k, l})
+#define CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a, b, ...)                                             \
+  __builtin_shuffle(a, b, decltype(a < b){__VA_ARGS__})
 #endif
 
 /// rows of a 4 x 4 matrix -> columns
@@ -85,6 +96,22 @@ sum_components(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d, L
   Lanes p, q, r, s;
   transpose(a, b, c, d, p, q, r, s);
   sums = (p + q) + (r + s);
+}
+
+/// the sums of the components of eight vectors
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes sums_of_components(const Float_lanes* a) {
+  Float_lanes pairs[4], fours[2];
+  for(int i = 0; i < 4; ++i)
+    pairs[i] =
+        CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a[2 * i], a[2 * i + 1], 0, 8, 2, 10, 4, 12, 6, 14) +
+        CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(a[2 * i], a[2 * i + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  for(int i = 0; i < 2; ++i)
+    fours[i] = CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(pairs[2 * i], pairs[2 * i + 1], 0, 1, 8, 9, 4, 5,
+                                                   12, 13) +
+               CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(pairs[2 * i], pairs[2 * i + 1], 2, 3, 10, 11, 6,
+                                                   7, 14, 15);
+  return CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(fours[0], fours[1], 0, 1, 2, 3, 8, 9, 10, 11) +
+         CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE(fours[0], fours[1], 4, 5, 6, 7, 12, 13, 14, 15);
 }
 
 #undef CGAL_RESTRICTED_LAPLACIAN_3_SHUFFLE
