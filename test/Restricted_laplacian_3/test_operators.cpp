@@ -229,6 +229,14 @@ TEST_CASE("load_sums_to_integral", "[operators]") {
                           same = RL::assemble_load(
                               space, [&](const RL::Surface_point&p) { return linear(p); });
     CHECK((load - same).cwiseAbs().maxCoeff() <= 1e-14 * load.cwiseAbs().maxCoeff());
+    // polynomials of degree 2 with 16 nodes in place of 32
+    const auto square = [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); };
+    CHECK(RL::assemble_load(space, RL::function_of_degree(square, 2))
+              .isApprox(RL::assemble_load(space, square), 1e-13));
+    CHECK((RL::assemble_load(space, RL::function_of_degree(square, 0)) -
+           RL::assemble_load(space, RL::function_of_degree(square, 2)))
+              .isZero(0));
+    CHECK_THROWS_AS(RL::function_of_degree(square, 7), RL::Parameter_error);
     // the load of a gradient sums to 0, because the gradient of the sum of all elements is 0
     const RL::Vector_3 constant(1, 2, 3);
     const Eigen::VectorXd g =

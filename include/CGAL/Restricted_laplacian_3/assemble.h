@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -256,18 +255,6 @@ inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
 
 namespace internal {
 
-/// The degree of the polynomials that a function on the surface consists of, one on each triangle;
-/// that of others is taken for 6, so that the product with an element has degree 12.
-template <class Function> struct Degree_on_triangles : std::integral_constant<int, 6> {};
-template <class T>
-struct Degree_on_triangles<Linear_surface_function<T>> : std::integral_constant<int, 1> {};
-
-/// the constant 1
-struct One {
-  double operator()(const Surface_point&) const { return 1; }
-};
-template <> struct Degree_on_triangles<One> : std::integral_constant<int, 0> {};
-
 /// Visits the nodes on a sheet of `level` through `visit(t, point, weight)`: local coordinate in
 /// its cell; weight in units of the squared width of the finest cells.
 /// \param degree of what is integrated
@@ -333,7 +320,8 @@ Eigen::VectorXd sum_loads(const Spline_space_3& space, int level, double factor,
 ///
 /// The Poisson problem \f$\Delta_{\mathcal M} u = f\f$ is \f$S \eta = -\phi\f$.
 /// \param f a function object that takes a `const Surface_point&` and returns a number. Exact up to
-/// rounding if it is a polynomial of degree at most 6 on each triangle, as `vertex_function()` is.
+/// rounding if it is a polynomial of degree at most 6 on each triangle, or of the degree that
+/// `function_of_degree()` says.
 /// It is called by several threads at once if `Spline_space_options::is_parallel` is set.
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class Function, class SurfaceIntegration>
@@ -344,7 +332,7 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, in
   return internal::sum_loads(space, level, h * h, [&](std::size_t sheet) {
     internal::Cell_load moments;
     internal::for_each_node_of_level(
-        space, level, sheet, integration, 6 + internal::Degree_on_triangles<Function>::value,
+        space, level, sheet, integration, 6 + internal::degree_on_triangles(f),
         [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
           moments.add(t, weight * static_cast<double>(f(p)));
         });
@@ -384,7 +372,7 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
   return internal::sum_loads(space, level, h * h / coarse_h, [&](std::size_t sheet) {
     std::array<internal::Cell_load, 3> components;
     internal::for_each_node_of_level(
-        space, level, sheet, integration, 6 + internal::Degree_on_triangles<VectorField>::value,
+        space, level, sheet, integration, 6 + internal::degree_on_triangles(v),
         [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
           const Vector_3 value = v(p);
           const Vector_3 tangential = value - (value * p.normal) * p.normal;
@@ -416,7 +404,8 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
 /// \f$ \int_{\mathcal M} b_i \f$, `dimension(level)` entries: the load of the constant 1. The
 /// surface integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, int level) {
-  return assemble_load(space, internal::One(), level);
+  return assemble_load(space, function_of_degree([](const Surface_point&) { return 1.; }, 0),
+                       level);
 }
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// \overload
