@@ -156,8 +156,7 @@ public:
       matrix.coeffs() += a * m_operators.mass.coeffs();
     const RL::Poisson_solver solver = RL::make_poisson_solver(
         m_space, std::move(matrix), RL::assemble_element_integrals(m_space), a,
-        solver_options(smoothers().front(), m_options.threads, m_options.tolerance,
-                       m_options.iterations));
+        solver_options("patch", m_options.threads, m_options.tolerance, m_options.iterations));
     Fit result;
     Eigen::MatrixXd eta;
     result.report = solver.solve(m_gradient_loads + a * m_loads, eta);
@@ -300,8 +299,8 @@ int main(int argc, char* argv[]) {
       return 0;
     [[maybe_unused]] const auto limited = limit_threads(o.threads);
     print_header(argc, argv);
-    std::printf("# stabilization %g, residual %g, %s smoother, %d threads; seconds of one run\n",
-                o.stabilization, o.tolerance, smoothers().front().c_str(), o.threads);
+    std::printf("# stabilization %g, residual %g, %d threads; seconds of one run\n",
+                o.stabilization, o.tolerance, o.threads);
     std::printf("# %-10s %5s %-8s %-8s %8s %8s %8s %8s %8s %8s %5s %9s %3s %9s %9s %7s\n", "mesh",
                 "depth", "space", "alpha", "LL*alpha", "unknowns", "space_s", "assem_s", "setup_s",
                 "solve_s", "iter", "residual", "ok", "rms", "max", "paper");

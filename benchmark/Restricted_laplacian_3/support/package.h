@@ -87,10 +87,7 @@ inline auto limit_threads(int threads) {
 #endif
 }
 
-/// names of the smoothers that the package has, the default one first
-inline std::vector<std::string> smoothers() { return {"patch", "point"}; }
-
-/// \param smoother one of `smoothers()`
+/// \param smoother patch, the default of the package, or point
 inline RL::Poisson_solver_options solver_options(const std::string& smoother, int threads,
                                                  double tolerance, int maximum_iterations) {
   RL::Poisson_solver_options options;
