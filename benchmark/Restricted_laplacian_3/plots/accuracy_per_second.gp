@@ -20,6 +20,7 @@ do for [shape in 'sphere torus'] {
     set output output.'/accuracy_per_second_'.shape.'_'.problem.'.png'
     name = shape.', '.problem.', all'
     plot results index name using 9:(of('restricted')) with points pt 7 title 'this package', \
+         '' index name using 9:(of('restricted_v')) with points pt 6 title 'this package, values at vertices', \
          '' index name using 9:(of('cot_cholmod')) with points pt 4 title 'cotangent, CHOLMOD', \
          '' index name using 9:(of('cot_amg')) with points pt 9 title 'cotangent, BoomerAMG', \
          '' index name using 9:(of('cotangent')) with points pt 5 title 'cotangent, shift-invert'
