@@ -9,8 +9,8 @@
 //
 // All solvers get the same singular, consistent system: kernel and near-kernel are left in it.
 // - ours, ours_point: the Poisson_solver of this package with the patch smoother, its default, and
-//   with point Gauss-Seidel. It takes the matrices of coarser levels from the assembly; what they add to the time of the
-//   assembly counts as setup.
+//   with point Gauss-Seidel. It takes the matrices of coarser levels from the assembly; what they
+//   add to the time of the assembly counts as setup.
 // - amg1, amg2, hmis, cgc, alone and as preconditioners of conjugate gradients (_pcg): hypre, see
 //   support/boomer_amg.h. Two threads are two processes: Debian's hypre is built without OpenMP.
 // - cholmod: supernodal factorization of A + 1e-10 diag(A), which preconditions conjugate

@@ -7,7 +7,7 @@
 #
 # usage: gnuplot -e "results='FILE'; output='FOLDER'" plots/solver_comparison.gp
 
-if(!exists("results")) results = 'results/solver_comparison.txt'
+if(!exists("results")) results = 'results/solver_comparison_bunny.txt'
 if(!exists("output")) output = '.'
 set terminal pngcairo size 900, 650
 set logscale xy
