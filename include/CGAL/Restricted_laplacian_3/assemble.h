@@ -292,7 +292,7 @@ void for_each_node_of_level(const Spline_space_3& space, int level, std::size_t 
 template <class LoadOfSheet>
 Eigen::VectorXd sum_loads(const Spline_space_3& space, int level, double factor,
                           LoadOfSheet&& load_of_sheet) {
-  constexpr std::size_t grain = 256, sheets_at_once = 256 * grain;
+  constexpr std::size_t grain = 256, sheets_at_once = 64 * grain;
   const std::size_t number_of_sheets = space.octree().number_of_sheets(level);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
   std::vector<Cell_load::Load> loads((std::min)(sheets_at_once, number_of_sheets));
