@@ -26,9 +26,9 @@ namespace internal {
 /// order. So results are the same for any number of threads.
 class Symmetric_matrix {
 public:
-  /// Takes the half of a symmetric matrix all of whose entries are stored, with the rows of a column
-  /// sorted; it has the old content afterwards. (A `SparseMatrix` of Eigen 3.4 is copied where
-  /// another class would be moved.)
+  /// Takes the half of a symmetric matrix all of whose entries are stored, with the rows of a
+  /// column sorted; it has the old content afterwards. (A `SparseMatrix` of Eigen 3.4 is copied
+  /// where another class would be moved.)
   void take_half_of(Eigen::SparseMatrix<double>& a) {
     m_upper.swap(a);
     m_parts.clear();
