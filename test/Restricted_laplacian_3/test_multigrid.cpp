@@ -170,6 +170,42 @@ TEST_CASE("one_patch_of_everything_is_the_inverse", "[multigrid]") {
   CHECK(largest <= 2e-4 * load.norm());
 }
 
+TEST_CASE("half_of_a_matrix_has_the_products_of_the_whole", "[multigrid]") {
+  // several parts, empty rows, a missing diagonal entry
+  for(int n : {1, 7, 1024, 20000}) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for(int j = 0; j < n; j += 1 + j % 3)
+      for(int i : {j, j / 2, j - 1, j - 500})
+        if(i >= 0 && (i != j || j % 5 != 0)) {
+          const double value = std::sin(i + 2. * j);
+          entries.emplace_back(i, j, value);
+          if(i != j)
+            entries.emplace_back(j, i, value);
+        }
+    Eigen::SparseMatrix<double> a(n, n);
+    a.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseMatrix<double> whole = a;
+    RL::internal::Symmetric_matrix half;
+    half.take_half_of(a);
+    CHECK(a.nonZeros() == 0);
+    CHECK(half.upper_half().nonZeros() <= (whole.nonZeros() + n) / 2);
+    RL::internal::Block_vector<4> x(n, 4), y, r;
+    for(int c = 0; c < 4; ++c)
+      x.col(c) = random_vector(n, 20 + c);
+    half.multiply<4>(x, y, false);
+    CHECK((y - whole * x).norm() <= 1e-14 * y.norm());
+    const RL::internal::Block_vector<4> sequential = y;
+    half.multiply<4>(x, y, true);
+    CHECK(y == sequential);
+    half.residual<4>(x, y, r, true);
+    CHECK((r - (x - whole * y)).norm() <= 1e-14 * r.norm());
+    const RL::internal::Block_vector<1> x_1 = x.col(0);
+    RL::internal::Block_vector<1> y_1;
+    half.multiply<1>(x_1, y_1, false);
+    CHECK((y_1 - whole * x_1).norm() <= 1e-14 * (1 + y_1.norm()));
+  }
+}
+
 TEST_CASE("inverse_of_a_block_with_dependent_unknowns", "[multigrid]") {
   for(int size : {1, 3, 8, 27, 50}) {
     const int stride = (size + 7) / 8 * 8;

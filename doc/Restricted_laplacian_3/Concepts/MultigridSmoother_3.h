@@ -34,9 +34,11 @@ public:
   \param patches sets of unknowns that may be relaxed together, groups of them that may be relaxed at
   the same time; there may be none
   \param is_parallel whether to use several threads. Results must not depend on their number.
+  \param matrix_is_read if not empty, to be called when the smoother no longer reads `a`, which may be
+  another matrix after that
   */
   MultigridSmoother_3(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
-                      bool is_parallel);
+                      bool is_parallel, const std::function<void()>& matrix_is_read = {});
 
   /*!
   where each unknown is in the vectors. Positions of no unknown hold 0 in the vectors that are

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -133,10 +134,13 @@ public:
   /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they
   /// are computed as Galerkin products
   /// \param is_parallel whether several threads are used; results do not depend on that
+  /// \param matrix_is_read called when `a` is no longer read: it may be given up then, to make room
+  /// for the rest of the setup
   /// \throws Parameter_error if the sizes do not fit
   Multigrid(const Sparse_matrix& a, std::vector<Sparse_matrix> prolongations,
             std::vector<Smoothing_patches> patches, bool is_parallel = false,
-            std::vector<Sparse_matrix> coarse_matrices = {})
+            std::vector<Sparse_matrix> coarse_matrices = {},
+            const std::function<void()>& matrix_is_read = {})
     : m_is_parallel(is_parallel), m_size(a.cols()) {
     check_sizes(a, prolongations, patches, coarse_matrices);
     const std::size_t finest = prolongations.size();
@@ -151,10 +155,14 @@ public:
     m_levels.resize(finest + 1);
     m_smoothers.reserve(finest);
     set_coarsest(finest == 0 ? a : coarse_matrices[0]);
+    if(finest == 0 && matrix_is_read)
+      matrix_is_read();
     for(std::size_t level = 1; level <= finest; ++level) {
       Sparse_matrix().swap(coarse_matrices[level - 1]);
-      m_smoothers.emplace_back(level == finest ? a : coarse_matrices[level], patches[level - 1],
-                               is_parallel);
+      if(level < finest)
+        m_smoothers.emplace_back(coarse_matrices[level], patches[level - 1], is_parallel);
+      else
+        m_smoothers.emplace_back(a, patches[level - 1], is_parallel, matrix_is_read);
       patches[level - 1] = Smoothing_patches();
       set_transfer(level, prolongations[level - 1]);
       Sparse_matrix().swap(prolongations[level - 1]);

@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/conjugate_gradient.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/internal/connected_components.h>
 
 #include <CGAL/Real_timer.h>
@@ -170,21 +171,25 @@ public:
     : m_options(checked(a, element_integrals, options)), m_constants(a, element_integrals, alpha) {
     CGAL::Real_timer timer;
     timer.start();
-    m_matrix.swap(a); // a move would be a copy
     if(patches.empty())
       m_options.smoother = Smoother::point;
     patches.resize(prolongations.size());
+    // Half of the matrix is given up before the inverses of the smoother are computed.
+    const auto keep_half = [&] { m_matrix.take_half_of(a); };
     if(m_options.smoother == Smoother::patch)
-      m_multigrid.emplace<Patch_multigrid>(m_matrix, std::move(prolongations), std::move(patches),
-                                           m_options.is_parallel, std::move(coarse_matrices));
+      m_multigrid.emplace<Patch_multigrid>(a, std::move(prolongations), std::move(patches),
+                                           m_options.is_parallel, std::move(coarse_matrices),
+                                           keep_half);
     else
-      m_multigrid.emplace<Point_multigrid>(m_matrix, std::move(prolongations), std::move(patches),
-                                           m_options.is_parallel, std::move(coarse_matrices));
+      m_multigrid.emplace<Point_multigrid>(a, std::move(prolongations), std::move(patches),
+                                           m_options.is_parallel, std::move(coarse_matrices),
+                                           keep_half);
     m_setup_seconds = timer.time();
   }
 
   const Options& options() const { return m_options; }
-  const Sparse_matrix& matrix() const { return m_matrix; }
+  /// the entries of the matrix on and above its diagonal
+  const Sparse_matrix& upper_half() const { return m_matrix.upper_half(); }
   /// number of connected components whose constants are in the kernel of the matrix
   int kernel_dimension() const { return m_constants.kernel_dimension(); }
   /// wall-clock seconds that the hierarchy took
@@ -205,9 +210,9 @@ public:
   Solve_report solve(const Eigen::MatrixBase<RightHandSides>& b,
                      Eigen::PlainObjectBase<Solutions>& x, double relative_tolerance) const {
     check_tolerance(relative_tolerance);
-    if(b.rows() != matrix().rows())
+    if(b.rows() != m_matrix.rows())
       throw Parameter_error("b", "has " + std::to_string(b.rows()) + " rows, but the matrix has " +
-                                     std::to_string(matrix().rows()));
+                                     std::to_string(m_matrix.rows()));
     if(!b.allFinite())
       throw Parameter_error("b", "has an entry that is not a finite number");
     Solve_report report;
@@ -290,7 +295,7 @@ private:
 
     typename Hierarchy::template Workspace<K> workspace;
     const auto multiply = [this](const Block& p, Block& q) {
-      internal::multiply<K>(m_matrix, p, q, m_options.is_parallel);
+      m_matrix.template multiply<K>(p, q, m_options.is_parallel);
     };
     const auto precondition = [&](const Block& p, Block& q) {
       multigrid.template apply<K>(p, q, m_options.cycle, m_options.smoothing_steps, workspace);
@@ -299,7 +304,7 @@ private:
 
     multigrid.template nested_iteration<K>(b, x, m_options.cycle, m_options.smoothing_steps,
                                            workspace);
-    internal::residual<K>(m_matrix, b, x, r, m_options.is_parallel);
+    m_matrix.template residual<K>(b, x, r, m_options.is_parallel);
     project(r);
 
     // The recursively updated residual drifts away from the true one. Start again from the true one
@@ -313,7 +318,7 @@ private:
       else
         internal::conjugate_gradient<K>(multiply, precondition, project, r, x, target, iterations,
                                         m_options.maximum_iterations);
-      internal::residual<K>(m_matrix, b, x, r, m_options.is_parallel);
+      m_matrix.template residual<K>(b, x, r, m_options.is_parallel);
       project(r);
       const Row next = internal::dot<K>(r, r).sqrt();
       const bool improved = (next.max(target) < residual.max(target) * restart_gain).any();
@@ -342,7 +347,7 @@ private:
 
   Options m_options;
   internal::Constants m_constants;
-  Sparse_matrix m_matrix;
+  internal::Symmetric_matrix m_matrix;
   std::variant<Patch_multigrid, Point_multigrid> m_multigrid;
   double m_setup_seconds;
 };

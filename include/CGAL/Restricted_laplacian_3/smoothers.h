@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -129,8 +130,9 @@ private:
 /// \cgalModels `MultigridSmoother_3`
 class Gauss_seidel_smoother : public internal::Group_smoother<Gauss_seidel_smoother> {
 public:
+  /// \param matrix_is_read called when `a` is no longer read
   Gauss_seidel_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
-                        bool is_parallel = false)
+                        bool is_parallel = false, const std::function<void()>& matrix_is_read = {})
     : Group_smoother(a, patches.colors, is_parallel) {
     const std::size_t n = static_cast<std::size_t>(a.cols());
     const std::vector<int> by_octave = internal::order_by_octave_of_diagonal(a);
@@ -170,6 +172,8 @@ public:
       if(diagonal > std::numeric_limits<float>::epsilon())
         m_inverse_diagonal[i] = static_cast<float>(1 / diagonal);
     }
+    if(matrix_is_read)
+      matrix_is_read();
   }
 
   /// \f$r = b - A x\f$
@@ -224,12 +228,16 @@ public:
   /// With it the inverse is never too large, so the smoother converges for any matrix.
   static constexpr double relative_regularization = 1e-5;
 
+  /// \param matrix_is_read called when `a` is no longer read, before the inverses are computed
   Patch_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
-                 bool is_parallel = false)
+                 bool is_parallel = false, const std::function<void()>& matrix_is_read = {})
     : Group_smoother(a, patches.colors, is_parallel), m_groups(patches.groups) {
     find_clusters(static_cast<std::size_t>(a.cols()), patches);
     find_parts(patches);
     m_matrix = internal::Block_matrix(is_parallel, a, m_positions, m_scale);
+    if(matrix_is_read)
+      matrix_is_read();
+    m_inverses.resize(m_patches.back().inverse);
     invert_blocks();
   }
 
@@ -321,7 +329,6 @@ private:
       inverse += 64 * blocks * (blocks + 1) / 2;
     }
     m_patches.push_back({static_cast<std::uint32_t>(m_parts.size()), 0, inverse});
-    m_inverses.resize(inverse);
   }
 
   struct Local_numbers {
