@@ -56,7 +56,7 @@ void print(const char* name, int depth, int threads, std::size_t unknowns, doubl
   std::fflush(stdout);
 }
 
-void operators(const Mesh& mesh, int depth, int threads) {
+void measure_operators(const Mesh& mesh, int depth, int threads) {
   [[maybe_unused]] const auto limited = limit_threads(threads);
   std::size_t unknowns = 0;
   const double seconds = median_seconds([&] {
@@ -67,8 +67,8 @@ void operators(const Mesh& mesh, int depth, int threads) {
   print("operators_all_levels", depth, threads, unknowns, seconds);
 }
 
-void poisson(const Mesh& mesh, const Vertex_map& f, Vertex_map u, int depth, double tolerance,
-             int threads) {
+void measure_poisson(const Mesh& mesh, const Vertex_map& f, Vertex_map u, int depth,
+                     double tolerance, int threads) {
   [[maybe_unused]] const auto limited = limit_threads(threads);
   RL::Solve_report report;
   const auto np = params::octree_depth(depth, params::relative_tolerance(tolerance));
@@ -88,7 +88,7 @@ void poisson(const Mesh& mesh, const Vertex_map& f, Vertex_map u, int depth, dou
 }
 
 #ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
-void cotangent(const Mesh& mesh, const Vertex_map& f, int threads) {
+void measure_cotangent(const Mesh& mesh, const Vertex_map& f, int threads) {
   set_blas_threads(threads);
   std::size_t unknowns = 0;
   double assembly_seconds = 0;
@@ -138,10 +138,10 @@ void compare(int argc, char* argv[]) {
               static_cast<std::size_t>(mesh->number_of_faces()), tolerance);
   std::printf("# %-18s %5s %7s %9s %9s\n", "what", "depth", "threads", "unknowns", "seconds");
   for(int threads = 1; threads <= (is_parallel_available() ? 2 : 1); ++threads) {
-    operators(*mesh, depth_of_operators, threads);
-    poisson(*mesh, f, u, depth_of_poisson, tolerance, threads);
+    measure_operators(*mesh, depth_of_operators, threads);
+    measure_poisson(*mesh, f, u, depth_of_poisson, tolerance, threads);
 #ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
-    cotangent(*mesh, f, threads);
+    measure_cotangent(*mesh, f, threads);
 #endif
   }
 }

@@ -194,7 +194,7 @@ public:
     return m_coarse.seconds + seconds_of([&] {
              m_solver.emplace(RL::internal::poisson_solver(
                  m_space, std::move(a), std::move(coarse), m_integrals, 0,
-                 solver_options(m_smoother, m_threads, m_tolerance, m_maximum_iterations)));
+                 solver_options(m_smoother, m_threads, 1e-3, m_maximum_iterations)));
            });
   }
   // The limit is fixed when a solver is made: the time of making another one does not count.
@@ -214,7 +214,6 @@ private:
   std::string m_smoother;
   int m_threads;
   Coarse_levels m_coarse;
-  double m_tolerance = 1e-3;
   int m_maximum_iterations = 1000;
   std::optional<RL::Poisson_solver> m_solver;
 };

@@ -206,6 +206,23 @@ TEST_CASE("half_of_a_matrix_has_the_products_of_the_whole", "[multigrid]") {
   }
 }
 
+#ifdef __linux__
+TEST_CASE("released_pages_are_empty_and_no_others", "[multigrid]") {
+  constexpr std::size_t size = 1 << 20, page = 1 << 16;
+  std::vector<double> values(size, 1.);
+  RL::internal::release_pages(values.data() + size / 4, values.data() + size / 2);
+  const auto sum = [&](std::size_t begin, std::size_t end) {
+    double result = 0;
+    for(std::size_t i = begin; i < end; ++i)
+      result += values[i];
+    return result;
+  };
+  CHECK(sum(0, size / 4) == size / 4);
+  CHECK(sum(size / 4 + page / 8, size / 2 - page / 8) == 0);
+  CHECK(sum(size / 2, size) == size / 2);
+}
+#endif
+
 TEST_CASE("inverse_of_a_block_with_dependent_unknowns", "[multigrid]") {
   for(int size : {1, 3, 8, 27, 50}) {
     const int stride = (size + 7) / 8 * 8;

@@ -236,6 +236,13 @@ TEST_CASE("load_sums_to_integral", "[operators]") {
     CHECK((RL::assemble_load(space, RL::function_of_degree(square, 0)) -
            RL::assemble_load(space, RL::function_of_degree(square, 2)))
               .isZero(0));
+    const auto evaluations = [&](int degree) {
+      int number = 0;
+      const auto count = [&](const RL::Surface_point&) { return static_cast<double>(++number); };
+      RL::assemble_load(space, RL::function_of_degree(count, degree));
+      return number;
+    };
+    CHECK(2 * evaluations(2) == evaluations(6));
     CHECK_THROWS_AS(RL::function_of_degree(square, 7), RL::Parameter_error);
     // the load of a gradient sums to 0, because the gradient of the sum of all elements is 0
     const RL::Vector_3 constant(1, 2, 3);

@@ -277,7 +277,7 @@ void for_each_node_of_level(const Spline_space_3& space, int level, std::size_t 
     std::array<double, 3> offset;
     for(int axis = 0; axis < 3; ++axis)
       offset[axis] = fine.index[axis] - (coarse.index[axis] << (depth - level));
-    for_each_node(
+    for_each_sheet_node(
         integration, s, degree,
         [&](const std::array<double, 3>& t, const Surface_location& location, double weight) {
           visit(std::array<double, 3>{scale * (t[0] + offset[0]), scale * (t[1] + offset[1]),

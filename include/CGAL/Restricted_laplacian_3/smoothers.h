@@ -6,11 +6,11 @@
 
 #include <CGAL/Restricted_laplacian_3/internal/Block_matrix.h>
 #include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
+#include <CGAL/Restricted_laplacian_3/internal/Symmetric_inverse.h>
 #include <CGAL/Restricted_laplacian_3/internal/block_kernels.h>
 #include <CGAL/Restricted_laplacian_3/internal/level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/internal/renumbering.h>
-#include <CGAL/Restricted_laplacian_3/internal/symmetric_inverse.h>
 
 #include <Eigen/SparseCore>
 

@@ -198,13 +198,13 @@ inline void add_sheet_moments(const Cubature& cubature, std::size_t sheet, Sheet
 /// Nodes for an integrand of the given degree on each triangle, by any model of
 /// `SurfaceIntegration_3`. All but `Cubature` have the same for all degrees.
 template <class SurfaceIntegration, class Visitor>
-void for_each_node(const SurfaceIntegration& integration, std::size_t sheet, int /*degree*/,
-                   Visitor&& visit) {
+void for_each_sheet_node(const SurfaceIntegration& integration, std::size_t sheet, int /*degree*/,
+                         Visitor&& visit) {
   integration.for_each_node(sheet, visit);
 }
 
 template <class Visitor>
-void for_each_node(const Cubature& cubature, std::size_t sheet, int degree, Visitor&& visit) {
+void for_each_sheet_node(const Cubature& cubature, std::size_t sheet, int degree, Visitor&& visit) {
   cubature.for_each_node(sheet, degree, visit);
 }
 

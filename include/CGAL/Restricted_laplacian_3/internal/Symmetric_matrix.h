@@ -67,6 +67,7 @@ public:
 
 private:
   static constexpr std::size_t number_of_parts = 8;
+  static constexpr std::size_t rows_of_a_task = 2048;
 
   /// a range of columns, and the first of the rows that they reach; the last one is the last column
   struct Part {

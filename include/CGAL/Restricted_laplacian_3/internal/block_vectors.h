@@ -4,11 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_BLOCK_VECTORS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_BLOCK_VECTORS_H
 
-#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
-
-#include <Eigen/SparseCore>
-
-#include <cstddef>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -27,9 +23,6 @@ template <int K> Eigen::Map<Block_row<K>> row(Block_vector<K>& x, Eigen::Index i
 template <int K> Eigen::Map<const Block_row<K>> row(const Block_vector<K>& x, Eigen::Index i) {
   return Eigen::Map<const Block_row<K>>(x.data() + K * i);
 }
-
-/// how many rows a thread takes at a time
-constexpr std::size_t rows_of_a_task = 2048;
 
 } // namespace internal
 } // namespace Restricted_laplacian_3
