@@ -36,7 +36,7 @@ double restricted_sphere_error(int subdivisions, int depth) {
       shapes::mesh(shapes::sphere(subdivisions)), sphere_count, params::octree_depth(depth));
   CHECK(spectrum.report.converged);
   CHECK(std::abs(spectrum.eigenvalues[0]) <= 1e-10);
-  CHECK(spectrum.report.relative_residual <= 1e-6);
+  CHECK(spectrum.report.relative_residual <= 1e-5);
   return sphere_error(spectrum.eigenvalues);
 }
 
@@ -101,7 +101,9 @@ TEST_CASE("eigenfunctions_are_orthonormal_and_satisfy_the_equation", "[spectrum]
   const RL::Spline_space_3 space(mesh, params::octree_depth(4));
   const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 12);
   REQUIRE(spectrum.report.converged);
-  const RL::Operators operators = RL::assemble_operators(space);
+  const RL::Operators operators =
+      RL::assemble_operators(space, 4, RL::Cubature(space),
+                             RL::default_spectrum_stabilization(space), RL::Stabilized::stiffness);
   const Eigen::MatrixXd& x = spectrum.pairs.vectors;
   CHECK((x.transpose() * operators.mass * x - Eigen::MatrixXd::Identity(12, 12))
             .cwiseAbs()

@@ -189,16 +189,22 @@ public:
   template <int K>
   void apply(const internal::Block_vector<K>& b, internal::Block_vector<K>& x, Cycle cycle,
              int steps, Workspace<K>& workspace) const {
-    const std::size_t finest = m_levels.size() - 1;
-    if(finest == 0) {
+    apply<K>(m_levels.size() - 1, b, x, cycle, steps, workspace);
+  }
+
+  /// The same for the matrix of a level; 0 is the coarsest.
+  template <int K>
+  void apply(std::size_t level, const internal::Block_vector<K>& b, internal::Block_vector<K>& x,
+             Cycle cycle, int steps, Workspace<K>& workspace) const {
+    if(level == 0) {
       m_coarse_inverse.apply<K>(b, x);
       return;
     }
     workspace.levels.resize(m_levels.size());
-    auto& vectors = workspace.levels[finest];
-    const internal::Block_row<K> scale = import_load<K>(b, vectors.b);
-    run<K>(finest, vectors.b, vectors.x, cycle, steps, workspace);
-    export_solution<K>(vectors.x, scale, x);
+    auto& vectors = workspace.levels[level];
+    const internal::Block_row<K> scale = import_load<K>(level, b, vectors.b);
+    run<K>(level, vectors.b, vectors.x, cycle, steps, workspace);
+    export_solution<K>(level, vectors.x, scale, x);
   }
 
   /// A first guess by nested iteration: the coarsest problem is solved, then the solution of each
@@ -214,7 +220,7 @@ public:
     }
     workspace.levels.resize(m_levels.size());
     std::vector<internal::Level_vectors<K>> loads(m_levels.size());
-    const internal::Block_row<K> scale = import_load<K>(b, loads[finest]);
+    const internal::Block_row<K> scale = import_load<K>(finest, b, loads[finest]);
     for(std::size_t level = finest; level > 0; --level)
       m_levels[level].restriction.template multiply<K, false>(m_is_parallel, loads[level],
                                                               loads[level - 1]);
@@ -230,7 +236,7 @@ public:
       run<K>(level, left, correction, cycle, steps, workspace);
       add<K>(correction, solution);
     }
-    export_solution<K>(solution, scale, x);
+    export_solution<K>(finest, solution, scale, x);
   }
 
 private:
@@ -290,45 +296,43 @@ private:
 
   /// scales the columns to largest entry 1, returns the factors
   template <int K>
-  internal::Block_row<K> import_load(const internal::Block_vector<K>& from,
+  internal::Block_row<K> import_load(std::size_t level, const internal::Block_vector<K>& from,
                                      internal::Level_vectors<K>& to) const {
-    const std::size_t finest = m_levels.size() - 1;
-    const std::vector<double>& d = scale(finest);
-    const std::vector<std::uint32_t>& position = positions(finest).of_unknown;
+    const std::vector<double>& d = scale(level);
+    const std::vector<std::uint32_t>& position = positions(level).of_unknown;
     internal::Block_row<K> largest = internal::Block_row<K>::Zero();
     for(std::size_t i = 0; i < d.size(); ++i)
       largest = largest.max((d[i] * internal::row<K>(from, i)).abs());
     const internal::Block_row<K> factor =
         largest.unaryExpr([](double x) { return x > 0 ? std::ldexp(1., std::ilogb(x)) : 1.; });
     const internal::Block_row<K> inverse = factor.inverse();
-    to.set_zero(positions(finest).number_of_positions);
+    to.set_zero(positions(level).number_of_positions);
     internal::parallel_for(
         m_is_parallel, 0, d.size(), conversion_grain, [&](std::size_t begin, std::size_t end) {
           for(std::size_t i = begin; i < end; ++i) {
             const internal::Block_row<K> value = internal::row<K>(from, i) * inverse * d[i];
-            float* place = to.data() + internal::Level_vectors<K>::offset(position[i]);
+            float* const place = to.position(position[i]);
             for(int c = 0; c < K; ++c)
-              place[internal::lanes_of_floats * c] = static_cast<float>(value[c]);
+              place[c] = static_cast<float>(value[c]);
           }
         });
     return factor;
   }
 
   template <int K>
-  void export_solution(const internal::Level_vectors<K>& from, const internal::Block_row<K>& factor,
-                       internal::Block_vector<K>& to) const {
-    const std::size_t finest = m_levels.size() - 1;
-    const std::vector<double>& d = scale(finest);
-    const std::vector<std::uint32_t>& position = positions(finest).of_unknown;
-    to.resize(m_size, K);
-    internal::parallel_for(
-        m_is_parallel, 0, d.size(), conversion_grain, [&](std::size_t begin, std::size_t end) {
-          for(std::size_t i = begin; i < end; ++i) {
-            const float* place = from.data() + internal::Level_vectors<K>::offset(position[i]);
-            for(int c = 0; c < K; ++c)
-              to(i, c) = place[internal::lanes_of_floats * c] * d[i] * factor[c];
-          }
-        });
+  void export_solution(std::size_t level, const internal::Level_vectors<K>& from,
+                       const internal::Block_row<K>& factor, internal::Block_vector<K>& to) const {
+    const std::vector<double>& d = scale(level);
+    const std::vector<std::uint32_t>& position = positions(level).of_unknown;
+    to.resize(static_cast<Eigen::Index>(d.size()), K);
+    internal::parallel_for(m_is_parallel, 0, d.size(), conversion_grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             for(std::size_t i = begin; i < end; ++i) {
+                               const float* const place = from.position(position[i]);
+                               for(int c = 0; c < K; ++c)
+                                 to(i, c) = place[c] * d[i] * factor[c];
+                             }
+                           });
   }
 
   template <int K>
@@ -343,16 +347,13 @@ private:
     const Eigen::Index size = static_cast<Eigen::Index>(m_coarse_scale.size());
     workspace.coarse_b.resize(size, K);
     x.set_zero(m_coarse_positions.number_of_positions);
-    const auto offset = [](Eigen::Index i, int c) {
-      return internal::Level_vectors<K>::offset(i) + internal::lanes_of_floats * c;
-    };
     for(Eigen::Index i = 0; i < size; ++i)
       for(int c = 0; c < K; ++c)
-        workspace.coarse_b(i, c) = b.data()[offset(i, c)] / m_coarse_scale[i];
+        workspace.coarse_b(i, c) = b.position(i)[c] / m_coarse_scale[i];
     m_coarse_inverse.apply<K>(workspace.coarse_b, workspace.coarse_x);
     for(Eigen::Index i = 0; i < size; ++i)
       for(int c = 0; c < K; ++c)
-        x.data()[offset(i, c)] = static_cast<float>(workspace.coarse_x(i, c) / m_coarse_scale[i]);
+        x.position(i)[c] = static_cast<float>(workspace.coarse_x(i, c) / m_coarse_scale[i]);
   }
 
   template <int K>

@@ -44,6 +44,10 @@ struct Operators {
   Sparse_matrix mass;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The matrices to which `assemble_operators()` adds the stabilisation.
+enum class Stabilized { stiffness_and_mass, stiffness };
+
 // Matrices are exchanged in what follows, because a `SparseMatrix` of Eigen 3.4 is copied where
 // another class would be moved.
 
@@ -86,9 +90,14 @@ inline double checked_normal_stabilization(double c) {
 /// P. Hansbo, M. G. Larson, A. Massing, *Cut finite element methods for partial differential
 /// equations on embedded manifolds of arbitrary codimensions*, ESAIM: M2AN 52 (2018).
 ///
+/// *Eigenvalue problems* are to be solved with the stiffness matrix alone stabilised. Combinations
+/// of elements that vanish on the surface are then eigenvectors for the eigenvalue infinity. With
+/// both matrices stabilised their eigenvalues are \f$1 / h^2\f$, amidst those that are looked for.
+///
 /// Takes time proportional to the number of fragments of triangles in cells, plus the number of
 /// sheets; holds the matrices (about 75 entries in a row) and little else.
 /// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
+/// \param stabilized which of the matrices are stabilised
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or
 /// `Monte_carlo`
 /// \throws Parameter_error if a level is not in 0 .. depth, or if `normal_stabilization` is
@@ -96,7 +105,8 @@ inline double checked_normal_stabilization(double c) {
 template <class SurfaceIntegration>
 std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
                                           const SurfaceIntegration& integration,
-                                          double normal_stabilization = 0) {
+                                          double normal_stabilization = 0,
+                                          Stabilized stabilized = Stabilized::stiffness_and_mass) {
   space.checked_level(coarsest);
   space.checked_level(finest);
   internal::checked_normal_stabilization(normal_stabilization);
@@ -113,6 +123,7 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
     targets[level].mass = &o.mass;
   }
   internal::Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization,
+                                                  stabilized == Stabilized::stiffness_and_mass,
                                                   std::move(targets));
   return operators;
 }
@@ -121,10 +132,10 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
 /// Stiffness and mass matrix of one level, at the cost of one of them.
 template <class SurfaceIntegration>
 Operators assemble_operators(const Spline_space_3& space, int level,
-                             const SurfaceIntegration& integration,
-                             double normal_stabilization = 0) {
+                             const SurfaceIntegration& integration, double normal_stabilization = 0,
+                             Stabilized stabilized = Stabilized::stiffness_and_mass) {
   std::vector<Operators> of_level =
-      assemble_operators(space, level, level, integration, normal_stabilization);
+      assemble_operators(space, level, level, integration, normal_stabilization, stabilized);
   Operators result;
   result.stiffness.swap(of_level.front().stiffness);
   result.mass.swap(of_level.front().mass);
@@ -174,7 +185,7 @@ System_matrices assemble_system(const Spline_space_3& space, int coarsest,
     }
   }
   targets[space.depth()].element_integrals = &result.integrals;
-  Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization,
+  Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization, true,
                                         std::move(targets));
   // The patterns are the same, so values can be added without a merge.
   for(std::size_t i = 0; i < mass.size(); ++i)
@@ -200,7 +211,7 @@ Stiffness_and_integrals assemble_stiffness_and_integrals(const Spline_space_3& s
   std::vector<Assembly_targets> targets(space.depth() + 1);
   targets[level].stiffness = &result.stiffness;
   targets[level].element_integrals = &result.integrals;
-  Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization,
+  Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization, true,
                                         std::move(targets));
   return result;
 }

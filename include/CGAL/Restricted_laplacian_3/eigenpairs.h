@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <random>
 #include <string>
@@ -41,11 +42,12 @@ struct Eigenpairs {
   /// whether all requested pairs were found to the tolerance; if not, `values` holds those that
   /// were
   bool converged = false;
-  /// restarts of the Lanczos iteration; 0 if the problem was solved densely
+  /// restarts of the Lanczos iteration, 0 if the problem was solved densely; of
+  /// `multigrid_eigenpairs()`, iterations on the finest level
   int iterations = 0;
-  /// \f$\sigma\f$, see `smallest_eigenpairs()`
+  /// \f$\sigma = -4 \pi / \sum_{ij} M_{ij}\f$, see `smallest_eigenpairs()`
   double shift = 0;
-  /// \f$\tau\f$, see `smallest_eigenpairs()`
+  /// \f$\tau\f$, see `smallest_eigenpairs()`; 0 for `multigrid_eigenpairs()`
   double regularization = 0;
 };
 
@@ -57,6 +59,9 @@ struct Eigenpairs_options {
   int maximum_iterations = 1000;
   /// \f$\tau\f$ of the first attempt
   double regularization = 1e-12;
+  /// is told about which part of the work is done, from 0 to 1; if it returns `false`, the
+  /// computation ends with a `Canceled` exception
+  std::function<bool(double)> callback;
 };
 
 namespace internal {
@@ -117,6 +122,9 @@ class Inverted_pencil {
 public:
   using Scalar = double;
 
+  /// called at each application of the operator
+  std::function<void()> on_operation;
+
   /// largest \f$\tau\f$ that is tried; beyond, eigenvalues would lose more than half of their
   /// digits
   static constexpr double largest_regularization = 1e-8;
@@ -159,6 +167,8 @@ public:
 
   /// \f$ (C - Y \mathrm{diag}(\nu) Y^T)\, y \f$ with the deflated pairs \f$Y, \nu\f$
   void perform_op(const double* in, double* out) const {
+    if(on_operation)
+      on_operation();
     const Eigen::Map<const Eigen::VectorXd> y(in, rows());
     Eigen::Map<Eigen::VectorXd> result(out, rows());
     const Eigen::VectorXd mx = m_mass * vector(y);
@@ -189,6 +199,10 @@ private:
   Eigen::MatrixXd m_deflated;
   Eigen::VectorXd m_deflated_values;
 };
+
+/// The largest eigenvalue below 0 that a surface of this area would have, were the distance of
+/// two eigenvalues the same everywhere (Weyl's law).
+inline double natural_shift(double area) { return -4 * 3.14159265358979323846 / area; }
 
 /// Normalizes the vectors, replaces each value by the Rayleigh quotient
 /// \f$x^T S x / x^T M x\f$ of its vector, in which the regularization appears squared only, and
@@ -362,6 +376,7 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, const Eigen::MatrixXd
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
 /// \throws Parameter_error if `k` is not positive or exceeds the number of independent functions
 /// \throws Numerical_error if no factorization succeeds
+/// \throws Canceled if the callback returned `false`
 inline Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& s,
                                       const Eigen::SparseMatrix<double>& m, int k,
                                       const Eigenpairs_options& options = Eigenpairs_options()) {
@@ -369,11 +384,14 @@ inline Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& s,
     throw Parameter_error("m", "does not have the size of s, or they are not square");
   if(k < 1)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
+  if(k > s.rows())
+    throw Parameter_error("k", "is " + std::to_string(k) + ", but there are only " +
+                                   std::to_string(s.rows()) + " unknowns");
   const double mass = m.coeffs().sum();
   if(!(mass > 0))
     throw Parameter_error("m", "does not have a positive sum of entries");
   Eigenpairs pairs;
-  pairs.shift = -4 * 3.14159265358979323846 / mass;
+  pairs.shift = internal::natural_shift(mass);
   const Eigen::Index n = s.rows();
   if(n < 100 || k > n / 3) {
     if(n > 10000)
@@ -387,6 +405,13 @@ inline Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& s,
   internal::Inverted_pencil pencil(s, unit_mass, pairs.shift * mass, options.regularization);
   pairs.regularization = pencil.regularization();
   pairs.converged = true;
+  int operations = 0;
+  if(options.callback)
+    pencil.on_operation = [&operations, &options, k] {
+      // Most problems take two to four times the dimension of the Krylov space.
+      if(!options.callback(1 - std::exp(-++operations / (4. * k + 20))))
+        throw Canceled();
+    };
   Eigen::MatrixXd vectors = internal::all_copies(pencil, internal::constants_in_kernel(s),
                                                  pairs.shift * mass, k, options, pairs);
   internal::finish_eigenpairs(s, m, std::move(vectors), pairs);

@@ -90,6 +90,13 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Errors
+/// A callback returned `false`.
+class Canceled : public std::runtime_error {
+public:
+  Canceled() : std::runtime_error("the computation was canceled by its callback") {}
+};
+
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 

@@ -10,20 +10,33 @@
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 #include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/multigrid_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
+#include <CGAL/Restricted_laplacian_3/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/smoothing_patches.h>
+#include <CGAL/Restricted_laplacian_3/surface_integration.h>
 
 #include <CGAL/Real_timer.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// How `laplace_spectrum()` computes eigenpairs: by `multigrid_eigenpairs()`, by
+/// `smallest_eigenpairs()`, or by the one of them that is faster.
+enum class Eigensolver { automatic, multigrid, shift_invert };
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The low end of the spectrum of the Laplace-Beltrami operator.
@@ -37,17 +50,24 @@ struct Laplace_spectrum {
   Eigen::MatrixXd vertex_values;
   /// the algebraic problem: vectors of coefficients, residuals, shift and regularization
   Eigenpairs pairs;
-  /// convergence, restarts, largest residual, times
+  /// convergence, iterations, largest residual, times
   Solve_report report;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The factor \f$c\f$ of the stabilisation of the stiffness matrix, see `assemble_operators()`, that
+/// `laplace_spectrum()` uses unless told otherwise: 1e-5, and 0 in the space of the paper. It makes
+/// `multigrid_eigenpairs()` converge on any surface, and changes eigenvalues by less than the
+/// discretisation does.
+inline double default_spectrum_stabilization(const Spline_space_3& space) {
+  return space.is_paper_space() ? 0 : 1e-5;
+}
+
 namespace internal {
 
-inline Laplace_spectrum spectrum_of(const Operators& operators, int k) {
-  CGAL::Real_timer timer;
-  timer.start();
-  Laplace_spectrum spectrum;
-  spectrum.pairs = smallest_eigenpairs(operators.stiffness, operators.mass, k);
+/// sets eigenvalues and report
+inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
+  spectrum.pairs = std::move(pairs);
   spectrum.eigenvalues = spectrum.pairs.values;
   spectrum.report.converged = spectrum.pairs.converged;
   spectrum.report.iterations = spectrum.pairs.iterations;
@@ -55,22 +75,93 @@ inline Laplace_spectrum spectrum_of(const Operators& operators, int k) {
     spectrum.report.relative_residuals.push_back(residual);
     spectrum.report.relative_residual = (std::max)(spectrum.report.relative_residual, residual);
   }
-  spectrum.report.solve_seconds = timer.time();
-  return spectrum;
+}
+
+/// Whether `multigrid_eigenpairs()` is used. With fewer unknowns a factorization is as fast.
+inline bool uses_multigrid(const Spline_space_3& space, Eigensolver eigensolver,
+                           double normal_stabilization) {
+  constexpr std::size_t smallest_dimension = 5000;
+  if(eigensolver == Eigensolver::multigrid && space.is_paper_space())
+    throw Parameter_error("eigensolver", "must not be multigrid in the space of the paper, whose "
+                                         "levels are not nested");
+  return eigensolver == Eigensolver::multigrid ||
+         (eigensolver == Eigensolver::automatic && !space.is_paper_space() &&
+          normal_stabilization > 0 && space.dimension() >= smallest_dimension);
+}
+
+inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest,
+                                          std::vector<Operators> operators, int k,
+                                          const Multigrid_eigenpairs_options& options) {
+  std::vector<Sparse_matrix> stiffness(operators.size()), mass(operators.size());
+  for(std::size_t i = 0; i < operators.size(); ++i) {
+    stiffness[i].swap(operators[i].stiffness);
+    mass[i].swap(operators[i].mass);
+  }
+  return multigrid_eigenpairs(std::move(stiffness), std::move(mass),
+                              prolongation_matrices(space, coarsest),
+                              smoothing_patches_of_levels(space, coarsest), k, options);
 }
 
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
-/// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), see `smallest_eigenpairs()`.
-inline Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k) {
+/// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1).
+/// \param integration a model of `SurfaceIntegration_3`
+/// \param np optional named parameters:
+/// - `eigensolver`: `Eigensolver::multigrid`, `Eigensolver::shift_invert`, or (default)
+///   `Eigensolver::automatic`, which takes the former from 5,000 unknowns on
+/// - `relative_tolerance`: for the residuals of `Eigensolver::multigrid`; default 1e-5. Those of
+///   `Eigensolver::shift_invert` are always near 1e-8.
+/// - `number_of_iterations`: of `Eigensolver::multigrid` on a level, at most; default 100
+/// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`, for the stiffness matrix;
+///   default `default_spectrum_stabilization()`
+/// - `callback`: a function object that is called with the part of the eigensolver's work that is
+///   done, from 0 to 1, and returns `false` to end it with a `Canceled` exception
+/// \throws Parameter_error if a parameter is outside its domain
+/// \throws Numerical_error if a factorization fails
+template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_no_named_parameters<SurfaceIntegration> = 0>
+Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
+                                  const SurfaceIntegration& integration,
+                                  const NamedParameters& np = parameters::default_values()) {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  if(k < 1)
+    throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
+  const double stabilization = choose_parameter(
+      get_parameter(np, internal_np::normal_stabilization), default_spectrum_stabilization(space));
+  const std::function<bool(double)> callback =
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  const bool is_multigrid = internal::uses_multigrid(
+      space, choose_parameter(get_parameter(np, internal_np::eigensolver), Eigensolver::automatic),
+      stabilization);
+
+  Laplace_spectrum spectrum;
   CGAL::Real_timer timer;
   timer.start();
-  const Operators operators = assemble_operators(space);
-  const double assembly_seconds = timer.time();
-  Laplace_spectrum spectrum = internal::spectrum_of(operators, k);
-  spectrum.report.assembly_seconds = assembly_seconds;
+  const int coarsest = is_multigrid ? internal::coarsest_multigrid_level(space) : space.depth();
+  std::vector<Operators> operators = assemble_operators(space, coarsest, space.depth(), integration,
+                                                        stabilization, Stabilized::stiffness);
+  spectrum.report.assembly_seconds = timer.time();
+  if(is_multigrid) {
+    Multigrid_eigenpairs_options options;
+    options.relative_tolerance = choose_parameter(
+        get_parameter(np, internal_np::relative_tolerance), options.relative_tolerance);
+    options.maximum_iterations = choose_parameter(
+        get_parameter(np, internal_np::number_of_iterations), options.maximum_iterations);
+    options.is_parallel = space.options().is_parallel;
+    options.callback = callback;
+    internal::take_pairs(
+        internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, options),
+        spectrum);
+  } else {
+    Eigenpairs_options options;
+    options.callback = callback;
+    internal::take_pairs(smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, options),
+                         spectrum);
+  }
+  spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
   spectrum.vertex_values.resize(space.surface().number_of_vertices(), spectrum.eigenvalues.size());
   for(Eigen::Index i = 0; i < spectrum.eigenvalues.size(); ++i) {
     const std::vector<double> values =
@@ -80,14 +171,24 @@ inline Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k) {
   return spectrum;
 }
 
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
+template <class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
+                                  const NamedParameters& np = parameters::default_values()) {
+  return laplace_spectrum(space, k, Cubature(space), np);
+}
+
 namespace internal {
 
-template <class MakeSpace> Laplace_spectrum laplace_spectrum(MakeSpace&& make_space, int k) {
+template <class MakeSpace, class NamedParameters>
+Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedParameters& np) {
   CGAL::Real_timer timer;
   timer.start();
   const Spline_space_3 space = make_space();
   const double space_seconds = timer.time();
-  Laplace_spectrum spectrum = Restricted_laplacian_3::laplace_spectrum(space, k);
+  Laplace_spectrum spectrum = laplace_spectrum(space, k, np);
   spectrum.report.space_seconds = space_seconds;
   return spectrum;
 }
@@ -98,13 +199,13 @@ template <class MakeSpace> Laplace_spectrum laplace_spectrum(MakeSpace&& make_sp
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
 /// the natural boundary condition if it is open.
 /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
-/// \param np optional named parameters: those of `Spline_space_3`
+/// \param np optional named parameters: those of `Spline_space_3`, and of the overload for spaces
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
                                   const NamedParameters& np = parameters::default_values()) {
-  return internal::laplace_spectrum([&] { return Spline_space_3(tm, np); }, k);
+  return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, k, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -116,7 +217,8 @@ template <class PointRange, class TriangleRange,
           std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
 Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange& triangles, int k,
                                   const NamedParameters& np = parameters::default_values()) {
-  return internal::laplace_spectrum([&] { return Spline_space_3(points, triangles, np); }, k);
+  return internal::laplace_spectrum_of([&] { return Spline_space_3(points, triangles, np); }, k,
+                                       np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -135,9 +237,11 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
       surface,
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::lumped_mass), false));
   const double assembly_seconds = timer.time() - space_seconds;
-  Laplace_spectrum spectrum = internal::spectrum_of(operators, k);
+  Laplace_spectrum spectrum;
+  internal::take_pairs(smallest_eigenpairs(operators.stiffness, operators.mass, k), spectrum);
   spectrum.report.space_seconds = space_seconds;
   spectrum.report.assembly_seconds = assembly_seconds;
+  spectrum.report.solve_seconds = timer.time() - space_seconds - assembly_seconds;
   spectrum.vertex_values = spectrum.pairs.vectors;
   const Eigen::VectorXd diagonal = operators.mass.diagonal();
   for(Eigen::Index v = 0; v < diagonal.size(); ++v)

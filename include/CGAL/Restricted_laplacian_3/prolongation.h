@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -81,6 +82,21 @@ inline std::vector<Sparse_matrix> prolongation_matrices(const Spline_space_3& sp
   return result;
 }
 
+namespace internal {
+
+/// The coarsest level of a hierarchy: the finest one whose dense factorization takes no time that
+/// counts. It is done for each connected component of the surface, which is a sheet of level 0.
+inline int coarsest_multigrid_level(const Spline_space_3& space) {
+  constexpr double largest_dense_dimension = 300;
+  const double components = static_cast<double>(space.octree().number_of_sheets(0));
+  int level = 0;
+  while(level < space.depth() && static_cast<double>(space.dimension(level + 1)) <=
+                                     largest_dense_dimension * std::sqrt(components))
+    ++level;
+  return level;
+}
+
+} // namespace internal
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SMOOTHERS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SMOOTHERS_H
 
-#include <CGAL/Restricted_laplacian_3/internal/Block_matrix.h>
+#include <CGAL/Restricted_laplacian_3/internal/Cluster_matrix.h>
 #include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/internal/Symmetric_inverse.h>
 #include <CGAL/Restricted_laplacian_3/internal/block_kernels.h>
@@ -194,11 +194,13 @@ private:
     const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
     for(std::uint32_t k = 0; k < end - begin; ++k) {
       const std::size_t i = is_reversed ? end - 1 - k : begin + k;
-      const std::size_t offset = internal::Level_vectors<K>::offset(i);
-      const std::array<float, K> product = m_matrix.template row_product<K>(i, x);
+      const float* const load = b.position(i);
+      float* const value = x.position(i);
+      float residual[K];
+      std::copy(load, load + K, residual);
+      m_matrix.template add_row_product<K>(i, -1, x, residual);
       for(int c = 0; c < K; ++c)
-        x.data()[offset + internal::lanes_of_floats * c] +=
-            (b.data()[offset + internal::lanes_of_floats * c] - product[c]) * m_inverse_diagonal[i];
+        value[c] += residual[c] * m_inverse_diagonal[i];
     }
   }
 
@@ -234,7 +236,7 @@ public:
     : Group_smoother(a, patches.colors, is_parallel), m_groups(patches.groups) {
     find_clusters(static_cast<std::size_t>(a.cols()), patches);
     find_parts(patches);
-    m_matrix = internal::Block_matrix(is_parallel, a, m_positions, m_scale);
+    m_matrix = internal::Cluster_matrix(is_parallel, a, m_positions, m_scale);
     if(matrix_is_read)
       matrix_is_read();
     m_inverses.resize(m_patches.back().inverse);
@@ -331,20 +333,14 @@ private:
     m_patches.push_back({static_cast<std::uint32_t>(m_parts.size()), 0, inverse});
   }
 
-  struct Local_numbers {
-    std::vector<std::uint32_t> part; // of a cluster
-    std::vector<int> offsets;        // of parts, and one more
-    std::vector<std::uint8_t> lanes; // of the unknowns of the patch in their clusters
-  };
-
   void invert_blocks() {
     constexpr std::size_t grain = 256;
     internal::parallel_for(
         m_is_parallel, 0, m_patches.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
           internal::Symmetric_inverse invert;
           std::vector<double> block;
-          Local_numbers local;
-          local.part.assign(m_positions.number_of_clusters(), no_number);
+          // number of a position in the block of a patch
+          std::vector<std::uint32_t> local(m_positions.number_of_positions, no_number);
           for(std::size_t p = begin; p < end; ++p) {
             const Patch& patch = m_patches[p];
             const int size = static_cast<int>(patch.size), stride = rounded_up(size, 8);
@@ -375,102 +371,80 @@ private:
     }
   }
 
+  /// calls `visit(position)` for the positions of a part
+  template <class Visitor> static void for_each_position(const Part& part, Visitor&& visit) {
+    for(std::uint32_t lane = 0; lane < internal::lanes_of_floats; ++lane)
+      if(part.mask >> lane & 1)
+        visit(internal::lanes_of_floats * part.cluster + lane);
+  }
+
   /// the lower triangle of the dense block of a patch, with as many rows as columns in memory
-  void extract(std::size_t p, int stride, Local_numbers& local, std::vector<double>& block) const {
-    const Patch& patch = m_patches[p];
-    const std::uint32_t first = patch.first_part, last = m_patches[p + 1].first_part;
+  void extract(std::size_t p, int stride, std::vector<std::uint32_t>& local,
+               std::vector<double>& block) const {
+    const std::uint32_t first = m_patches[p].first_part, last = m_patches[p + 1].first_part;
     block.assign(static_cast<std::size_t>(stride) * stride, 0.);
-    // number of the first unknown of each part in the block
-    std::vector<int>& offsets = local.offsets;
-    offsets.assign(1, 0);
-    local.lanes.clear();
+    std::uint32_t number = 0;
+    for(std::uint32_t k = first; k < last; ++k)
+      for_each_position(m_parts[k], [&](std::uint32_t position) { local[position] = number++; });
     for(std::uint32_t k = first; k < last; ++k) {
-      local.part[m_parts[k].cluster] = k - first;
-      for(std::uint8_t lane = 0; lane < internal::lanes_of_floats; ++lane)
-        if(m_parts[k].mask >> lane & 1)
-          local.lanes.push_back(lane);
-      offsets.push_back(static_cast<int>(local.lanes.size()));
-    }
-    for(std::uint32_t k = first; k < last; ++k) {
-      m_matrix.for_each_block(m_parts[k].cluster, [&](std::uint32_t column_cluster,
-                                                      const float* values) {
-        const std::uint32_t other = local.part[column_cluster];
-        if(other == no_number || other < k - first)
+      const Part part = m_parts[k];
+      m_matrix.for_each_column(part.cluster, [&](std::uint32_t column, const float* values) {
+        if(local[column] == no_number)
           return;
         // The block is transposed, so that a row of the result is read from consecutive numbers.
-        const std::uint8_t *rows = local.lanes.data() + offsets[k - first],
-                           *columns = local.lanes.data() + offsets[other];
-        const int number_of_rows = offsets[k - first + 1] - offsets[k - first],
-                  number_of_columns = offsets[other + 1] - offsets[other];
-        double* to =
-            block.data() + static_cast<std::size_t>(stride) * offsets[other] + offsets[k - first];
-        for(int j = 0; j < number_of_columns; ++j, to += stride) {
-          const float* column = values + internal::lanes_of_floats * columns[j];
-          if(number_of_rows == internal::lanes_of_floats)
-            std::copy(column, column + internal::lanes_of_floats, to);
-          else
-            for(int i = 0; i < number_of_rows; ++i)
-              to[i] = column[rows[i]];
-        }
+        double* const to = block.data() + static_cast<std::size_t>(stride) * local[column];
+        for_each_position(part, [&](std::uint32_t position) {
+          to[local[position]] = values[position % internal::lanes_of_floats];
+        });
       });
     }
     for(std::uint32_t k = first; k < last; ++k)
-      local.part[m_parts[k].cluster] = no_number;
+      for_each_position(m_parts[k], [&](std::uint32_t position) { local[position] = no_number; });
   }
 
   template <int K>
   void relax_group(std::size_t group, const internal::Level_vectors<K>& b,
                    internal::Level_vectors<K>& x, bool is_reversed) const {
-    const std::size_t stride = static_cast<std::size_t>(rounded_up(m_largest_size, 8));
-    internal::Aligned_floats residuals(K * stride), update(K * stride);
+    const std::size_t size = static_cast<std::size_t>(K) * rounded_up(m_largest_size, 8);
+    internal::Aligned_floats residuals(size), update(size);
     const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
     for(std::uint32_t k = 0; k < end - begin; ++k)
-      relax<K>(is_reversed ? end - 1 - k : begin + k, b, x, residuals.data(), update.data(),
-               stride);
+      relax<K>(is_reversed ? end - 1 - k : begin + k, b, x, residuals.data(), update.data());
   }
 
-  /// \param residuals,update room for `K` vectors of `stride` numbers
+  /// \param residuals,update room for `K` vectors
   template <int K>
   void relax(std::size_t p, const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-             float* residuals, float* update, std::size_t stride) const {
+             float* residuals, float* update) const {
     const Patch& patch = m_patches[p];
     const std::uint32_t first = patch.first_part, last = m_patches[p + 1].first_part;
     // residuals of the unknowns, one after the other
-    int place = 0;
+    float* place = residuals;
     for(std::uint32_t k = first; k < last; ++k) {
       const Part part = m_parts[k];
       float sum[internal::lanes_of_floats * K];
       std::copy(b.cluster(part.cluster), b.cluster(part.cluster) + internal::lanes_of_floats * K,
                 sum);
-      m_matrix.template subtract_row<K>(part.cluster, x, sum);
+      m_matrix.template subtract_rows<K>(part.cluster, x, sum);
       for(int lane = 0; lane < internal::lanes_of_floats; ++lane)
-        if(part.mask >> lane & 1) {
-          for(int c = 0; c < K; ++c)
-            residuals[stride * c + place] = sum[internal::lanes_of_floats * c + lane];
-          ++place;
-        }
+        if(part.mask >> lane & 1)
+          place = std::copy(sum + K * lane, sum + K * lane + K, place);
     }
-    const int rows = rounded_up(place, 8);
-    for(int c = 0; c < K; ++c) {
-      std::fill(residuals + stride * c + place, residuals + stride * c + rows, 0.f);
-      internal::multiply_symmetric(m_inverses.data() + patch.inverse, rows / 8,
-                                   residuals + stride * c, update + stride * c);
-    }
-    place = 0;
-    for(std::uint32_t k = first; k < last; ++k) {
-      float* values = x.cluster(m_parts[k].cluster);
-      for(int lane = 0; lane < internal::lanes_of_floats; ++lane)
-        if(m_parts[k].mask >> lane & 1) {
-          for(int c = 0; c < K; ++c)
-            values[internal::lanes_of_floats * c + lane] += update[stride * c + place];
-          ++place;
-        }
-    }
+    const int blocks = rounded_up(static_cast<int>(patch.size), 8) / 8;
+    std::fill(place, residuals + 8 * K * blocks, 0.f);
+    internal::multiply_symmetric<K>(m_inverses.data() + patch.inverse, blocks, residuals, update);
+    const float* from = update;
+    for(std::uint32_t k = first; k < last; ++k)
+      for_each_position(m_parts[k], [&](std::uint32_t position) {
+        float* const value = x.position(position);
+        for(int c = 0; c < K; ++c)
+          value[c] += *from++;
+      });
   }
 
   static constexpr std::uint32_t no_number = (std::numeric_limits<std::uint32_t>::max)();
 
-  internal::Block_matrix m_matrix;
+  internal::Cluster_matrix m_matrix;
   std::vector<std::uint32_t> m_groups;
   std::vector<Patch> m_patches; // and one more
   std::vector<Part> m_parts;

@@ -68,18 +68,6 @@ double normal_stabilization(const Spline_space_3& space, const NamedParameters& 
                                    default_normal_stabilization(space)));
 }
 
-/// The coarsest level of a hierarchy: the finest one whose dense factorization takes no time that
-/// counts. It is done for each connected component of the surface, which is a sheet of level 0.
-inline int coarsest_multigrid_level(const Spline_space_3& space) {
-  constexpr double largest_dense_dimension = 300;
-  const double components = static_cast<double>(space.octree().number_of_sheets(0));
-  int level = 0;
-  while(level < space.depth() && static_cast<double>(space.dimension(level + 1)) <=
-                                     largest_dense_dimension * std::sqrt(components))
-    ++level;
-  return level;
-}
-
 /// \f$\int b_i\f$
 inline Eigen::VectorXd element_integrals(const Spline_space_3& space, const Operators& operators) {
   return space.is_paper_space()

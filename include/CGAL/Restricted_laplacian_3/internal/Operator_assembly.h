@@ -53,14 +53,16 @@ template <class SurfaceIntegration> class Operator_assembly {
 public:
   /// \param targets of each level of the octree
   Operator_assembly(const Spline_space_3& space, const SurfaceIntegration& integration,
-                    double normal_stabilization, std::vector<Assembly_targets> targets)
+                    double normal_stabilization, bool stabilizes_mass,
+                    std::vector<Assembly_targets> targets)
     : m_space(space), m_octree(space.octree()), m_integration(integration),
       m_normal_stabilization(normal_stabilization), m_targets(std::move(targets)) {
     int coarsest = 0;
     while(coarsest < m_octree.depth() && m_targets[coarsest].is_empty())
       ++coarsest;
     for(const Assembly_targets& t : m_targets)
-      m_keeps_stabilization = m_keeps_stabilization || (t.mass && normal_stabilization != 0);
+      m_keeps_stabilization =
+          m_keeps_stabilization || (t.mass && stabilizes_mass && normal_stabilization != 0);
     for(int top = m_octree.depth(); top >= coarsest; top -= 2) {
       Moments next;
       if(top - 2 >= coarsest)

@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_SYMMETRIC_MATRIX_H
 
 #include <CGAL/Restricted_laplacian_3/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/internal/panel_kernels.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/internal/release_memory.h>
 
@@ -22,8 +23,9 @@ namespace internal {
 /// memory, and half of what a product has to read.
 ///
 /// *Threads.* An entry \f$(i, j)\f$ adds to rows \f$i\f$ and \f$j\f$ of a product. The columns are
-/// cut into a few parts, each of which adds to a vector of its own, and these are added in their
-/// order. So results are the same for any number of threads.
+/// cut into a few parts. A part writes the rows that have the numbers of its columns; what it adds
+/// to the rows of earlier parts goes into a vector of its own, and is added in the order of the
+/// parts. So results are the same for any number of threads.
 class Symmetric_matrix {
 public:
   /// Takes the half of a symmetric matrix all of whose entries are stored, with the rows of a
@@ -53,16 +55,28 @@ public:
   /// \f$ y = A x \f$
   template <int K>
   void multiply(const Block_vector<K>& x, Block_vector<K>& y, bool is_parallel) const {
-    y = Block_vector<K>::Zero(rows(), K);
-    add_product<K>(1, x, y, is_parallel);
+    y.resize(rows(), K);
+    std::vector<Block_vector<K>> earlier_rows(m_parts.size());
+    parallel_for(is_parallel, 0, m_parts.size(), 1, [&](std::size_t number, std::size_t) {
+      multiply_part<K>(m_parts[number], x, y, earlier_rows[number]);
+    });
+    parallel_for(is_parallel, 0, static_cast<std::size_t>(rows()), rows_of_a_task,
+                 [&](std::size_t begin, std::size_t end) {
+                   for(std::size_t k = 0; k < m_parts.size(); ++k) {
+                     const std::size_t first = (std::max)(begin, m_parts[k].first_row),
+                                       last = (std::min)(end, m_parts[k].begin);
+                     for(std::size_t i = first; i < last; ++i)
+                       row<K>(y, i) += row<K>(earlier_rows[k], i - m_parts[k].first_row);
+                   }
+                 });
   }
 
   /// \f$ r = b - A x \f$
   template <int K>
   void residual(const Block_vector<K>& b, const Block_vector<K>& x, Block_vector<K>& r,
                 bool is_parallel) const {
-    r = b;
-    add_product<K>(-1, x, r, is_parallel);
+    multiply<K>(x, r, is_parallel);
+    r = b - r;
   }
 
 private:
@@ -76,42 +90,30 @@ private:
 
   int outer(std::size_t column) const { return m_upper.outerIndexPtr()[column]; }
 
-  /// \f$ y = y + f A x \f$
+  /// The product of the entries in some columns, and of their mirror images: to the rows of `y`
+  /// with the same numbers, and to `earlier_rows`, from `first_row` on.
   template <int K>
-  void add_product(double factor, const Block_vector<K>& x, Block_vector<K>& y,
-                   bool is_parallel) const {
-    std::vector<Block_vector<K>> sums(m_parts.size());
-    parallel_for(is_parallel, 0, m_parts.size(), 1, [&](std::size_t number, std::size_t) {
-      multiply_part<K>(m_parts[number], x, sums[number]);
-    });
-    parallel_for(is_parallel, 0, static_cast<std::size_t>(rows()), rows_of_a_task,
-                 [&](std::size_t begin, std::size_t end) {
-                   for(std::size_t k = 0; k < m_parts.size(); ++k) {
-                     const std::size_t first = (std::max)(begin, m_parts[k].first_row),
-                                       last = (std::min)(end, m_parts[k].end);
-                     for(std::size_t i = first; i < last; ++i)
-                       row<K>(y, i) += factor * row<K>(sums[k], i - m_parts[k].first_row);
-                   }
-                 });
-  }
-
-  /// the product of the entries in some columns, and their mirror images, from `first_row` on
-  template <int K>
-  void multiply_part(const Part& part, const Block_vector<K>& x, Block_vector<K>& sums) const {
-    sums = Block_vector<K>::Zero(static_cast<Eigen::Index>(part.end - part.first_row), K);
+  void multiply_part(const Part& part, const Block_vector<K>& x, Block_vector<K>& y,
+                     Block_vector<K>& earlier_rows) const {
+    earlier_rows = Block_vector<K>::Zero(static_cast<Eigen::Index>(part.begin - part.first_row), K);
     const double* const values = m_upper.valuePtr();
     const int* const inner = m_upper.innerIndexPtr();
     for(std::size_t j = part.begin; j < part.end; ++j) {
+      const int first = outer(j);
+      int end = outer(j + 1);
       const Block_row<K> x_j = row<K>(x, j);
       Block_row<K> sum = Block_row<K>::Zero();
-      int end = outer(j + 1);
-      if(end > outer(j) && static_cast<std::size_t>(inner[end - 1]) == j)
+      if(end > first && static_cast<std::size_t>(inner[end - 1]) == j)
         sum = values[--end] * x_j;
-      for(int k = outer(j); k < end; ++k) {
-        sum += values[k] * row<K>(x, inner[k]);
-        row<K>(sums, static_cast<std::size_t>(inner[k]) - part.first_row) += values[k] * x_j;
-      }
-      row<K>(sums, j - part.first_row) += sum;
+      int own = first;
+      while(own < end && static_cast<std::size_t>(inner[own]) < part.begin)
+        ++own;
+      add_symmetric_column<K>(values + first, inner + first, static_cast<std::size_t>(own - first),
+                              x.data(), x_j.data(), earlier_rows.data(), part.first_row,
+                              sum.data());
+      add_symmetric_column<K>(values + own, inner + own, static_cast<std::size_t>(end - own),
+                              x.data(), x_j.data(), y.data(), 0, sum.data());
+      row<K>(y, j) = sum;
     }
   }
 

@@ -20,36 +20,47 @@ namespace internal {
 /// how many vectors `subtract_outer_products()` takes
 constexpr int pivots_of_a_sweep = 4;
 
+/// an entry of a row of a sparse matrix
+struct Row_entry {
+  std::uint32_t column;
+  float value;
+};
+
 namespace plain {
 
 template <int K>
-void subtract_blocks(const float* values, const std::uint32_t* columns,
-                     const std::uint8_t* cluster_sizes, std::size_t count, const float* x,
-                     float* sum) {
-  float own[8 * K] = {};
-  for(std::size_t k = 0; k < count; ++k) {
-    const int size = cluster_sizes[columns[k]];
-    const float* from = x + 8 * K * static_cast<std::size_t>(columns[k]);
-    for(int j = 0; j < size; ++j, values += 8)
+void subtract_columns(const float* values, const std::uint32_t* columns, std::size_t count,
+                      int rows, const float* x, float* sum) {
+  for(std::size_t k = 0; k < count; ++k)
+    for(int i = 0; i < rows; ++i)
       for(int c = 0; c < K; ++c)
-        for(int l = 0; l < 8; ++l)
-          own[8 * c + l] += values[l] * from[8 * c + j];
-  }
-  for(int l = 0; l < 8 * K; ++l)
-    sum[l] -= own[l];
+        sum[K * i + c] -= values[8 * k + i] * x[K * static_cast<std::size_t>(columns[k]) + c];
 }
 
-inline void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
-  for(int i = 0; i < 8 * number; ++i)
+template <int K>
+void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
+  for(int i = 0; i < 8 * K * number; ++i)
     to[i] = 0;
   for(int column = 0; column < number; ++column)
     for(int row = 0; row <= column; ++row, blocks += 64)
       for(int j = 0; j < 8; ++j)
-        for(int i = 0; i < 8; ++i) {
-          to[8 * row + i] += blocks[8 * j + i] * from[8 * column + j];
-          if(row != column)
-            to[8 * column + j] += blocks[8 * j + i] * from[8 * row + i];
-        }
+        for(int i = 0; i < 8; ++i)
+          for(int c = 0; c < K; ++c) {
+            to[K * (8 * row + i) + c] += blocks[8 * j + i] * from[K * (8 * column + j) + c];
+            if(row != column)
+              to[K * (8 * column + j) + c] += blocks[8 * j + i] * from[K * (8 * row + i) + c];
+          }
+}
+
+template <int K>
+void add_products(const Row_entry* entries, std::size_t count, float factor, const float* x,
+                  float* sum) {
+  float own[K] = {};
+  for(std::size_t k = 0; k < count; ++k)
+    for(int c = 0; c < K; ++c)
+      own[c] += entries[k].value * x[K * static_cast<std::size_t>(entries[k].column) + c];
+  for(int c = 0; c < K; ++c)
+    sum[c] += factor * own[c];
 }
 
 inline void subtract_outer_products(const double* c, const double* d, double* a, int size,
@@ -68,39 +79,58 @@ inline void subtract_outer_products(const double* c, const double* d, double* a,
 
 namespace lanes {
 
-template <int K>
+// One vector: the lanes are the rows of a cluster.
+inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
+subtract_columns_of_one(const float* values, const std::uint32_t* columns, std::size_t count,
+                        const float* x, float* sum) {
+  // Four sums: a sum takes that many cycles to be ready for the next term.
+  Float_lanes own[4] = {};
+  std::size_t k = 0;
+  for(; k + 4 <= count; k += 4)
+    for(int c = 0; c < 4; ++c)
+      own[c] += load(values + 8 * (k + c)) * x[columns[k + c]];
+  for(; k < count; ++k)
+    own[0] += load(values + 8 * k) * x[columns[k]];
+  store(load(sum) - ((own[0] + own[1]) + (own[2] + own[3])), sum);
+}
+
+// Eight vectors: the lanes are the vectors, and what is read of them serves all rows of a cluster.
+template <int rows>
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-subtract_blocks(const float* values, const std::uint32_t* columns,
-                const std::uint8_t* cluster_sizes, std::size_t count, const float* x, float* sum) {
-  // Four sums at a time: a sum takes that many cycles to be ready for the next term.
-  constexpr int chains = K == 1 ? 4 : K;
-  Float_lanes own[chains];
-  for(int c = 0; c < chains; ++c)
-    own[c] = Float_lanes{};
+subtract_columns_of_eight(const float* values, const std::uint32_t* columns, std::size_t count,
+                          const float* x, float* sum) {
+  Float_lanes own[rows];
+  for(int i = 0; i < rows; ++i)
+    own[i] = load(sum + 8 * i);
   for(std::size_t k = 0; k < count; ++k) {
-    const int size = cluster_sizes[columns[k]];
-    const float* from = x + 8 * K * static_cast<std::size_t>(columns[k]);
-    int j = 0;
-    if(K == 1)
-      for(; j + 4 <= size; j += 4)
-        for(int c = 0; c < 4; ++c)
-          own[c] += load(values + 8 * (j + c)) * from[j + c];
-    for(; j < size; ++j) {
-      const Float_lanes a = load(values + 8 * j);
-      for(int c = 0; c < K; ++c)
-        own[c] += a * from[8 * c + j];
-    }
-    values += 8 * size;
+    const Float_lanes from = load(x + 8 * static_cast<std::size_t>(columns[k]));
+    for(int i = 0; i < rows; ++i)
+      own[i] -= values[8 * k + i] * from;
   }
+  for(int i = 0; i < rows; ++i)
+    store(own[i], sum + 8 * i);
+}
+
+template <int K>
+inline void subtract_columns(const float* values, const std::uint32_t* columns, std::size_t count,
+                             int rows, const float* x, float* sum) {
+  static_assert(K == 1 || K == 8);
   if(K == 1)
-    store(load(sum) - ((own[0] + own[1]) + (own[2] + own[3])), sum);
-  else
-    for(int c = 0; c < K; ++c)
-      store(load(sum + 8 * c) - own[c], sum + 8 * c);
+    return subtract_columns_of_one(values, columns, count, x, sum);
+  switch(rows) {
+  case 1: return subtract_columns_of_eight<1>(values, columns, count, x, sum);
+  case 2: return subtract_columns_of_eight<2>(values, columns, count, x, sum);
+  case 3: return subtract_columns_of_eight<3>(values, columns, count, x, sum);
+  case 4: return subtract_columns_of_eight<4>(values, columns, count, x, sum);
+  case 5: return subtract_columns_of_eight<5>(values, columns, count, x, sum);
+  case 6: return subtract_columns_of_eight<6>(values, columns, count, x, sum);
+  case 7: return subtract_columns_of_eight<7>(values, columns, count, x, sum);
+  case 8: return subtract_columns_of_eight<8>(values, columns, count, x, sum);
+  }
 }
 
 inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
+multiply_one_symmetric(const float* blocks, int number, const float* from, float* to) {
   for(int i = 0; i < number; ++i)
     store(Float_lanes{}, to + 8 * i);
   for(int column = 0; column < number; ++column) {
@@ -126,6 +156,67 @@ multiply_symmetric(const float* blocks, int number, const float* from, float* to
     blocks += 64;
     store(load(to + 8 * column) + (sum + odd), to + 8 * column);
   }
+}
+
+inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
+multiply_eight_symmetric(const float* blocks, int number, const float* from, float* to) {
+  const auto block = [blocks](int row, int column) {
+    return blocks + 64 * (column * (column + 1) / 2 + row);
+  };
+  for(int row = 0; row < number; ++row) {
+    Float_lanes sum[8] = {};
+    for(int column = 0; column < row; ++column) {
+      const float* a = block(column, row);
+      for(int j = 0; j < 8; ++j) {
+        const Float_lanes x = load(from + 8 * (8 * column + j));
+        for(int i = 0; i < 8; ++i)
+          sum[i] += a[8 * i + j] * x;
+      }
+    }
+    for(int column = row; column < number; ++column) {
+      const float* a = block(row, column);
+      for(int j = 0; j < 8; ++j) {
+        const Float_lanes x = load(from + 8 * (8 * column + j));
+        for(int i = 0; i < 8; ++i)
+          sum[i] += a[8 * j + i] * x;
+      }
+    }
+    for(int i = 0; i < 8; ++i)
+      store(sum[i], to + 8 * (8 * row + i));
+  }
+}
+
+template <int K>
+inline void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
+  static_assert(K == 1 || K == 8);
+  if(K == 1)
+    multiply_one_symmetric(blocks, number, from, to);
+  else
+    multiply_eight_symmetric(blocks, number, from, to);
+}
+
+inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
+add_products_of_eight(const Row_entry* entries, std::size_t count, float factor, const float* x,
+                      float* sum) {
+  Float_lanes own[2] = {};
+  std::size_t k = 0;
+  for(; k + 2 <= count; k += 2)
+    for(int c = 0; c < 2; ++c)
+      own[c] +=
+          entries[k + c].value * load(x + 8 * static_cast<std::size_t>(entries[k + c].column));
+  if(k < count)
+    own[0] += entries[k].value * load(x + 8 * static_cast<std::size_t>(entries[k].column));
+  store(load(sum) + factor * (own[0] + own[1]), sum);
+}
+
+template <int K>
+inline void add_products(const Row_entry* entries, std::size_t count, float factor, const float* x,
+                         float* sum) {
+  static_assert(K == 1 || K == 8);
+  if(K == 1)
+    plain::add_products<1>(entries, count, factor, x, sum);
+  else
+    add_products_of_eight(entries, count, factor, x, sum);
 }
 
 inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
@@ -163,20 +254,27 @@ subtract_outer_products(const double* c, const double* d, double* a, int size, i
 #define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call) plain::call
 #endif
 
-/// Subtracts a row of blocks, times the clusters `columns` of `K` vectors `x`, from a cluster of
-/// `K` vectors. A block has eight rows, and as many columns as its cluster has unknowns.
+/// Subtracts the rows of a cluster, times `K` vectors `x`, from `K` vectors: for each of `count`
+/// columns eight numbers, of which those from `rows` on are 0. `x` and `sum` have `K` numbers for
+/// each position.
 template <int K>
-void subtract_blocks(const float* values, const std::uint32_t* columns,
-                     const std::uint8_t* cluster_sizes, std::size_t count, const float* x,
-                     float* sum) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(
-      subtract_blocks<K>(values, columns, cluster_sizes, count, x, sum));
+void subtract_columns(const float* values, const std::uint32_t* columns, std::size_t count,
+                      int rows, const float* x, float* sum) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(subtract_columns<K>(values, columns, count, rows, x, sum));
 }
 
-/// Product of a symmetric matrix with a vector. The matrix consists of `number` x `number` blocks
+/// Product of a symmetric matrix with `K` vectors. The matrix consists of `number` x `number` blocks
 /// of 8 x 8 numbers, of which the upper triangle is stored, one column of blocks after the other.
-inline void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_symmetric(blocks, number, from, to));
+template <int K>
+void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_symmetric<K>(blocks, number, from, to));
+}
+
+/// Adds the product of a row of a sparse matrix with `K` vectors, times a factor, to `K` numbers.
+template <int K>
+void add_products(const Row_entry* entries, std::size_t count, float factor, const float* x,
+                  float* sum) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_products<K>(entries, count, factor, x, sum));
 }
 
 /// Subtracts the sum of the outer products of the vectors `c[p]` and `d[p]` from the lower triangle

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_LEVEL_VECTORS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_LEVEL_VECTORS_H
 
+#include <CGAL/Restricted_laplacian_3/internal/block_kernels.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 
 #include <Eigen/SparseCore>
@@ -11,7 +12,6 @@
 #include <boost/align/aligned_allocator.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,23 +23,24 @@ namespace internal {
 /// The numbers of a level inside of a multigrid cycle are in single precision, eight in a row: a
 /// vector register of 256 bits.
 constexpr int lanes_of_floats = 8;
+/// The number of vectors that cycles are applied to at once, where there are several: one for each
+/// lane.
+constexpr int vectors_of_a_block = lanes_of_floats;
 using Aligned_floats = std::vector<float, boost::alignment::aligned_allocator<float, 64>>;
 
-/// `K` vectors of a level of a hierarchy. Eight consecutive positions of a vector form a cluster;
-/// the clusters of the `K` vectors follow each other.
+/// `K` vectors of a level of a hierarchy, side by side: the `K` numbers of a position follow each
+/// other. `K` is 1 or `vectors_of_a_block`, for which a position fills a vector register. Eight
+/// consecutive positions form a cluster.
 template <int K> class Level_vectors {
 public:
   void resize(std::size_t positions) { m_values.resize(K * positions); }
   void set_zero(std::size_t positions) { m_values.assign(K * positions, 0.f); }
 
-  /// cluster `i` of all vectors
-  float* cluster(std::size_t i) { return m_values.data() + K * lanes_of_floats * i; }
-  const float* cluster(std::size_t i) const { return m_values.data() + K * lanes_of_floats * i; }
+  float* position(std::size_t i) { return m_values.data() + K * i; }
+  const float* position(std::size_t i) const { return m_values.data() + K * i; }
+  float* cluster(std::size_t i) { return position(lanes_of_floats * i); }
+  const float* cluster(std::size_t i) const { return position(lanes_of_floats * i); }
 
-  /// place of a position in the first vector; in the next one it is `lanes_of_floats` further
-  static std::size_t offset(std::size_t position) {
-    return position % lanes_of_floats + position / lanes_of_floats * (K * lanes_of_floats);
-  }
   float* data() { return m_values.data(); }
   const float* data() const { return m_values.data(); }
   std::size_t size() const { return m_values.size(); }
@@ -91,31 +92,23 @@ public:
     constexpr std::size_t grain = 4096;
     parallel_for(is_parallel, 0, positions, grain, [&](std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i < end; ++i) {
-        float* to = y.data() + Level_vectors<K>::offset(i);
-        const std::array<float, K> sum = row_product<K>(i, x);
-        for(int c = 0; c < K; ++c)
-          to[lanes_of_floats * c] = is_added ? to[lanes_of_floats * c] + sum[c] : sum[c];
+        float* to = y.position(i);
+        if(!is_added)
+          std::fill(to, to + K, 0.f);
+        add_row_product<K>(i, 1, x, to);
       }
     });
   }
 
-  /// row `i` times `x`
+  /// adds row `i` times `x`, times a factor, to `K` numbers
   template <int K>
-  std::array<float, K> row_product(std::size_t i, const Level_vectors<K>& x) const {
-    std::array<float, K> sum = {};
-    for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k) {
-      const float* from = x.data() + Level_vectors<K>::offset(m_entries[k].column);
-      for(int c = 0; c < K; ++c)
-        sum[c] += m_entries[k].value * from[lanes_of_floats * c];
-    }
-    return sum;
+  void add_row_product(std::size_t i, float factor, const Level_vectors<K>& x, float* to) const {
+    add_products<K>(m_entries.data() + m_first[i], m_first[i + 1] - m_first[i], factor, x.data(),
+                    to);
   }
 
 private:
-  struct Entry {
-    std::uint32_t column;
-    float value;
-  };
+  using Entry = Row_entry;
 
   /// \param row whether an entry (i, j) of `a` goes to row i or j
   template <class Row>

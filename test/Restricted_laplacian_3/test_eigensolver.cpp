@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "catch.h"
+#include "shapes.h"
+#include "special_shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = CGAL::parameters;
+using shapes::Mesh;
+
+struct Level_matrices {
+  std::vector<RL::Sparse_matrix> stiffness, mass, prolongations;
+  std::vector<RL::Smoothing_patches> patches;
+};
+
+Level_matrices level_matrices(const RL::Spline_space_3& space, int coarsest, double c = 1e-5) {
+  std::vector<RL::Operators> operators = RL::assemble_operators(
+      space, coarsest, space.depth(), RL::Cubature(space), c, RL::Stabilized::stiffness);
+  Level_matrices result;
+  for(RL::Operators& o : operators) {
+    result.stiffness.push_back(o.stiffness);
+    result.mass.push_back(o.mass);
+  }
+  result.prolongations = RL::prolongation_matrices(space, coarsest);
+  result.patches = RL::smoothing_patches_of_levels(space, coarsest);
+  return result;
+}
+
+RL::Eigenpairs multigrid_pairs(const Level_matrices& m, int k,
+                               const RL::Multigrid_eigenpairs_options& options) {
+  return RL::multigrid_eigenpairs(m.stiffness, m.mass, m.prolongations, m.patches, k, options);
+}
+
+/// Compares with a factorization, and checks what the result promises.
+void check_pairs(const Mesh& mesh, int depth, int k) {
+  const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+  const Level_matrices m = level_matrices(space, 2);
+  RL::Multigrid_eigenpairs_options options;
+  options.relative_tolerance = 1e-6;
+  const RL::Eigenpairs pairs = multigrid_pairs(m, k, options);
+  const RL::Eigenpairs expected = RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), k);
+  CHECK(pairs.converged);
+  CHECK(pairs.iterations >= 2);
+  CHECK(pairs.iterations <= 25);
+  CHECK(pairs.shift == Approx(expected.shift));
+  REQUIRE(pairs.values.size() == k);
+  CHECK(std::is_sorted(pairs.values.begin(), pairs.values.end(), [](double a, double b) {
+    return a < b * (1 - 1e-9) - 1e-9; // copies of an eigenvalue may be out of order by rounding
+  }));
+  for(int i = 0; i < k; ++i)
+    CHECK(pairs.values[i] ==
+          Approx(expected.values[i]).epsilon(1e-9).margin(1e-9 * expected.values[k - 1]));
+  const Eigen::MatrixXd sx = m.stiffness.back() * pairs.vectors, mx = m.mass.back() * pairs.vectors;
+  CHECK((pairs.vectors.transpose() * mx - Eigen::MatrixXd::Identity(k, k)).cwiseAbs().maxCoeff() <=
+        1e-9);
+  for(int i = 0; i < k; ++i) {
+    const double residual = (sx.col(i) - pairs.values[i] * mx.col(i)).norm() /
+                            (sx.col(i) - pairs.shift * mx.col(i)).norm();
+    CHECK(residual <= 1e-6);
+    CHECK(pairs.residuals[i] == Approx(residual).epsilon(1e-3).margin(1e-10));
+    CHECK(pairs.vectors.col(i).maxCoeff() >= -pairs.vectors.col(i).minCoeff());
+  }
+}
+
+} // namespace
+
+TEST_CASE("multigrid_eigenpairs_are_those_of_a_factorization", "[eigensolver]") {
+  check_pairs(shapes::mesh(shapes::sphere(5)), 4, 40);
+  check_pairs(shapes::mesh(shapes::box(1, 0.7, 0.4, 6, 1)), 4, 30);
+  // open, and several components, one of them in few cells
+  check_pairs(shapes::mesh(shapes::stairs(3, 0.4)), 5, 25);
+  const auto small_sphere = [](int n, double radius, const RL::Vector_3& center) {
+    return shapes::moved(shapes::scaled(shapes::sphere(n), radius), center);
+  };
+  check_pairs(
+      shapes::mesh(shapes::joined(shapes::sphere(4),
+                                  shapes::joined(small_sphere(3, 0.4, RL::Vector_3(2, 0, 0)),
+                                                 small_sphere(2, 0.02, RL::Vector_3(0, 1.5, 0))))),
+      5, 30);
+}
+
+TEST_CASE("multigrid_eigenpairs_do_not_miss_copies_of_a_multiple_eigenvalue", "[eigensolver]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
+  const Level_matrices m = level_matrices(space, 2);
+  const Eigen::VectorXd expected =
+      RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), 40).values;
+  for(int k = 1; k <= 40; k += 3) {
+    const RL::Eigenpairs pairs = multigrid_pairs(m, k, {});
+    CHECK(pairs.converged);
+    REQUIRE(pairs.values.size() == k);
+    CHECK((pairs.values - expected.head(k)).cwiseAbs().maxCoeff() <= 1e-7 * expected[39]);
+  }
+}
+
+TEST_CASE("multigrid_eigenpairs_do_not_depend_on_threads_or_scale", "[eigensolver]") {
+  const shapes::Triangles box = shapes::box(1, 0.7, 0.4, 6, 1);
+  const auto spectrum = [](const shapes::Triangles& t, bool is_parallel) {
+    const auto np = params::octree_depth(4, params::eigensolver(RL::Eigensolver::multigrid));
+#ifdef CGAL_LINKED_WITH_TBB
+    if(is_parallel)
+      return RL::laplace_spectrum(shapes::mesh(t), 20,
+                                  params::concurrency_tag(CGAL::Parallel_tag(), np));
+#endif
+    static_cast<void>(is_parallel);
+    return RL::laplace_spectrum(shapes::mesh(t), 20, np);
+  };
+  const RL::Laplace_spectrum expected = spectrum(box, false), parallel = spectrum(box, true);
+  REQUIRE(expected.report.converged);
+  CHECK(expected.report.iterations > 0);
+  CHECK(expected.eigenvalues == parallel.eigenvalues);
+  CHECK(expected.pairs.vectors == parallel.pairs.vectors);
+  for(double scale : {1e-12, 1e12}) {
+    shapes::Triangles scaled = box;
+    for(RL::Point_3& p : scaled.points)
+      p = CGAL::ORIGIN + scale * (p - CGAL::ORIGIN);
+    const RL::Laplace_spectrum of_scaled = spectrum(scaled, false);
+    CHECK(of_scaled.report.converged);
+    CHECK((scale * scale * of_scaled.eigenvalues - expected.eigenvalues).cwiseAbs().maxCoeff() <=
+          1e-8 * expected.eigenvalues[19]);
+  }
+}
+
+TEST_CASE("multigrid_eigenpairs_say_when_they_have_not_converged", "[eigensolver]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
+  const Level_matrices m = level_matrices(space, 2);
+  RL::Multigrid_eigenpairs_options options;
+  options.maximum_iterations = 1;
+  const RL::Eigenpairs few = multigrid_pairs(m, 20, options);
+  CHECK_FALSE(few.converged);
+  CHECK(few.iterations == 1);
+  CHECK(few.residuals.maxCoeff() > options.relative_tolerance);
+  CHECK(few.values[1] == Approx(2.00637).epsilon(1e-4));
+  CHECK((few.vectors.transpose() * m.mass.back() * few.vectors - Eigen::MatrixXd::Identity(20, 20))
+            .cwiseAbs()
+            .maxCoeff() <= 1e-9);
+  // a tolerance that cannot be reached ends the iteration, too
+  options.maximum_iterations = 100;
+  options.relative_tolerance = 1e-18;
+  const RL::Eigenpairs best = multigrid_pairs(m, 20, options);
+  CHECK_FALSE(best.converged);
+  CHECK(best.iterations < 50);
+  CHECK(best.residuals.maxCoeff() <= 1e-9);
+}
+
+TEST_CASE("eigensolvers_report_progress_and_can_be_canceled", "[eigensolver]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  for(RL::Eigensolver solver : {RL::Eigensolver::multigrid, RL::Eigensolver::shift_invert}) {
+    std::vector<double> parts;
+    const auto np = params::octree_depth(4, params::eigensolver(solver));
+    RL::laplace_spectrum(mesh, 20, np.callback([&parts](double part) {
+      parts.push_back(part);
+      return true;
+    }));
+    REQUIRE(parts.size() > 5);
+    CHECK(parts.front() >= 0);
+    CHECK(parts.back() <= 1);
+    CHECK(parts.back() >= 0.7);
+    CHECK(std::is_sorted(parts.begin(), parts.end()));
+    for(std::size_t calls : {std::size_t(1), parts.size() / 2, parts.size()}) {
+      std::size_t call = 0;
+      const auto canceling = np.callback([&call, calls](double) { return ++call < calls; });
+      CHECK_THROWS_AS(RL::laplace_spectrum(mesh, 20, canceling), RL::Canceled);
+      CHECK(call == calls);
+    }
+  }
+}
+
+TEST_CASE("eigensolver_is_chosen_by_size_or_parameter", "[eigensolver]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  const auto uses_multigrid = [&mesh](int depth, auto np) {
+    const RL::Laplace_spectrum spectrum =
+        RL::laplace_spectrum(mesh, 3, params::octree_depth(depth, np));
+    CHECK(spectrum.report.converged);
+    CHECK(spectrum.eigenvalues[1] == Approx(2).epsilon(1e-2));
+    return spectrum.pairs.regularization == 0;
+  };
+  const auto automatic = params::eigensolver(RL::Eigensolver::automatic);
+  CHECK_FALSE(uses_multigrid(4, automatic));
+  CHECK(uses_multigrid(5, automatic));
+  CHECK(uses_multigrid(4, params::eigensolver(RL::Eigensolver::multigrid)));
+  CHECK_FALSE(uses_multigrid(5, params::eigensolver(RL::Eigensolver::shift_invert)));
+  CHECK_FALSE(uses_multigrid(5, params::paper_space(true)));
+  CHECK_THROWS_AS(
+      uses_multigrid(4, params::paper_space(true, params::eigensolver(RL::Eigensolver::multigrid))),
+      RL::Parameter_error);
+}
+
+TEST_CASE("multigrid_eigenpairs_refuse_bad_input", "[eigensolver]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const Level_matrices m = level_matrices(space, 2);
+  RL::Multigrid_eigenpairs_options options;
+  for(int k : {-1, 0})
+    CHECK_THROWS_AS(multigrid_pairs(m, k, options), RL::Parameter_error);
+  CHECK_THROWS_AS(multigrid_pairs(m, 1000000, options), RL::Parameter_error);
+  CHECK_THROWS_AS(multigrid_pairs(m, std::numeric_limits<int>::max(), options),
+                  RL::Parameter_error);
+  for(double tolerance : {0., 1., -1., std::nan("")}) {
+    options = {};
+    options.relative_tolerance = tolerance;
+    CHECK_THROWS_AS(multigrid_pairs(m, 10, options), RL::Parameter_error);
+  }
+  options = {};
+  options.smoothing_steps = 0;
+  CHECK_THROWS_AS(multigrid_pairs(m, 10, options), RL::Parameter_error);
+  options = {};
+  options.maximum_iterations = -1;
+  CHECK_THROWS_AS(multigrid_pairs(m, 10, options), RL::Parameter_error);
+  options = {};
+  Level_matrices bad = m;
+  bad.mass.pop_back();
+  CHECK_THROWS_AS(multigrid_pairs(bad, 10, options), RL::Parameter_error);
+  bad = m;
+  bad.mass[1].valuePtr()[7] = std::nan("");
+  CHECK_THROWS_AS(multigrid_pairs(bad, 10, options), RL::Parameter_error);
+  bad = m;
+  std::swap(bad.prolongations[0], bad.prolongations[1]);
+  CHECK_THROWS_AS(multigrid_pairs(bad, 10, options), RL::Parameter_error);
+  bad = m;
+  bad.patches.pop_back();
+  CHECK_THROWS_AS(multigrid_pairs(bad, 10, options), RL::Parameter_error);
+  CHECK_THROWS_AS(RL::multigrid_eigenpairs({}, {}, {}, {}, 10), RL::Parameter_error);
+}
+
+TEST_CASE("stabilization_of_the_mass_matrix_can_be_left_out", "[eigensolver]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Cubature cubature(space);
+  const RL::Operators plain = RL::assemble_operators(space, 3, cubature),
+                      both = RL::assemble_operators(space, 3, cubature, 0.1),
+                      one = RL::assemble_operators(space, 3, cubature, 0.1,
+                                                   RL::Stabilized::stiffness);
+  const auto difference = [](const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
+    return (a - b).norm() / b.norm();
+  };
+  CHECK(difference(one.stiffness, both.stiffness) <= 1e-14);
+  CHECK(difference(one.stiffness, plain.stiffness) >= 1e-3);
+  CHECK(difference(one.mass, plain.mass) <= 1e-14);
+  CHECK(difference(both.mass, plain.mass) >= 1e-3);
+}
+
+TEST_CASE("panels_are_multiplied_as_matrices", "[eigensolver]") {
+  constexpr int width = RL::internal::panel_width, rows = 1037;
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto random = [&](Eigen::Index n, Eigen::Index m) -> Eigen::MatrixXd {
+    return Eigen::MatrixXd::NullaryExpr(n, m, [&]() { return uniform(generator); });
+  };
+  RL::internal::Column_panels<double> x(rows, 11);
+  RL::internal::Column_panels<float> p(rows, 6), result(rows, 13);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows, 3 * width);
+  for(int i = 0; i < rows; ++i) {
+    for(int j = 0; j < 11; ++j)
+      all(i, j) = x.column(j)[width * i] = uniform(generator);
+    for(int j = 0; j < 6; ++j)
+      all(i, 2 * width + j) = p.column(j)[width * i] = static_cast<float>(uniform(generator));
+  }
+  std::vector<RL::internal::Panel_view> panels;
+  add_views(x, panels);
+  add_views(p, panels);
+  REQUIRE(panels.size() == 3);
+  const RL::internal::Block_vector<width> b = random(rows, width), c = random(rows, width);
+  for(std::size_t count : {2, 3})
+    for(bool is_parallel : {false, true}) {
+      const auto [of_b, of_c] = RL::internal::scalar_products(is_parallel, panels, count, b, c);
+      const Eigen::MatrixXd some = all.leftCols(width * count);
+      CHECK((of_b - some.transpose() * b).cwiseAbs().maxCoeff() <= 1e-12);
+      CHECK((of_c - some.transpose() * c).cwiseAbs().maxCoeff() <= 1e-12);
+    }
+  const Eigen::MatrixXd of_x = random(3 * width, 11), of_p = random(3 * width, 13);
+  RL::internal::combine(true, panels, of_x, x, of_p, result);
+  const Eigen::MatrixXd expected = all * of_x, expected_p = all * of_p;
+  for(int i = 0; i < rows; ++i) {
+    for(int j = 0; j < 11; ++j)
+      REQUIRE(x.column(j)[width * i] == Approx(expected(i, j)).margin(1e-13));
+    for(int j = 0; j < 13; ++j)
+      REQUIRE(result.column(j)[width * i] == Approx(expected_p(i, j)).margin(1e-5));
+  }
+}
