@@ -25,7 +25,8 @@ namespace Restricted_laplacian_3 {
 /// Several functions \f$u_k = \sum_i H_{ik} b_i\f$ on the surface of a spline space, for example
 /// eigenfunctions, the columns of `Eigenpairs::vectors`. They are evaluated together: the point is
 /// located, and the 27 elements are evaluated there, once for all of them. Each value is that of a
-/// `Spline_function_3` to the last bit.
+/// `Spline_function_3`, to the last bit unless the program is compiled for a processor with fused
+/// multiplication and addition.
 ///
 /// \f$N\f$ points and \f$K\f$ functions take \f$N\f$ binary searches among the cells plus
 /// \f$27 N K\f$ products, on several threads if the space was made so

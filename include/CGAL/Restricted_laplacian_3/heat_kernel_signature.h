@@ -27,8 +27,8 @@ enum class Heat_kernel_scaling {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// The times at which \cgalCite{SOG09} (section 5) takes the heat kernel signature: `number` of
-/// them, evenly distributed on a logarithmic scale from
+/// The times at which \cgalCite{SOG09} takes the heat kernel signature: `number` of them, evenly
+/// distributed on a logarithmic scale from
 /// \f$4 \ln 10 / \lambda_{\max}\f$ to \f$4 \ln 10 / \lambda_{\min}\f$, with the largest eigenvalue
 /// and the first that is not 0 (see `zero_eigenvalue_tolerance`). Before, eigenfunctions that are
 /// not known would count; after, hardly any but the constants is left.
@@ -69,7 +69,7 @@ inline Eigen::VectorXd heat_trace(const Eigen::VectorXd& eigenvalues,
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The heat kernel signature
 /// \f[ \mathrm{HKS}(x, t) = k_t(x, x) = \sum_i e^{-\lambda_i t} \phi_i(x)^2 \f]
-/// of Sun, Ovsjanikov and Guibas \cgalCite{SOG09} (equation 3): the share of a unit of heat that is
+/// of Sun, Ovsjanikov and Guibas \cgalCite{SOG09}: the share of a unit of heat that is
 /// still where it was after the time \f$t\f$, per area. It does not change with the position of the
 /// surface in space, nor, but for what the sum leaves out, if the surface is bent without being
 /// stretched. Zero eigenvalues take part, with the factor 1: after a long time the signature is 1

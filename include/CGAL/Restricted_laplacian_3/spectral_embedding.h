@@ -64,8 +64,8 @@ Eigen::MatrixXd global_point_signature(const Spectrum& spectrum) {
 /// Biharmonic coordinates: \f$(\phi_i(x) / \lambda_i)_{\lambda_i > 0}\f$. The Euclidean distance of
 /// two rows is the biharmonic distance of Lipman, Rustamov and Funkhouser \cgalCite{LRF10},
 /// \f[ d(x, y)^2 = \sum_i \frac{(\phi_i(x) - \phi_i(y))^2}{\lambda_i^2} , \f]
-/// a metric on each connected component, smooth except at \f$x = y\f$, that a few dozen eigenvalues
-/// give well.
+/// a metric on each connected component, as far as the sum goes. What \f$K\f$ eigenvalues leave out
+/// of the square is \f$\mathrm{area} / (8 \pi^2 K)\f$ on average, by Weyl's law.
 ///
 /// Zero eigenvalues are left out, and what is said at `global_point_signature()` on components,
 /// signs and bases holds here too.
