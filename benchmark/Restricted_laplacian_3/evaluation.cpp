@@ -5,7 +5,8 @@
 // random coefficients to the matrix of values
 // - with a Spline_function_3 for each column (one_by_one),
 // - with Spline_functions_3 for all columns (together),
-// and the largest difference of the two. Each is the median of three runs, on one thread, and on
+// and the largest difference of the two. Seconds, and seconds of all processors together, which
+// other programs on the machine disturb less; each is the median of three runs, on one thread, and on
 // two with TBB.
 //
 // usage: evaluation [MESH [DEPTH [NUMBER OF FUNCTIONS]]]
@@ -23,6 +24,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <string>
 #include <vector>
@@ -31,19 +33,18 @@ namespace {
 
 using namespace benchmarks;
 
-template <class Work> double median_seconds(Work&& work) {
-  std::vector<double> seconds;
+template <class Work> void measure(const char* name, int threads, Work&& work) {
+  std::vector<double> seconds, processor_seconds;
   for(int repetition = 0; repetition < 3; ++repetition) {
     CGAL::Real_timer timer;
     timer.start();
+    const std::clock_t start = std::clock();
     work();
+    processor_seconds.push_back(double(std::clock() - start) / CLOCKS_PER_SEC);
     seconds.push_back(timer.time());
   }
-  return median(seconds);
-}
-
-void print(const char* name, int threads, double seconds) {
-  std::printf("%-12s %7d %9.3f\n", name, threads, seconds);
+  std::printf("%-12s %7d %9.3f %10.3f\n", name, threads, median(seconds),
+              median(processor_seconds));
   std::fflush(stdout);
 }
 
@@ -64,20 +65,19 @@ void compare(int argc, char* argv[]) {
     if(threads == 1) {
       std::printf("# %s, %zu vertices; depth %d, %zu unknowns; %d functions\n", name.c_str(),
                   surface->number_of_vertices(), depth, space.dimension(), number_of_functions);
-      std::printf("# %-10s %7s %9s\n", "what", "threads", "seconds");
+      std::printf("# %-10s %7s %9s %10s\n", "what", "threads", "seconds", "processor");
     }
     Eigen::MatrixXd values, expected(surface->number_of_vertices(), number_of_functions);
-    print("one_by_one", threads, median_seconds([&] {
-            for(Eigen::Index k = 0; k < coefficients.cols(); ++k) {
-              const std::vector<double> column =
-                  RL::Spline_function_3(space, coefficients.col(k)).values_at_vertices();
-              expected.col(k) = Eigen::Map<const Eigen::VectorXd>(
-                  column.data(), static_cast<Eigen::Index>(column.size()));
-            }
-          }));
-    print("together", threads, median_seconds([&] {
-            values = RL::Spline_functions_3(space, coefficients).values_at_vertices();
-          }));
+    measure("one_by_one", threads, [&] {
+      for(Eigen::Index k = 0; k < coefficients.cols(); ++k) {
+        const std::vector<double> column =
+            RL::Spline_function_3(space, coefficients.col(k)).values_at_vertices();
+        expected.col(k) = Eigen::Map<const Eigen::VectorXd>(
+            column.data(), static_cast<Eigen::Index>(column.size()));
+      }
+    });
+    measure("together", threads,
+            [&] { values = RL::Spline_functions_3(space, coefficients).values_at_vertices(); });
     std::printf("# largest difference %g\n", (values - expected).cwiseAbs().maxCoeff());
   }
 }
