@@ -33,10 +33,14 @@ namespace internal {
 
 /// slope of the line through \f$(i, y_i)\f$ by least squares
 inline double fitted_slope(const Eigen::VectorXd& y) {
-  const Eigen::Index n = y.size();
-  const Eigen::ArrayXd x =
-      Eigen::ArrayXd::LinSpaced(n, 0, static_cast<double>(n - 1)) - double(n - 1) / 2;
-  return (x * y.array()).sum() / x.square().sum();
+  const double mean = double(y.size() - 1) / 2;
+  double xy = 0, xx = 0;
+  for(Eigen::Index i = 0; i < y.size(); ++i) {
+    const double x = double(i) - mean;
+    xy += x * y[i];
+    xx += x * x;
+  }
+  return xy / xx;
 }
 
 } // namespace internal
