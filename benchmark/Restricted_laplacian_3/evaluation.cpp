@@ -6,8 +6,8 @@
 // - with a Spline_function_3 for each column (one_by_one),
 // - with Spline_functions_3 for all columns (together),
 // and the largest difference of the two. Seconds, and seconds of all processors together, which
-// other programs on the machine disturb less; each is the median of three runs, on one thread, and on
-// two with TBB.
+// other programs on the machine disturb less; each is the median of three runs, on one thread, and
+// on two with TBB.
 //
 // usage: evaluation [MESH [DEPTH [NUMBER OF FUNCTIONS]]]
 // default: armadillo_mc1m of the shared meshes, 5, 100
