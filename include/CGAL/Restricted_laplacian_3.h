@@ -8,7 +8,12 @@
 /// Includes all public headers of the package. `laplace_spectrum.h` needs Spectra; without it the
 /// rest works, and `laplace_spectrum()` does not exist.
 
+#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/heat_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/shape_dna.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/spectral_embedding.h>
+#include <CGAL/Restricted_laplacian_3/wave_kernel_signature.h>
 
 #if defined(__has_include)
 #if __has_include(<Spectra/SymEigsSolver.h>)

@@ -9,6 +9,8 @@
 #include "mesh_input.h"
 #include "program.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <iomanip>
 #include <iostream>
@@ -69,6 +71,24 @@ inline void write_csv(const std::string& file, const Summary& summary, const std
     std::size_t i = 0;
     for(const double value : values)
       out << i++ << ',' << value << '\n';
+  });
+}
+
+// The same with a named column for each column of a matrix; its rows are numbered in the column
+// `position`.
+inline void write_csv(const std::string& file, const Summary& summary, const std::string& position,
+                      const std::vector<std::string>& columns, const Eigen::MatrixXd& values) {
+  write_file(file, [&](std::ostream& out) {
+    summary.print_comments(out);
+    out << position;
+    for(const std::string& column : columns)
+      out << ',' << column;
+    for(Eigen::Index i = 0; i < values.rows(); ++i) {
+      out << '\n' << i;
+      for(const double value : values.row(i))
+        out << ',' << value;
+    }
+    out << '\n';
   });
 }
 

@@ -7,13 +7,14 @@
 #include <CGAL/Restricted_laplacian_3/B_spline_1.h>
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/internal/spline_evaluation.h>
 
 #include <Eigen/Core>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -52,77 +53,60 @@ public:
   /// \f$u\f$ at a location
   /// \throws Location_error if there is no such face, or if the location is not on the surface
   double value(const Surface_location& location) const {
-    const auto [sheet, t] = locate(location);
-    return value_on_sheet(sheet, t);
+    return value(internal::locate_on_surface(*m_space, m_level, location));
   }
 
   /// The surface gradient \f$\nabla_{\mathcal M} u = (I - n n^T) \nabla u\f$ at a location, where
   /// \f$n\f$ is the unit normal of its face; in units of \f$u\f$ over length.
   /// \throws Location_error as `value()`, and if the face is degenerate
   Vector_3 gradient(const Surface_location& location) const {
-    const auto [sheet, t] = locate(location);
+    const internal::Sheet_point p = internal::locate_on_surface(*m_space, m_level, location);
     if(surface().is_degenerate(location.face))
       throw Location_error("face " + std::to_string(location.face) +
                            " is degenerate: it has no tangent plane");
     std::array<std::array<double, 3>, 3> b, d;
     for(int axis = 0; axis < 3; ++axis) {
-      b[axis] = B_spline_1::values(t[axis]);
-      d[axis] = B_spline_1::derivatives(t[axis]);
+      b[axis] = B_spline_1::values(p.t[axis]);
+      d[axis] = B_spline_1::derivatives(p.t[axis]);
     }
-    const Vector_3 in_space = Vector_3(sum(sheet, d[0], b[1], b[2]), sum(sheet, b[0], d[1], b[2]),
-                                       sum(sheet, b[0], b[1], d[2])) /
+    using internal::element_values;
+    const Vector_3 in_space = Vector_3(sum(p.sheet, element_values(d[0], b[1], b[2])),
+                                       sum(p.sheet, element_values(b[0], d[1], b[2])),
+                                       sum(p.sheet, element_values(b[0], b[1], d[2]))) /
                               m_space->octree().cell_width(m_level);
     const Vector_3& n = surface().normal(location.face);
     return in_space - (in_space * n) * n;
   }
 
   /// Values at all vertices, in the order of `vertices(tm)`: NaN at those that have no face of
-  /// positive area, for they are not on the surface.
+  /// positive area, for they are not on the surface. On several threads if the space was made so.
   std::vector<double> values_at_vertices() const {
-    const std::size_t not_on_surface = m_space->octree().number_of_sheets(m_level);
-    std::vector<double> values(surface().number_of_vertices(),
-                               std::numeric_limits<double>::quiet_NaN());
-    for(std::size_t f = 0; f < surface().number_of_faces(); ++f) {
-      if(surface().is_degenerate(f))
-        continue;
-      for(int corner = 0; corner < 3; ++corner) {
-        double& value = values[surface().triangle(f)[corner]];
-        if(!std::isnan(value))
-          continue;
-        // The tip of a needle may have lost its fragment to rounding; then another face serves.
-        const auto [sheet, t] = m_space->locate(m_level, surface().point(f, corner), f);
-        if(sheet != not_on_surface)
-          value = value_on_sheet(sheet, t);
-      }
-    }
+    const std::vector<internal::Sheet_point> points = internal::locate_vertices(*m_space, m_level);
+    std::vector<double> values(points.size());
+    constexpr std::size_t grain = 1024;
+    internal::parallel_for(m_space->options().is_parallel, 0, points.size(), grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             for(std::size_t v = begin; v < end; ++v)
+                               values[v] = value(points[v]);
+                           });
     return values;
   }
 
 private:
   const Triangulated_surface_3& surface() const { return m_space->surface(); }
 
-  std::pair<std::size_t, std::array<double, 3>> locate(const Surface_location& location) const {
-    if(location.face >= surface().number_of_faces())
-      throw Location_error("there is no face " + std::to_string(location.face));
-    const auto result =
-        m_space->locate(m_level, surface().surface_point(location).point, location.face);
-    if(result.first == m_space->octree().number_of_sheets(m_level))
-      throw Location_error("a location with face " + std::to_string(location.face) +
-                           " is not on the surface");
-    return result;
+  double value(const internal::Sheet_point& p) const {
+    return p.sheet == internal::Sheet_point::not_on_surface
+               ? std::numeric_limits<double>::quiet_NaN()
+               : sum(p.sheet, internal::element_values(p.t));
   }
 
-  double value_on_sheet(std::size_t sheet, const std::array<double, 3>& t) const {
-    return sum(sheet, B_spline_1::values(t[0]), B_spline_1::values(t[1]), B_spline_1::values(t[2]));
-  }
-
-  double sum(std::size_t sheet, const std::array<double, 3>& x, const std::array<double, 3>& y,
-             const std::array<double, 3>& z) const {
+  double sum(std::size_t sheet, const std::array<double, 27>& values) const {
     const Cell_elements& elements = m_space->elements(m_level, sheet);
     double result = 0;
     for(int i = 0; i < 27; ++i)
       if(elements[i] != Spline_space_3::no_element)
-        result += m_coefficients[elements[i]] * x[i % 3] * y[i / 3 % 3] * z[i / 9];
+        result += values[i] * m_coefficients[elements[i]];
     return result;
   }
 

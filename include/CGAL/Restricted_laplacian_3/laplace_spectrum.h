@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 #include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
@@ -48,6 +49,8 @@ struct Laplace_spectrum {
   /// order of `vertices(tm)`; NaN at vertices without a face of positive area. Their mean squares
   /// over the surface are 1 / area.
   Eigen::MatrixXd vertex_values;
+  /// of the surface
+  double area = 0;
   /// the algebraic problem: vectors of coefficients, residuals, shift and regularization
   Eigenpairs pairs;
   /// convergence, iterations, largest residual, times
@@ -162,12 +165,8 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
                          spectrum);
   }
   spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
-  spectrum.vertex_values.resize(space.surface().number_of_vertices(), spectrum.eigenvalues.size());
-  for(Eigen::Index i = 0; i < spectrum.eigenvalues.size(); ++i) {
-    const std::vector<double> values =
-        Spline_function_3(space, spectrum.pairs.vectors.col(i)).values_at_vertices();
-    spectrum.vertex_values.col(i) = Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
-  }
+  spectrum.area = space.surface().area();
+  spectrum.vertex_values = Spline_functions_3(space, spectrum.pairs.vectors).values_at_vertices();
   return spectrum;
 }
 
@@ -242,6 +241,7 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
   spectrum.report.space_seconds = space_seconds;
   spectrum.report.assembly_seconds = assembly_seconds;
   spectrum.report.solve_seconds = timer.time() - space_seconds - assembly_seconds;
+  spectrum.area = surface.area();
   spectrum.vertex_values = spectrum.pairs.vectors;
   const Eigen::VectorXd diagonal = operators.mass.diagonal();
   for(Eigen::Index v = 0; v < diagonal.size(); ++v)

@@ -122,9 +122,13 @@ public:
       const bool is_over = m_iterations >= m_options.maximum_iterations ||
                            m_iterations - last_improvement >= iterations_without_gain;
       if(!m_unconverged.empty() && !is_over) {
-        project();
+        // Products that follow from others gather rounding errors. When these show, start anew.
+        is_orthonormal = largest > growth_of_rounding * best;
+        if(is_orthonormal)
+          orthonormalize();
+        else
+          project();
         extend_or_cut(count);
-        is_orthonormal = false;
         continue;
       }
       if(is_orthonormal || !is_verified)
@@ -169,6 +173,7 @@ private:
   // The iteration ends if the largest residual does not fall below this fraction in so many steps.
   static constexpr double gain_of_an_iteration = 0.9;
   static constexpr int iterations_without_gain = 8;
+  static constexpr double growth_of_rounding = 2;
   // Values whose relative difference is smaller count as copies of one.
   static constexpr double gap_of_clusters = 1e-3;
   // Vectors whose values are larger than the last one that is asked for by less than this fraction

@@ -142,6 +142,8 @@ is_below() { awk -v x="$1" -v bound="$2" 'BEGIN { exit !(x != "" && x + 0 == x &
 
 make_sphere 16 > sphere.off # 1026 vertices, 2048 faces
 make_sphere 4 > small.off
+awk 'NR > 2 && NF == 3 { print 9 * $1, 9 * $2, 9 * $3; next } { print }' OFMT=%.17g CONVFMT=%.17g \
+  sphere.off > large_sphere.off
 
 # The tests.
 
@@ -149,7 +151,7 @@ common_options="depth cube-scale unsplit join paper assembly samples seed thread
 
 test_help() {
   local program option
-  for program in solve_poisson laplace_spectrum; do
+  for program in solve_poisson laplace_spectrum spectral_descriptors; do
     succeeds "$program" --help
     for option in $common_options picture help; do
       check "$program --help explains --$option" grep -q -e "--$option" out
@@ -162,6 +164,10 @@ test_help() {
   run laplace_spectrum --help
   for option in count operator mass eigenfunction; do
     check "laplace_spectrum --help explains --$option" grep -q -e "--$option" out
+  done
+  run spectral_descriptors --help
+  for option in descriptor count columns time energy scaled normalization compare column; do
+    check "spectral_descriptors --help explains --$option" grep -q -e "--$option" out
   done
 }
 
@@ -189,7 +195,7 @@ test_bad_input() {
   } > nan.ply
   mkdir -p folder.off
 
-  for program in solve_poisson laplace_spectrum; do
+  for program in solve_poisson laplace_spectrum spectral_descriptors; do
     fails "no mesh" "$program"
     fails "missing.off" "$program" missing.off
     fails "text.off" "$program" text.off
@@ -222,12 +228,12 @@ test_bad_input() {
     fails "samples" "$program" small.off --samples 1000
     fails "seed" "$program" small.off --seed -1
     fails "threads" "$program" small.off --threads 0
-    fails "nowhere" "$program" small.off --depth 2 --csv nowhere/table.csv
-    fails "nowhere" "$program" small.off --depth 2 --output nowhere/mesh.ply
-    fails "nowhere" "$program" small.off --depth 2 --picture nowhere/picture.png
+    fails "nowhere" "$program" small.off --depth 3 --csv nowhere/table.csv
+    fails "nowhere" "$program" small.off --depth 3 --output nowhere/mesh.ply
+    fails "nowhere" "$program" small.off --depth 3 --picture nowhere/picture.png
     if [ -c /dev/full ]; then
-      fails "/dev/full" "$program" small.off --depth 2 --csv /dev/full
-      fails "/dev/full" "$program" small.off --depth 2 --output /dev/full
+      fails "/dev/full" "$program" small.off --depth 3 --csv /dev/full
+      fails "/dev/full" "$program" small.off --depth 3 --output /dev/full
     fi
   done
   fails "rhs" solve_poisson small.off --rhs w
@@ -245,6 +251,28 @@ test_bad_input() {
   fails "mass" laplace_spectrum small.off --operator cotangent --mass magic
   fails "eigenfunction" laplace_spectrum small.off --count 3 --eigenfunction 3
   fails "eigenfunction" laplace_spectrum small.off --count 3 --eigenfunction -1
+  program=spectral_descriptors
+  fails "descriptor" $program small.off --descriptor magic
+  fails "count" $program small.off --count 0
+  fails "k is" $program small.off --depth 2 --count 5000
+  fails "eigenvalues" $program small.off --depth 2 --count 1
+  fails "columns" $program small.off --columns 1
+  fails "columns" $program small.off --descriptor gps --columns 5
+  fails "time" $program small.off --time 0
+  fails "time" $program small.off --time nan
+  fails "time" $program small.off --descriptor wks --time 1
+  fails "energy" $program small.off --energy 1
+  fails "energy" $program small.off --descriptor wks --energy inf
+  fails "scaled" $program small.off --descriptor wks --scaled
+  fails "normalization" $program small.off --normalization weyl
+  fails "normalization" $program small.off --descriptor shape-dna --normalization magic
+  fails "compare" $program small.off --compare small.off
+  fails "missing.off" $program small.off --depth 2 --count 5 --descriptor shape-dna \
+    --compare missing.off
+  fails "column" $program small.off --column -1
+  fails "column.*99" $program small.off --depth 3 --descriptor gps --column 99
+  fails "column" $program small.off --descriptor shape-dna --column 0
+  fails "picture" $program small.off --descriptor shape-dna --picture dna.png
 }
 
 # has_table_format FILE COLUMNS: comments, the names of the columns, rows numbered from 0
@@ -456,6 +484,83 @@ test_spectrum() {
   numbers u1.csv | awk '{ s += $1 * $1 } END { print s }' > s1
   check "the inverse Laplacian annihilates eigenfunction 0" is_near "$(cat s0)" 0 1e-10
   check "the inverse Laplacian halves eigenfunction 1" is_near "$(cat s1)" 20.5 3
+}
+
+# column FILE NUMBER: the values of a column of a table, the first of which is 1
+column() { grep -v '^#' "$1" | tail -n +2 | cut -d, -f"$2"; }
+
+# are_near VALUE TOLERANCE: all numbers that are read
+are_near() {
+  awk -v value="$1" -v tolerance="$2" '
+    { d = $1 - value; if(!(d <= tolerance && -d <= tolerance)) { print NR, $1; bad = 1 } }
+    END { exit bad || !NR }'
+}
+
+test_descriptors() {
+  local name program=spectral_descriptors
+  # All eigenfunctions of degree 0 .. 3 of the unit sphere, whose squares sum to (2 l + 1) / (4 pi).
+  local sphere="sphere.off --depth 4 --count 16"
+  succeeds $program $sphere --columns 5 --csv hks.csv --output hks.ply --picture hks.png
+  for name in vertices faces depth dimension components area setup_seconds assembly_seconds \
+    solve_seconds iterations relative_residual zero_eigenvalues columns smallest_value \
+    largest_value; do
+    check "comment $name is a number" is_near "$(comment $name hks.csv)" 0 1e6
+  done
+  check "one zero" [ "$(comment zero_eigenvalues hks.csv)" = 1 ]
+  check "columns are named by their times" \
+    grep -Eq '^vertex(,t=[0-9.e-]+){5}$' hks.csv
+  check "one row for each vertex" [ "$(column hks.csv 1 | tail -n 1)" = 1025 ]
+  check "all have six columns" eval "! grep -v '^#' hks.csv | grep -Evq '^([^,]+,){5}[^,]+\$'"
+  check "the middle column is shown" [ "$(comment column hks.csv)" = \
+    "$(grep ^vertex hks.csv | cut -d, -f4)" ]
+  check "and its range" is_near "$(comment largest_value hks.csv)" \
+    "$(column hks.csv 4 | sort -g | tail -n 1)" 1e-9
+  check "the mesh has the values" grep -aqx "property double value" hks.ply
+  check "the picture is not empty" [ "$(wc -c < hks.png)" -gt 5000 ]
+
+  # exp(-l (l + 1) t) at t = 1, that is 1 / area = 0.0798 in units of the area of the polyhedron
+  succeeds $program $sphere --time 0.0798 --csv one.csv
+  check "the heat kernel signature of the sphere" \
+    eval "column one.csv 2 | are_near 0.1131 1e-3"
+  succeeds $program $sphere --time 0.0798 --scaled --csv scaled.csv
+  check "--scaled makes its integral 1" eval "column scaled.csv 2 | are_near 0.0798 4e-4"
+  succeeds $program $sphere --descriptor wks --columns 5 --csv wks.csv
+  check "energies are the logarithms of eigenvalues times area" \
+    eval "grep ^vertex wks.csv | tr , '\\n' | grep ^e= | cut -c3- | are_near 4.1 0.9"
+  check "the wave kernel signature of the sphere" eval "column wks.csv 4 | are_near 0.0798 4e-4"
+  succeeds $program $sphere --descriptor wks --energy 4 --csv one.csv
+  check "one energy" grep -qx "vertex,e=4" one.csv
+
+  # the coordinates of a vertex have the square sum of (2 l + 1) / (4 pi) (l (l + 1))^-p
+  succeeds $program $sphere --descriptor gps --csv gps.csv --column 3
+  succeeds $program $sphere --descriptor biharmonic --csv biharmonic.csv
+  succeeds $program $sphere --descriptor diffusion --csv diffusion.csv
+  succeeds $program $sphere --descriptor diffusion --time 0.1 --csv later.csv
+  for name in gps biharmonic diffusion; do
+    column $name.csv 2- | awk -F, '{ s = 0; for(i = 1; i <= NF; ++i) s += $i * $i; print s }' > $name
+  done
+  check "global point signature" eval "are_near 0.2321 2e-3 < gps"
+  check "biharmonic coordinates" eval "are_near 0.0746 1e-3 < biharmonic"
+  check "zeros are left out" [ "$(grep ^vertex gps.csv | cut -d, -f1-3)" = vertex,gps_1,gps_2 ]
+  check "--column chooses one" [ "$(comment column gps.csv)" = gps_4 ]
+  check "zeros are not left out" \
+    [ "$(grep ^vertex diffusion.csv | cut -d, -f1-2)" = vertex,diffusion_0 ]
+  check "--time matters" eval "! cmp -s diffusion.csv later.csv"
+
+  # the spectrum of a sphere of the unit area
+  succeeds $program $sphere --descriptor shape-dna --csv dna.csv --compare large_sphere.off
+  check "format of the table" has_table_format dna.csv index,shape_dna
+  check "ShapeDNA is 0" [ "$(numbers dna.csv | head -n 1)" = 0 ]
+  check "then 2 area" eval "numbers dna.csv | sed -n 2,4p | are_near 25.13 0.1"
+  check "it does not depend on size" is_near "$(comment distance dna.csv)" 0 1e-5
+  succeeds $program $sphere --descriptor shape-dna --normalization first --csv dna.csv
+  check "--normalization first" eval "numbers dna.csv | sed -n 2,4p | are_near 1 1e-2"
+  succeeds $program $sphere --descriptor shape-dna --normalization none --csv dna.csv
+  check "--normalization none" eval "numbers dna.csv | sed -n 2,4p | are_near 2 1e-2"
+  succeeds $program $sphere --descriptor shape-dna --normalization weyl --csv dna.csv
+  check "--normalization weyl" eval "numbers dna.csv | sed -n 16p | are_near 13.4 1.5"
+  succeeds $program $sphere --quiet
+  check "--quiet prints nothing" [ ! -s out ]
 }
 
 test_unusual_meshes() {
@@ -693,6 +798,11 @@ test_short_programs() {
     eval "grep -Eo -- '-?[0-9]+\\.[0-9]+' out | paste -s |
           awk '{ exit !(NF == 2 && \$1 < -0.49 && \$1 > -0.51 && \$2 > 0.49 && \$2 < 0.51) }'"
   fails "usage" minimal_poisson
+  succeeds minimal_descriptors sphere.off
+  check "minimal_descriptors prints times, a distance, eigenvalues" \
+    eval "[ \$(grep -c '^time ' out) -eq 5 ] && grep -q '^distance.* 0\\.' out &&
+          grep -q '^ShapeDNA: *0 *25\\.' out"
+  fails "usage" minimal_descriptors
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh" [ "$status" -eq 1 ]
   succeeds generic_meshes sphere.off

@@ -1,0 +1,323 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Computes descriptors of the points of a mesh, or of the mesh, from its eigenfunctions.
+
+#include "support/command_line.h"
+#include "support/mesh_input.h"
+#include "support/mesh_output.h"
+#include "support/picture.h"
+#include "support/program.h"
+#include "support/space.h"
+#include "support/table.h"
+#include "support/threads.h"
+
+#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/heat_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/shape_dna.h>
+#include <CGAL/Restricted_laplacian_3/spectral_embedding.h>
+#include <CGAL/Restricted_laplacian_3/wave_kernel_signature.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace examples;
+
+const char* const usage =
+    "usage: spectral_descriptors MESH [OPTION]...\n"
+    "\n"
+    "Computes from the first eigenvalues and eigenfunctions of the Laplacian on the surface of "
+    "MESH\n"
+    "(off, obj, ply, stl, ts) a descriptor of each vertex, or of the whole surface:\n"
+    "\n"
+    "  hks         heat kernel signature, a column for each time\n"
+    "  wks         wave kernel signature, a column for each energy\n"
+    "  gps         global point signature: eigenfunctions over square roots of eigenvalues\n"
+    "  biharmonic  eigenfunctions over eigenvalues: coordinates for the biharmonic distance\n"
+    "  diffusion   diffusion map: coordinates for the diffusion distance at --time\n"
+    "  shape-dna   the eigenvalues in a form that does not depend on size\n"
+    "\n"
+    "Times are in units of the area of the surface, and energies are natural logarithms of\n"
+    "eigenvalues times area: they mean the same for surfaces of different size. The values of "
+    "hks,\n"
+    "wks and the coordinates are in the units of MESH.\n"
+    "\n"
+    "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
+    "what it found was written.\n";
+
+struct Options : Common_options {
+  int count = 100;
+  std::string descriptor = "hks";
+  int columns = 100;
+  double time = 0.05, energy = 0;
+  bool is_time_given = false, is_energy_given = false;
+  bool is_scaled = false;
+  std::string normalization = "area", other_mesh;
+  int column = 0;
+  bool is_column_given = false;
+
+  bool is_of_vertices() const { return descriptor != "shape-dna"; }
+  // whether columns are times or energies
+  bool is_signature() const { return descriptor == "hks" || descriptor == "wks"; }
+};
+
+// requires that an option is given with one of some descriptors only
+void require_descriptor(const po::variables_map& given, const Options& o, const std::string& option,
+                        std::initializer_list<const char*> descriptors) {
+  std::string list;
+  bool is_one = false;
+  for(const char* descriptor : descriptors) {
+    is_one = is_one || o.descriptor == descriptor;
+    list += (list.empty() ? "" : " or ") + std::string(descriptor);
+  }
+  const bool is_given = given.count(option) > 0 && !given[option].defaulted();
+  require(!is_given || is_one, "--" + option + " needs --descriptor " + list);
+}
+
+// returns false if there is nothing more to do
+bool read_options(int argc, char* argv[], Options& o) {
+  po::options_description problem("Descriptor", help_width);
+  auto add = problem.add_options();
+  add("descriptor", po::value(&o.descriptor)->value_name("NAME")->default_value(o.descriptor),
+      "hks, wks, gps, biharmonic, diffusion or shape-dna");
+  add("count", po::value(&o.count)->value_name("K")->default_value(o.count),
+      "number of eigenvalues, with multiplicities and zeros");
+  add("columns", po::value(&o.columns)->value_name("N")->default_value(o.columns),
+      "number of times of hks, or energies of wks, over the range of the eigenvalues");
+  add("time", po::value(&o.time)->value_name("T"),
+      "hks: this time only; diffusion: the time (default: 0.05)");
+  add("energy", po::value(&o.energy)->value_name("E"), "wks: this energy only");
+  add("scaled", po::bool_switch(&o.is_scaled),
+      "hks: divide by the heat trace, so that the integral over the surface is 1");
+  add("normalization",
+      po::value(&o.normalization)->value_name("NAME")->default_value(o.normalization),
+      "shape-dna: multiply eigenvalues with the area, or divide them by the first that is not 0 "
+      "(first) or by the slope of a fitted line (weyl), or nothing (none)");
+  add("compare", po::value(&o.other_mesh)->value_name("MESH"),
+      "shape-dna: print the distance to that of another mesh");
+  add("column", po::value(&o.column)->value_name("I"),
+      "index, from 0, of the column for --output and --picture (default: the middle one of hks and "
+      "wks, the first of others)");
+  po::options_description all(help_width);
+  all.add(problem).add(space_options(o)).add(output_options(o));
+
+  po::variables_map given;
+  if(!parse_command_line(argc, argv, usage, all, o, given))
+    return false;
+  require_choice("descriptor", o.descriptor,
+                 {"hks", "wks", "gps", "biharmonic", "diffusion", "shape-dna"});
+  require(o.count > 0, "the argument of --count must be positive");
+  require(o.columns > 1, "the argument of --columns must be at least 2");
+  require_descriptor(given, o, "columns", {"hks", "wks"});
+  require_descriptor(given, o, "time", {"hks", "diffusion"});
+  require_descriptor(given, o, "energy", {"wks"});
+  require(!o.is_scaled || o.descriptor == "hks", "--scaled needs --descriptor hks");
+  require_descriptor(given, o, "normalization", {"shape-dna"});
+  require_descriptor(given, o, "compare", {"shape-dna"});
+  require_choice("normalization", o.normalization, {"area", "first", "weyl", "none"});
+  o.is_time_given = given.count("time") > 0;
+  o.is_energy_given = given.count("energy") > 0;
+  o.is_column_given = given.count("column") > 0;
+  require_positive(given, "time", o.time);
+  require(std::isfinite(o.energy), "the argument of --energy must be a finite number");
+  require(!o.is_column_given || o.is_of_vertices(), "shape-dna has no --column");
+  require(o.column >= 0, "the argument of --column must not be negative");
+  require(o.is_of_vertices() || (o.output.empty() && o.picture.empty()),
+          "--output and --picture need a descriptor of vertices, and shape-dna is none");
+  return true;
+}
+
+// The spectrum of a surface, with eigenfunctions at the vertices if the descriptor needs them.
+RL::Laplace_spectrum spectrum_of(const RL::Triangulated_surface_3& surface, const Options& o,
+                                 Summary& summary, const Progress& progress) {
+  CGAL::Real_timer timer;
+  timer.start();
+  progress.show("building the spline space");
+  const RL::Spline_space_3 space(surface, o.space);
+  add_space(summary, space);
+  const double setup_seconds = timer.time();
+
+  progress.show("assembling");
+  const RL::Operators operators = assemble_with(space, o, [&](const auto& integration) {
+    return RL::assemble_operators(space, space.depth(), integration);
+  });
+  const double assembly_seconds = timer.time() - setup_seconds;
+
+  progress.show("computing eigenvalues of " + std::to_string(operators.stiffness.rows()) +
+                " unknowns");
+  RL::Laplace_spectrum spectrum;
+  spectrum.pairs = RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count);
+  spectrum.eigenvalues = spectrum.pairs.values;
+  spectrum.area = surface.area();
+  const double solve_seconds = timer.time() - setup_seconds - assembly_seconds;
+
+  progress.show("evaluating eigenfunctions");
+  if(o.is_of_vertices())
+    spectrum.vertex_values =
+        RL::Spline_functions_3(space, spectrum.pairs.vectors).values_at_vertices();
+
+  summary.add("setup_seconds", setup_seconds);
+  summary.add("assembly_seconds", assembly_seconds);
+  summary.add("solve_seconds", solve_seconds);
+  summary.add("iterations", spectrum.pairs.iterations);
+  summary.add("relative_residual",
+              spectrum.pairs.residuals.size() ? spectrum.pairs.residuals.maxCoeff() : 0.);
+  summary.add("zero_eigenvalues", RL::number_of_zero_eigenvalues(spectrum));
+  return spectrum;
+}
+
+// a value for each vertex in each column
+struct Descriptor {
+  Eigen::MatrixXd values;
+  std::vector<std::string> columns; // their names
+};
+
+std::string name_of(const std::string& quantity, double value) {
+  std::ostringstream name;
+  name << quantity << '=' << value;
+  return name.str();
+}
+
+Descriptor heat_kernel_signature(const RL::Laplace_spectrum& spectrum, const Options& o) {
+  Descriptor d;
+  const Eigen::VectorXd times = o.is_time_given
+                                    ? Eigen::VectorXd::Constant(1, o.time * spectrum.area)
+                                    : RL::heat_kernel_times(spectrum, o.columns);
+  d.values = RL::heat_kernel_signature(spectrum, times,
+                                       o.is_scaled ? RL::Heat_kernel_scaling::heat_trace
+                                                   : RL::Heat_kernel_scaling::none);
+  for(const double time : times)
+    d.columns.push_back(name_of("t", time / spectrum.area));
+  return d;
+}
+
+Descriptor wave_kernel_signature(const RL::Laplace_spectrum& spectrum, const Options& o) {
+  Descriptor d;
+  const double unit = std::log(spectrum.area);
+  RL::Wave_kernel_energies energies = RL::wave_kernel_energies(spectrum, o.columns);
+  if(o.is_energy_given)
+    energies.energies = Eigen::VectorXd::Constant(1, o.energy - unit);
+  d.values = RL::wave_kernel_signature(spectrum, energies);
+  for(const double energy : energies.energies)
+    d.columns.push_back(name_of("e", energy + unit));
+  return d;
+}
+
+Descriptor embedding(const RL::Laplace_spectrum& spectrum, const Options& o) {
+  Descriptor d;
+  if(o.descriptor == "gps")
+    d.values = RL::global_point_signature(spectrum);
+  else if(o.descriptor == "biharmonic")
+    d.values = RL::biharmonic_embedding(spectrum);
+  else
+    d.values = RL::diffusion_map(spectrum, o.time * spectrum.area);
+  // the number of the eigenfunction, which zeros that are left out count for
+  const Eigen::Index first = spectrum.eigenvalues.size() - d.values.cols();
+  for(Eigen::Index i = first; i < spectrum.eigenvalues.size(); ++i)
+    d.columns.push_back(o.descriptor + "_" + std::to_string(i));
+  return d;
+}
+
+// Computes the descriptor of all vertices, and writes it.
+void describe_vertices(const RL::Triangulated_surface_3& surface,
+                       const RL::Laplace_spectrum& spectrum, const Options& o, Summary& summary,
+                       const Progress& progress) {
+  progress.show("computing the descriptor");
+  const Descriptor d = o.descriptor == "hks"   ? heat_kernel_signature(spectrum, o)
+                       : o.descriptor == "wks" ? wave_kernel_signature(spectrum, o)
+                                               : embedding(spectrum, o);
+  const Eigen::Index column = o.is_column_given  ? o.column
+                              : o.is_signature() ? d.values.cols() / 2
+                                                 : 0;
+  require(column < d.values.cols(), "the argument of --column must be less than " +
+                                        std::to_string(d.values.cols()) +
+                                        ", the number of columns");
+  const std::vector<double> values(d.values.col(column).begin(), d.values.col(column).end());
+  const Value_range range(values);
+  summary.add("columns", d.values.cols());
+  summary.add("column", d.columns[static_cast<std::size_t>(column)]);
+  summary.add("smallest_value", range.low);
+  summary.add("largest_value", range.high);
+
+  progress.show("writing the results");
+  if(!o.csv.empty())
+    write_csv(o.csv, summary, "vertex", d.columns, d.values);
+  if(!o.output.empty())
+    write_mesh(o.output, surface, values);
+  if(!o.picture.empty())
+    write_picture(o.picture, surface, value_colors(values), values, {o.up == "z", o.isolines});
+}
+
+Eigen::VectorXd shape_dna(const RL::Laplace_spectrum& spectrum, const Options& o) {
+  using Normalization = RL::Shape_dna_normalization;
+  return RL::shape_dna(spectrum, o.normalization == "area"    ? Normalization::area
+                                 : o.normalization == "first" ? Normalization::first_eigenvalue
+                                 : o.normalization == "weyl"  ? Normalization::weyl_slope
+                                                              : Normalization::none);
+}
+
+// Computes the ShapeDNA of the surface, and its distance to that of another mesh; returns whether
+// the solver converged for that one.
+bool describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, Summary& summary,
+                    const Progress& progress) {
+  const Eigen::VectorXd dna = shape_dna(spectrum, o);
+  bool converged = true;
+  if(!o.other_mesh.empty()) {
+    progress.show("reading " + o.other_mesh);
+    const Mesh_input other = read_mesh(o.other_mesh);
+    Summary of_other(other);
+    const RL::Laplace_spectrum other_spectrum = spectrum_of(other.surface, o, of_other, progress);
+    const Eigen::VectorXd other_dna = shape_dna(other_spectrum, o);
+    const Eigen::Index number = std::min(dna.size(), other_dna.size());
+    summary.add("distance", RL::shape_dna_distance(dna.head(number), other_dna.head(number)));
+    converged = other_spectrum.pairs.converged;
+  }
+  if(!o.csv.empty())
+    write_csv(o.csv, summary, "index,shape_dna", std::vector<double>(dna.begin(), dna.end()));
+  progress.show("");
+  return converged;
+}
+
+int main(int argc, char* argv[]) {
+  return run_program("spectral_descriptors", [&]() -> int {
+    Options o;
+    if(!read_options(argc, argv, o))
+      return success;
+    const Progress progress(o.quiet);
+
+    progress.show("reading " + o.mesh);
+    const Mesh_input input = read_mesh(o.mesh);
+    Summary summary(input);
+    const Thread_limit threads(o.threads);
+    summary.add("threads", threads.number());
+    const RL::Laplace_spectrum spectrum = spectrum_of(input.surface, o, summary, progress);
+    summary.add("descriptor", o.descriptor);
+    bool converged = spectrum.pairs.converged;
+    if(o.is_of_vertices())
+      describe_vertices(input.surface, spectrum, o, summary, progress);
+    else
+      converged = describe_shape(spectrum, o, summary, progress) && converged;
+    progress.show("");
+    if(!o.quiet)
+      summary.print(std::cout);
+    if(!converged) {
+      print_error("spectral_descriptors", "the solver did not converge: it found " +
+                                              std::to_string(spectrum.eigenvalues.size()) + " of " +
+                                              std::to_string(o.count) + " eigenvalues");
+      return not_converged;
+    }
+    return success;
+  });
+}
