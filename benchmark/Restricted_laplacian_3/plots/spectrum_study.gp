@@ -1,0 +1,52 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Spectra of shapes in three tessellations, in the manner of figure 3 of the paper, one row for each
+# shape: all of the spectrum; its upper end, by the cotangent operator; the same by restricted
+# elements, over that of the cotangent operator on the finest tessellation.
+#
+# usage: gnuplot -e "results='FOLDER'; output='FILE'; shapes='NAME...'" plots/spectrum_study.gp
+
+if(!exists("results")) results = 'results/spectrum_study'
+if(!exists("output")) output = 'spectrum_study.png'
+if(!exists("shapes")) shapes = 'sphere_octahedral_depth_5 bimba fish pulley'
+rows = words(shapes)
+set terminal pngcairo size 1050, 60 + 230 * rows font 'Sans,9' noenhanced
+set output output
+set datafile separator ','
+set grid lc rgb '#dddddd'
+set multiplot layout rows, 3 margins 0.06, 0.99, 0.06, 1 - 0.1 / rows spacing 0.06, 0.22 / rows
+last = 199
+first = 160
+title(shape) = shape[1:(strstrt(shape, '_') > 0 ? strstrt(shape, '_') - 1 : strlen(shape))]
+do for [row = 1:rows] {
+  file = results.'/'.word(shapes, row).'.csv'
+  name = title(word(shapes, row))
+  set xrange [0:last]
+  set yrange [0:*]
+  stats file using 1:4 every ::last-1::last-1 nooutput
+  top = STATS_max_y
+  set title name
+  if(row == 1) { set key left top samplen 1 } else { unset key }
+  plot file using 1:2 with lines lw 1 lc rgb '#9ecae1' title 'cotangent, low', \
+       '' using 1:3 with lines lw 1 lc rgb '#4292c6' title 'medium', \
+       '' using 1:4 with lines lw 1 lc rgb '#08306b' title 'high', \
+       '' using 1:8 with lines lw 1 lc rgb '#fdae6b' title 'restricted, low', \
+       '' using 1:9 with lines lw 1 lc rgb '#f16913' title 'medium', \
+       '' using 1:10 with lines lw 1 lc rgb '#a63603' title 'high'
+  unset key
+  set xrange [first:last]
+  stats file using 1:4 every ::first-1::first-1 nooutput
+  bottom = STATS_min_y
+  set yrange [bottom - 0.05 * (top - bottom):top + 0.45 * (top - bottom)]
+  set title name.', cotangent'
+  plot file using 1:2 with lines lw 1.5 lc rgb '#9ecae1', \
+       '' using 1:3 with lines lw 1.5 lc rgb '#4292c6', \
+       '' using 1:4 with lines lw 1.5 lc rgb '#08306b'
+  set title name.', restricted'
+  plot file using 1:4 with lines lw 2.5 lc rgb '#08306b', \
+       '' using 1:8 with lines lw 1.5 lc rgb '#fdae6b', \
+       '' using 1:9 with lines lw 1.5 lc rgb '#f16913', \
+       '' using 1:10 with lines lw 1.5 lc rgb '#a63603'
+}
+unset multiplot
