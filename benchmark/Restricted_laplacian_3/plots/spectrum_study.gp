@@ -14,39 +14,40 @@ rows = words(shapes)
 set terminal pngcairo size 1050, 60 + 230 * rows font 'Sans,9' noenhanced
 set output output
 set datafile separator ','
-set grid lc rgb '#dddddd'
-set multiplot layout rows, 3 margins 0.06, 0.99, 0.06, 1 - 0.1 / rows spacing 0.06, 0.22 / rows
+set multiplot layout rows, 3 margins 0.06, 0.99, 0.06, 1 - 0.12 / rows spacing 0.06, 0.2 / rows
 last = 199
 first = 160
+at(index, wanted, value) = index == wanted ? value : NaN
 title(shape) = shape[1:(strstrt(shape, '_') > 0 ? strstrt(shape, '_') - 1 : strlen(shape))]
 do for [row = 1:rows] {
   file = results.'/'.word(shapes, row).'.csv'
   name = title(word(shapes, row))
+  set autoscale
+  stats file using (at($1, first, $4 < $10 ? $4 : $10)) nooutput
+  bottom = STATS_min
+  stats file using (at($1, last, $4)) nooutput
+  top = STATS_max
   set xrange [0:last]
   set yrange [0:*]
-  stats file using 1:4 every ::last-1::last-1 nooutput
-  top = STATS_max_y
-  set title name
+  set title name offset 0, -0.7
   if(row == 1) { set key left top samplen 1 } else { unset key }
   plot file using 1:2 with lines lw 1 lc rgb '#9ecae1' title 'cotangent, low', \
        '' using 1:3 with lines lw 1 lc rgb '#4292c6' title 'medium', \
        '' using 1:4 with lines lw 1 lc rgb '#08306b' title 'high', \
-       '' using 1:8 with lines lw 1 lc rgb '#fdae6b' title 'restricted, low', \
-       '' using 1:9 with lines lw 1 lc rgb '#f16913' title 'medium', \
+       '' using 1:8 with lines lw 4 lc rgb '#fdd0a2' title 'restricted, low', \
+       '' using 1:9 with lines lw 2 lc rgb '#fd8d3c' title 'medium', \
        '' using 1:10 with lines lw 1 lc rgb '#a63603' title 'high'
   unset key
   set xrange [first:last]
-  stats file using 1:4 every ::first-1::first-1 nooutput
-  bottom = STATS_min_y
   set yrange [bottom - 0.05 * (top - bottom):top + 0.45 * (top - bottom)]
   set title name.', cotangent'
   plot file using 1:2 with lines lw 1.5 lc rgb '#9ecae1', \
        '' using 1:3 with lines lw 1.5 lc rgb '#4292c6', \
        '' using 1:4 with lines lw 1.5 lc rgb '#08306b'
   set title name.', restricted'
-  plot file using 1:4 with lines lw 2.5 lc rgb '#08306b', \
-       '' using 1:8 with lines lw 1.5 lc rgb '#fdae6b', \
-       '' using 1:9 with lines lw 1.5 lc rgb '#f16913', \
-       '' using 1:10 with lines lw 1.5 lc rgb '#a63603'
+  plot file using 1:4 with lines lw 1.5 lc rgb '#08306b', \
+       '' using 1:8 with lines lw 6 lc rgb '#fdd0a2', \
+       '' using 1:9 with lines lw 3 lc rgb '#fd8d3c', \
+       '' using 1:10 with lines lw 1 lc rgb '#a63603'
 }
 unset multiplot
