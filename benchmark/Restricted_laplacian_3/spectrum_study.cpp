@@ -26,16 +26,20 @@
 #include "support/simplify.h"
 #include "support/spectra.h"
 
+#include <CGAL/Bbox_3.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -260,8 +264,28 @@ const std::vector<Series> all_series = {
 
 constexpr double target = 1e-3, target_ratio = 20;
 
-/// What explains a change: the spectra at greater depths, and of another method that converges, on
-/// both surfaces.
+/// The surface with a face of area 0 that reaches over a box: the same integrals, on the grid of
+/// the box.
+Surface with_box(const Surface& surface, const CGAL::Bbox_3& box) {
+  std::vector<RL::Point_3> points;
+  std::vector<Surface::Triangle> triangles;
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    points.push_back(surface.point(v));
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    triangles.push_back(surface.triangle(f));
+  const auto low = static_cast<std::uint32_t>(points.size());
+  points.emplace_back(box.xmin(), box.ymin(), box.zmin());
+  points.emplace_back(box.xmax(), box.ymax(), box.zmax());
+  triangles.push_back({low, low + 1, low + 1});
+  return Surface(std::move(points), std::move(triangles));
+}
+
+CGAL::Bbox_3 box_of(const Surface& surface) {
+  return surface.bounding_box_min().bbox() + surface.bounding_box_max().bbox();
+}
+
+/// What explains a change: the spectra of both surfaces on the same grid (that of a surface follows
+/// its bounding box), at greater depths, and by another method that converges.
 void print_reason(const Study& study, int t) {
   const auto print = [&](const std::string& name, const Eigen::VectorXd& values,
                          const Eigen::VectorXd& reference) {
@@ -273,17 +297,28 @@ void print_reason(const Study& study, int t) {
     std::fflush(stdout);
   };
   const int n = few - 1;
-  print("restricted, depth " + std::to_string(study.depth),
-        eigenvalues(study.spectra[restricted][t]).head(n),
-        eigenvalues(study.spectra[restricted][2]).head(n));
+  const CGAL::Bbox_3 box = box_of(study.surfaces[t]) + box_of(study.surfaces[2]);
+  print("restricted, the same grid",
+        eigenvalues(
+            restricted_spectrum(with_box(study.surfaces[t], box), Space::split, study.depth, 1, n)),
+        eigenvalues(restricted_spectrum(with_box(study.surfaces[2], box), Space::split, study.depth,
+                                        1, n)));
   constexpr std::size_t largest_dimension = 200000;
-  for(int depth = study.depth + 1; depth <= study.depth + 2; ++depth) {
+  std::vector<std::array<Eigen::VectorXd, 2>> by_depth;
+  for(int depth = study.depth; depth <= study.depth + 2; ++depth) {
     if(space_of(study.surfaces[2], Space::split, depth).dimension() > largest_dimension)
       break;
-    print("restricted, depth " + std::to_string(depth),
-          eigenvalues(restricted_spectrum(study.surfaces[t], Space::split, depth, 1, n)),
-          eigenvalues(restricted_spectrum(study.surfaces[2], Space::split, depth, 1, n)));
+    by_depth.push_back(
+        {eigenvalues(restricted_spectrum(study.surfaces[t], Space::split, depth, 1, n)),
+         eigenvalues(restricted_spectrum(study.surfaces[2], Space::split, depth, 1, n))});
+    print("restricted, depth " + std::to_string(depth), by_depth.back()[0], by_depth.back()[1]);
   }
+  for(std::size_t i = 0; i + 1 < by_depth.size(); ++i)
+    std::printf("# depth %d against the greatest: mean %.3g %% on the %s, %.3g %% on the high "
+                "tessellation\n",
+                study.depth + static_cast<int>(i),
+                Difference(by_depth[i][0], by_depth.back()[0]).mean, tessellations[t],
+                Difference(by_depth[i][1], by_depth.back()[1]).mean);
   constexpr std::size_t largest_number_of_vertices = 400000;
   const Cotangent_reference a(study.surfaces[t], 1, n, 2, largest_number_of_vertices),
       b(study.surfaces[2], 1, n, 2, largest_number_of_vertices);
@@ -293,59 +328,29 @@ void print_reason(const Study& study, int t) {
   print("the same, extrapolated", a.extrapolated / a.fine.area, b.extrapolated / b.fine.area);
 }
 
-int run_series(const std::string& folder, const std::vector<Series>& all) {
-  std::vector<Study> studies;
-  int failures = 0;
-  std::printf(
-      "# QSlim: change of area and volume, relative, and symmetric Hausdorff distance over the "
-      "longest side of the bounding box, against the high tessellation\n");
-  std::printf("# %-10s %-7s %9s %10s %10s %10s %10s\n", "shape", "mesh", "vertices", "triangles",
-              "area", "volume", "Hausdorff");
-  for(const Series& series : all) {
-    const char* shape = series.name.c_str();
-    try {
-      Mesh high;
-      if(!series.mesh.empty()) {
-        const auto found = find_mesh_file(series.mesh);
-        if(!found) {
-          std::printf("# %s: there is no mesh %s\n", shape, series.mesh.c_str());
-          continue;
-        }
-        high = *found;
-      } else
-        high = generated_mesh();
-      require_watertight(high);
-      if(!series.remark.empty())
-        std::printf("# %s: %s\n", shape, series.remark.c_str());
-      std::vector<Surface> surfaces;
-      for(double fraction : {0.1, 0.3, 1.}) {
-        const auto vertices = static_cast<std::size_t>(
-            std::lround(fraction * static_cast<double>(high.number_of_vertices())));
-        const Mesh mesh = fraction < 1 ? simplified(high, vertices) : high;
-        const char* name = tessellations[surfaces.size()];
-        std::printf("%-12s %-7s %9zu %10zu", shape, name,
-                    static_cast<std::size_t>(mesh.number_of_vertices()),
-                    static_cast<std::size_t>(mesh.number_of_faces()));
-        if(fraction < 1) {
-          const Geometric_change moved(mesh, high);
-          std::printf(" %10.2e %10.2e %10.2e", moved.area, moved.volume, moved.hausdorff);
-        }
-        std::printf("\n");
-        std::fflush(stdout);
-        surfaces.push_back(RL::read_surface(mesh));
-      }
-      constexpr int depth = 5;
-      studies.emplace_back(series.name, depth, std::move(surfaces));
-      studies.back().write(folder);
-    } catch(const std::exception& e) {
-      std::printf("# %s: %s\n", shape, e.what());
-      ++failures;
+/// Low, medium and high tessellation; prints how far the first two are from the last.
+std::vector<Surface> tessellated(const std::string& name, const Mesh& high) {
+  std::vector<Surface> surfaces;
+  for(double fraction : {0.1, 0.3, 1.}) {
+    const auto vertices = static_cast<std::size_t>(
+        std::lround(fraction * static_cast<double>(high.number_of_vertices())));
+    const Mesh mesh = fraction < 1 ? simplified(high, vertices) : high;
+    std::printf("%-12s %-7s %9zu %10zu", name.c_str(), tessellations[surfaces.size()],
+                static_cast<std::size_t>(mesh.number_of_vertices()),
+                static_cast<std::size_t>(mesh.number_of_faces()));
+    if(fraction < 1) {
+      const Geometric_change moved(mesh, high);
+      std::printf(" %10.2e %10.2e %10.2e", moved.area, moved.volume, moved.hausdorff);
     }
+    std::printf("\n");
+    std::fflush(stdout);
+    surfaces.push_back(RL::read_surface(mesh));
   }
-  std::printf("\n\n");
-  print_dimensions(studies);
-  print_changes(studies);
+  return surfaces;
+}
 
+/// Prints which shapes meet the target, and why the others do not.
+void print_verdicts(const std::vector<Study>& studies) {
   std::printf("# target: mean change of the first %d at the medium tessellation at most %g, and %g "
               "times less than that of the cotangent operator\n",
               few, target, target_ratio);
@@ -361,61 +366,101 @@ int run_series(const std::string& folder, const std::vector<Series>& all) {
       missed.push_back(&study);
   }
   std::printf("\n\n");
-  if(!missed.empty()) {
-    std::printf("# where it was missed: mean change of the first %d with greater depth and with "
-                "another method; mean with sign; mean after scaling to the same area\n",
-                few);
-    std::printf("# %-8s %-7s %-34s %10s %10s %10s\n", "shape", "mesh", "method", "mean", "signed",
-                "scaled");
-    for(const Study* study : missed)
-      print_reason(*study, 1);
-    std::printf("\n\n");
-  }
+  if(missed.empty())
+    return;
+  std::printf("# where it was missed: mean change of the first %d on the same grid, with greater "
+              "depth, and by another method; mean with sign; mean after scaling to the same area\n",
+              few);
+  std::printf("# %-8s %-7s %-34s %10s %10s %10s\n", "shape", "mesh", "method", "mean", "signed",
+              "scaled");
+  for(const Study* study : missed)
+    print_reason(*study, 1);
+  std::printf("\n\n");
+}
+
+int run_series(const std::string& folder, const std::vector<Series>& all) {
+  std::vector<Study> studies;
+  int failures = 0;
+  std::printf("# QSlim: change of area and volume, relative, and symmetric Hausdorff distance "
+              "(sampled) over the longest side of the bounding box, against the high "
+              "tessellation\n");
+  std::printf("# %-10s %-7s %9s %10s %10s %10s %10s\n", "shape", "mesh", "vertices", "triangles",
+              "area", "volume", "Hausdorff");
+  for(const Series& series : all)
+    try {
+      const auto high =
+          series.mesh.empty() ? std::make_optional(generated_mesh()) : find_mesh_file(series.mesh);
+      if(!high) {
+        std::printf("# %s: SKIPPED, there is no mesh %s\n", series.name.c_str(),
+                    series.mesh.c_str());
+        continue;
+      }
+      if(!series.remark.empty())
+        std::printf("# %s: %s\n", series.name.c_str(), series.remark.c_str());
+      require_watertight(*high);
+      constexpr int depth = 5;
+      studies.emplace_back(series.name, depth, tessellated(series.name, *high));
+      studies.back().write(folder);
+    } catch(const std::exception& e) {
+      std::printf("# %s: %s\n", series.name.c_str(), e.what());
+      ++failures;
+    }
+  std::printf("\n\n");
+  print_dimensions(studies);
+  print_changes(studies);
+  print_verdicts(studies);
   return failures;
 }
 
 // thin shapes
 
+struct Row {
+  std::string method;
+  int level; // depth, or number of refinements
+  Spectrum spectrum;
+};
+
+/// paper's space, default space up to depth 7, cotangent operator up to three refinements
+std::array<std::vector<Row>, 3> thin_spectra(const Surface& surface, int number) {
+  constexpr std::size_t largest_number_of_vertices = 400000;
+  const int kernel = number_of_components(surface);
+  std::array<std::vector<Row>, 3> rows;
+  for(int depth = 4; depth <= 6; ++depth)
+    rows[paper].push_back(
+        {"paper", depth, restricted_spectrum(surface, Space::paper, depth, kernel, number)});
+  for(int depth = 4; depth <= 7; ++depth)
+    rows[restricted].push_back(
+        {"restricted", depth, restricted_spectrum(surface, Space::split, depth, kernel, number)});
+  Surface finer = surface;
+  for(int level = 0;; ++level) {
+    rows[cotangent].push_back({"cotangent", level, cotangent_spectrum(finer, kernel, number)});
+    if(level == 3 || (level > 0 && finer.number_of_vertices() + finer.number_of_faces() * 3 / 2 >
+                                       largest_number_of_vertices))
+      break;
+    finer = refined(finer);
+  }
+  return rows;
+}
+
 void run_thin(const char* name, const char* mesh_name, const std::string& folder) {
   constexpr int number = few - 1;
-  constexpr std::size_t largest_number_of_vertices = 400000;
   const auto found = find_mesh_file(mesh_name);
   if(!found) {
-    std::printf("# %s: there is no mesh %s\n\n\n", name, mesh_name);
+    std::printf("# %s: SKIPPED, there is no mesh %s\n\n\n", name, mesh_name);
     return;
   }
   std::fprintf(stderr, "%s\n", name);
   const Surface surface = RL::read_surface(*found);
-  const int kernel = number_of_components(surface);
-
-  struct Row {
-    std::string method;
-    int level;
-    Spectrum spectrum;
+  const auto rows = thin_spectra(surface, number);
+  const auto last = [&rows](int o, int before) -> const Eigen::VectorXd& {
+    return rows[o][rows[o].size() - 1 - before].spectrum.values;
   };
-  std::vector<Row> rows;
-  for(int depth = 4; depth <= 6; ++depth)
-    rows.push_back(
-        {"paper", depth, restricted_spectrum(surface, Space::paper, depth, kernel, number)});
-  for(int depth = 4; depth <= 7; ++depth)
-    rows.push_back(
-        {"restricted", depth, restricted_spectrum(surface, Space::split, depth, kernel, number)});
-  const std::size_t finest = rows.size() - 1;
-  Surface finer = surface;
-  for(int level = 0;; ++level) {
-    rows.push_back({"cotangent", level, cotangent_spectrum(finer, kernel, number)});
-    if(level == 3 ||
-       finer.number_of_vertices() + finer.number_of_faces() * 3 / 2 > largest_number_of_vertices)
-      break;
-    finer = refined(finer);
-  }
-  const Eigen::VectorXd &fine = rows.back().spectrum.values,
-                        &coarse = rows[rows.size() - 2].spectrum.values,
-                        &split = rows[finest].spectrum.values,
-                        &half = rows[finest - 1].spectrum.values;
-  const Eigen::VectorXd extrapolated = fine + (fine - coarse) / 3;
-  const Difference of_cotangent(fine, coarse), of_split(split, half), both(extrapolated, split);
+  const Eigen::VectorXd extrapolated =
+      last(cotangent, 0) + (last(cotangent, 0) - last(cotangent, 1)) / 3;
+  const Difference of_cotangent(last(cotangent, 0), last(cotangent, 1)),
+      of_split(last(restricted, 0), last(restricted, 1)), both(extrapolated, last(restricted, 0));
   const bool cotangent_counts = of_cotangent.largest <= 1;
+  const Eigen::VectorXd& reference = cotangent_counts ? extrapolated : last(restricted, 0);
   std::printf("# %s: %zu vertices, %zu triangles; the first %d eigenvalues above 0\n", name,
               surface.number_of_vertices(), surface.number_of_faces(), number);
   std::printf("# percent:                                                    largest     mean\n"
@@ -424,11 +469,10 @@ void run_thin(const char* name, const char* mesh_name, const std::string& folder
               "# extrapolated cotangent and restricted, depth 7, differ by %9.3f %9.3f\n",
               of_cotangent.largest, of_cotangent.mean, of_split.largest, of_split.mean,
               both.largest, both.mean);
-  const auto above = (fine - split).array();
   std::printf("# of two upper bounds, that of the finest cotangent operator is above that of "
               "restricted, depth 7, for %d of %d eigenvalues\n",
-              static_cast<int>((above > 0).count()), number);
-  const Eigen::VectorXd& reference = cotangent_counts ? extrapolated : split;
+              static_cast<int>((last(cotangent, 0).array() > last(restricted, 0).array()).count()),
+              number);
   std::printf("# reference: %s\n",
               cotangent_counts ? "cotangent, extrapolated" : "restricted, depth 7");
   std::printf("# %-10s %5s %9s %10s %7s %10s %8s\n", "operator", "level", "unknowns", "largest_%",
@@ -436,17 +480,18 @@ void run_thin(const char* name, const char* mesh_name, const std::string& folder
   std::ofstream file(folder + "/errors_" + name + ".csv");
   file << "# " << name << ": relative error of the first " << number
        << " eigenvalues above 0\noperator,level,unknowns,largest,mean\n";
-  for(const Row& row : rows) {
-    const Difference error(row.spectrum.values, reference);
-    const bool is_reference = !cotangent_counts && &row == &rows[finest];
-    std::printf("%-12s %5d %9zu %10.3f %7d %10.3f %8.1f%s\n", row.method.c_str(), row.level,
-                row.spectrum.unknowns, error.largest, static_cast<int>(error.position) + 1,
-                error.mean, row.spectrum.assembly_seconds + row.spectrum.eigenvalue_seconds,
-                is_reference ? " # the reference" : "");
-    if(!is_reference)
-      file << row.method << ',' << row.level << ',' << row.spectrum.unknowns << ','
-           << error.largest / 100 << ',' << error.mean / 100 << '\n';
-  }
+  for(int o : {paper, restricted, cotangent})
+    for(const Row& row : rows[o]) {
+      const Difference error(row.spectrum.values, reference);
+      const bool is_reference = &row.spectrum.values == &reference;
+      std::printf("%-12s %5d %9zu %10.3f %7d %10.3f %8.1f%s\n", row.method.c_str(), row.level,
+                  row.spectrum.unknowns, error.largest, static_cast<int>(error.position) + 1,
+                  error.mean, row.spectrum.assembly_seconds + row.spectrum.eigenvalue_seconds,
+                  is_reference ? " # the reference" : "");
+      if(!is_reference)
+        file << row.method << ',' << row.level << ',' << row.spectrum.unknowns << ','
+             << error.largest / 100 << ',' << error.mean / 100 << '\n';
+    }
   std::printf("\n\n");
   std::fflush(stdout);
 }
@@ -459,6 +504,10 @@ int main(int argc, char* argv[]) {
   if(parts.size() >= 2 && parts[0] == "--output") {
     folder = parts[1];
     parts.erase(parts.begin(), parts.begin() + 2);
+  }
+  if(!parts.empty() && parts[0][0] == '-') {
+    std::fprintf(stderr, "usage: spectrum_study [--output FOLDER] [sphere|series|thin|MESH]...\n");
+    return 1;
   }
   if(parts.empty())
     parts = {"sphere", "series", "thin"};

@@ -9,7 +9,7 @@
 
 if(!exists("results")) results = 'results/spectrum_study'
 if(!exists("output")) output = 'spectrum_study.png'
-if(!exists("shapes")) shapes = 'sphere_octahedral_depth_5 bimba fish pulley'
+if(!exists("shapes")) shapes = 'sphere_icosahedral_depth_5 bimba fish pulley'
 rows = words(shapes)
 set terminal pngcairo size 1050, 60 + 230 * rows font 'Sans,9' noenhanced
 set output output

@@ -8,6 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_plane_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -26,13 +28,11 @@ namespace RL = CGAL::Restricted_laplacian_3;
 using Mesh = CGAL::Surface_mesh<RL::Point_3>;
 
 /// \throws std::runtime_error if the mesh is not a closed surface of one component
-inline void require_watertight(const Mesh& mesh) {
+inline void require_watertight(Mesh mesh) {
   if(!CGAL::is_closed(mesh) || !CGAL::is_triangle_mesh(mesh) || !CGAL::is_valid_polygon_mesh(mesh))
     throw std::runtime_error("the mesh is not watertight");
-  auto component =
-      const_cast<Mesh&>(mesh).add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
+  const auto component = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
   const std::size_t number = CGAL::Polygon_mesh_processing::connected_components(mesh, component);
-  const_cast<Mesh&>(mesh).remove_property_map(component);
   if(number != 1)
     throw std::runtime_error("the mesh has " + std::to_string(number) + " components");
 }
