@@ -18,13 +18,9 @@
 //        thin_features --gaps
 // --values also prints the eigenvalues
 
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/assemble.h>
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
-#include <CGAL/Restricted_laplacian_3/eigenpairs.h>
+#include "support/spectra.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <Eigen/Core>
@@ -36,150 +32,16 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <stdexcept>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
+using namespace benchmarks;
 
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-struct Spectrum {
-  Eigen::VectorXd values; // without those of the kernel, in units of 1 / area
-  std::size_t unknowns = 0;
-  double sheets_per_cell = 0;
-  double assembly_seconds = 0;
-  double eigenvalue_seconds = 0;
-};
-
-/// the `count` smallest eigenvalues after the first `kernel` ones
-void solve(const RL::Operators& operators, int kernel, int count, Spectrum& spectrum) {
-  CGAL::Real_timer timer;
-  timer.start();
-  RL::Eigenpairs_options options;
-  options.tolerance = 1e-8;
-  const RL::Eigenpairs pairs =
-      RL::smallest_eigenpairs(operators.stiffness, operators.mass, kernel + count, options);
-  if(!pairs.converged)
-    throw std::runtime_error("the eigenvalues did not converge");
-  spectrum.unknowns = static_cast<std::size_t>(operators.stiffness.rows());
-  spectrum.values = pairs.values.tail(count) * operators.mass.coeffs().sum();
-  spectrum.eigenvalue_seconds = timer.time();
-  std::fprintf(stderr, "%zu unknowns, %.1f s + %.1f s\n", spectrum.unknowns,
-               spectrum.assembly_seconds, spectrum.eigenvalue_seconds);
-}
-
-RL::Spline_space_3 space_of(const RL::Triangulated_surface_3& surface, bool is_split, int depth) {
-  RL::Spline_space_options options;
-  options.octree_depth = depth;
-  options.split_elements = is_split;
-  return RL::Spline_space_3(surface, options);
-}
-
-Spectrum restricted_spectrum(const RL::Triangulated_surface_3& surface, bool is_split, int depth,
-                             int kernel, int count) {
-  std::fprintf(stderr, "  %s, depth %d: ", is_split ? "split" : "unsplit", depth);
-  Spectrum spectrum;
-  CGAL::Real_timer timer;
-  timer.start();
-  RL::Operators operators;
-  {
-    const RL::Spline_space_3 space = space_of(surface, is_split, depth);
-    spectrum.sheets_per_cell = static_cast<double>(space.octree().number_of_sheets(depth)) /
-                               static_cast<double>(space.octree().number_of_cells(depth));
-    operators = RL::assemble_operators(space);
-  }
-  spectrum.assembly_seconds = timer.time();
-  solve(operators, kernel, count, spectrum);
-  return spectrum;
-}
-
-Spectrum cotangent_spectrum(const RL::Triangulated_surface_3& surface, int kernel, int count) {
-  std::fprintf(stderr, "  cotangent: ");
-  Spectrum spectrum;
-  CGAL::Real_timer timer;
-  timer.start();
-  const RL::Operators operators = RL::cotangent_operators(surface);
-  spectrum.assembly_seconds = timer.time();
-  solve(operators, kernel, count, spectrum);
-  return spectrum;
-}
-
-/// each triangle cut into four by the midpoints of its sides
-RL::Triangulated_surface_3 refined(const RL::Triangulated_surface_3& surface) {
-  std::vector<RL::Point_3> points;
-  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-    points.push_back(surface.point(v));
-  std::unordered_map<std::uint64_t, std::uint32_t> midpoints;
-  const auto midpoint = [&](std::uint32_t a, std::uint32_t b) {
-    const auto [low, high] = std::minmax(a, b);
-    const auto [it, is_new] =
-        midpoints.insert({std::uint64_t(low) << 32 | high, std::uint32_t(points.size())});
-    if(is_new)
-      points.push_back(CGAL::midpoint(surface.point(low), surface.point(high)));
-    return it->second;
-  };
-  std::vector<RL::Triangulated_surface_3::Triangle> finer;
-  for(std::size_t i = 0; i < surface.number_of_faces(); ++i) {
-    const auto& f = surface.triangle(i);
-    const std::uint32_t a = midpoint(f[0], f[1]), b = midpoint(f[1], f[2]),
-                        c = midpoint(f[2], f[0]);
-    finer.insert(finer.end(), {{f[0], a, c}, {a, f[1], b}, {c, b, f[2]}, {a, b, c}});
-  }
-  return RL::Triangulated_surface_3(std::move(points), std::move(finer));
-}
-
-/// differences of eigenvalues relative to those of a reference, in percent
-struct Difference {
-  Difference(const Eigen::VectorXd& values, const Eigen::VectorXd& reference) {
-    const Eigen::ArrayXd d = 100 * ((values - reference).array() / reference.array()).abs();
-    largest = d.maxCoeff(&position);
-    mean = d.mean();
-  }
-  double largest, mean;
-  Eigen::Index position;
-};
-
-void print_values(const char* name, const Eigen::VectorXd& values) {
-  std::printf("# %s:", name);
-  for(double value : values)
-    std::printf(" %.6g", value);
-  std::printf("\n");
-}
-
-/// The cotangent operator after as many midpoint refinements as fit, but at most 3, and after one
-/// less.
-struct Cotangent_reference {
-  Cotangent_reference(RL::Triangulated_surface_3 surface, int kernel, int count) {
-    constexpr std::size_t largest_number_of_vertices = 1200000;
-    for(; refinements < 3; ++refinements) {
-      // A triangulation has about 3/2 edges for each triangle.
-      if(surface.number_of_vertices() + surface.number_of_faces() * 3 / 2 >
-         largest_number_of_vertices)
-        break;
-      // Two spectra will do, but which refinement is the last is known only here.
-      const RL::Triangulated_surface_3 finer = refined(surface);
-      const bool is_last =
-          refinements == 2 ||
-          finer.number_of_vertices() + finer.number_of_faces() * 3 / 2 > largest_number_of_vertices;
-      if(is_last) {
-        coarse = cotangent_spectrum(surface, kernel, count);
-        fine = cotangent_spectrum(finer, kernel, count);
-      }
-      surface = finer;
-    }
-    if(refinements > 0)
-      extrapolated = fine.values + (fine.values - coarse.values) / 3;
-  }
-
-  int refinements = 0;
-  Spectrum coarse, fine;
-  Eigen::VectorXd extrapolated;
-};
 
 void run_mesh(const std::string& name, const RL::Triangulated_surface_3& surface,
               bool prints_values) {
@@ -192,14 +54,14 @@ void run_mesh(const std::string& name, const RL::Triangulated_surface_3& surface
 
   int depth = 8, kernel;
   {
-    const RL::Spline_space_3 space = space_of(surface, true, depth);
+    const RL::Spline_space_3 space = space_of(surface, Space::split, depth);
     kernel = static_cast<int>(space.octree().number_of_sheets(0));
     if(space.dimension() > largest_reference) {
       std::printf("# depth 8 has %zu unknowns, too many here\n", space.dimension());
       depth = 7;
     }
   }
-  const Spectrum finest = restricted_spectrum(surface, true, depth, kernel, count);
+  const Spectrum finest = restricted_spectrum(surface, Space::split, depth, kernel, count);
   const Cotangent_reference cotangent(surface, kernel, count);
 
   bool cotangent_counts = false;
@@ -208,7 +70,7 @@ void run_mesh(const std::string& name, const RL::Triangulated_surface_3& surface
   else {
     const Difference change(cotangent.fine.values, cotangent.coarse.values),
         difference(cotangent.extrapolated, finest.values);
-    cotangent_counts = change.largest <= cotangent_tolerance;
+    cotangent_counts = cotangent.counts(cotangent_tolerance);
     std::printf("# cotangent operator, %d and %d refinements, %zu and %zu unknowns: differ by at "
                 "most %.3g %%, mean %.3g %%%s\n",
                 cotangent.refinements - 1, cotangent.refinements, cotangent.coarse.unknowns,
@@ -239,24 +101,24 @@ void run_mesh(const std::string& name, const RL::Triangulated_surface_3& surface
 
   std::printf("# %-6s %5s %9s %11s %10s %7s %10s %8s %8s\n", "space", "depth", "unknowns",
               "sheets/cell", "largest_%", "number", "mean_%", "assem_s", "eigen_s");
-  const auto print = [&](bool is_split, int d, const Spectrum& spectrum) {
+  const auto print = [&](Space space, int d, const Spectrum& spectrum) {
     const Difference difference(spectrum.values, reference);
-    std::printf("%-8s %5d %9zu %11.3f %10.3f %7d %10.3f %8.1f %8.1f%s\n",
-                is_split ? "split" : "unsplit", d, spectrum.unknowns, spectrum.sheets_per_cell,
-                difference.largest, static_cast<int>(difference.position) + 1, difference.mean,
+    std::printf("%-8s %5d %9zu %11.3f %10.3f %7d %10.3f %8.1f %8.1f%s\n", name_of(space), d,
+                spectrum.unknowns, spectrum.sheets_per_cell, difference.largest,
+                static_cast<int>(difference.position) + 1, difference.mean,
                 spectrum.assembly_seconds, spectrum.eigenvalue_seconds,
                 cotangent_counts || d < depth ? ""
-                : is_split                    ? " # the reference"
+                : space == Space::split       ? " # the reference"
                                               : " # as deep as the reference");
     if(prints_values)
       print_values("values", spectrum.values);
     std::fflush(stdout);
   };
-  for(bool is_split : {false, true})
+  for(Space space : {Space::unsplit, Space::split})
     for(int d = 5; d <= 7; ++d)
-      if(!is_split || d < depth)
-        print(is_split, d, restricted_spectrum(surface, is_split, d, kernel, count));
-  print(true, depth, finest);
+      if(space == Space::unsplit || d < depth)
+        print(space, d, restricted_spectrum(surface, space, d, kernel, count));
+  print(Space::split, depth, finest);
   std::printf("\n\n");
 }
 
@@ -360,12 +222,12 @@ void run_gap(const char* name, Profile (*profile_of)(double), bool is_closed, in
   const RL::Triangulated_surface_3 surface = swept(profile, is_closed);
   constexpr int count = 20;
   const Eigen::VectorXd exact = exact_eigenvalues(length(profile, is_closed), is_closed, count);
-  for(bool is_split : {false, true}) {
-    const Spectrum spectrum = restricted_spectrum(surface, is_split, depth, 1, count);
+  for(Space space : {Space::unsplit, Space::split}) {
+    const Spectrum spectrum = restricted_spectrum(surface, space, depth, 1, count);
     const Difference difference(spectrum.values, exact);
     std::printf("%-10s %5d    h/%-4d %-8s %9zu %11.3f %10.4f %10.4f\n", name, depth, divisor,
-                is_split ? "split" : "unsplit", spectrum.unknowns, spectrum.sheets_per_cell,
-                difference.largest, difference.mean);
+                name_of(space), spectrum.unknowns, spectrum.sheets_per_cell, difference.largest,
+                difference.mean);
     std::fflush(stdout);
   }
 }

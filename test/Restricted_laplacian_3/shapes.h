@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -130,6 +131,10 @@ inline Triangles box(double x, double y, double z, int n, unsigned seed) {
 /// Reads a mesh file; the mesh is empty if there is no such file. Not inline, because the readers
 /// of all formats take long to compile.
 Mesh read(const std::string& path);
+
+/// QSlim: a closed mesh with so many vertices that stands for the same surface. Not inline, because
+/// it takes long to compile.
+Mesh simplified(Mesh mesh, std::size_t vertices);
 
 } // namespace shapes
 

@@ -6,12 +6,12 @@
 
 // How the comparisons call the package: one function for each choice that they compare.
 
+#include "meshes.h"
+
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -19,9 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <fstream>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,29 +26,6 @@
 namespace benchmarks {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-
-/// A mesh file, or the mesh of that name in the folder of shared meshes; nothing, and a message, if
-/// there is none.
-inline std::optional<CGAL::Surface_mesh<RL::Point_3>> find_mesh_file(const std::string& name) {
-  for(const std::string& file :
-      {name, std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + name + ".ply"}) {
-    if(!std::ifstream(file).good())
-      continue;
-    CGAL::Surface_mesh<RL::Point_3> mesh;
-    if(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
-      return mesh;
-  }
-  std::fprintf(stderr, "SKIPPED: there is no mesh %s, nor %s.ply in the folder of shared meshes\n",
-               name.c_str(), name.c_str());
-  return std::nullopt;
-}
-
-/// the same as a surface
-inline std::optional<RL::Triangulated_surface_3> find_mesh(const std::string& name) {
-  if(const auto mesh = find_mesh_file(name))
-    return RL::read_surface(*mesh);
-  return std::nullopt;
-}
 
 inline RL::Spline_space_options space_options(int depth, bool is_split, int threads) {
   RL::Spline_space_options options;
