@@ -35,7 +35,7 @@ namespace Restricted_laplacian_3 {
 struct Multigrid_eigenpairs_options {
   /// the largest of `Eigenpairs::residuals` that counts as converged; the relative error of an
   /// eigenvalue is of the order of its square
-  double relative_tolerance = 1e-5;
+  double relative_tolerance = 1e-4;
   /// on each level
   int maximum_iterations = 100;
   /// of a cycle: smoothing steps before, and again after the coarse correction
