@@ -9,6 +9,7 @@
 #include "support/picture.h"
 #include "support/program.h"
 #include "support/space.h"
+#include "support/spectrum.h"
 #include "support/table.h"
 #include "support/threads.h"
 
@@ -44,7 +45,7 @@ const char* const usage =
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "what it found was written.\n";
 
-struct Options : Common_options {
+struct Options : Common_options, Eigensolver_options {
   int count = 20;
   int eigenfunction = 1;
   std::string operator_name = "restricted", mass = "full";
@@ -63,7 +64,7 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
       "index, from 0, of the eigenfunction for --output and --picture");
   po::options_description all(help_width);
-  all.add(problem).add(space_options(o)).add(output_options(o));
+  all.add(problem).add(eigensolver_options(o)).add(space_options(o)).add(output_options(o));
 
   po::variables_map given;
   if(!parse_command_line(argc, argv, usage, all, o, given))
@@ -73,33 +74,12 @@ bool read_options(int argc, char* argv[], Options& o) {
   require_choice("mass", o.mass, {"lumped", "full"});
   require(given["mass"].defaulted() || o.operator_name == "cotangent",
           "--mass needs --operator cotangent");
+  check_eigensolver_options(o, given, o.space.paper_space);
   if(given["eigenfunction"].defaulted())
     o.eigenfunction = std::min(o.eigenfunction, o.count - 1);
   require(o.eigenfunction >= 0 && o.eigenfunction < o.count,
           "the argument of --eigenfunction must be at least 0 and less than that of --count");
   return true;
-}
-
-// Solves the problem for matrices that `assemble` makes, and describes what was done.
-template <typename Assemble>
-RL::Eigenpairs solve(const Options& o, Summary& summary, const Progress& progress,
-                     Assemble assemble) {
-  CGAL::Real_timer timer;
-  timer.start();
-  progress.show("assembling");
-  const RL::Operators operators = assemble();
-  const double assembly_seconds = timer.time();
-
-  progress.show("computing eigenvalues of " + std::to_string(operators.stiffness.rows()) +
-                " unknowns");
-  const RL::Eigenpairs pairs =
-      RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count);
-
-  summary.add("assembly_seconds", assembly_seconds);
-  summary.add("solve_seconds", timer.time() - assembly_seconds);
-  summary.add("iterations", pairs.iterations);
-  summary.add("relative_residual", pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
-  return pairs;
 }
 
 // Each of these two returns the eigenvalues that were found, and sets `u` to the eigenfunction that
@@ -114,11 +94,7 @@ RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const
   add_space(summary, space);
   summary.add("setup_seconds", timer.time());
 
-  const RL::Eigenpairs pairs = solve(o, summary, progress, [&] {
-    return assemble_with(space, o, [&](const auto& integration) {
-      return RL::assemble_operators(space, space.depth(), integration);
-    });
-  });
+  RL::Eigenpairs pairs = solve_spectrum(space, o.count, o, o, summary, progress).pairs;
   if(o.eigenfunction < pairs.values.size())
     u = RL::Spline_function_3(space, pairs.vectors.col(o.eigenfunction)).values_at_vertices();
   return pairs;
@@ -127,9 +103,19 @@ RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const
 RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const Options& o,
                                std::vector<double>& u, Summary& summary, const Progress& progress) {
   summary.add("dimension", surface.number_of_vertices());
+  CGAL::Real_timer timer;
+  timer.start();
+  progress.show("assembling");
+  const RL::Operators operators = RL::cotangent_operators(surface, o.mass == "lumped");
+  const double assembly_seconds = timer.time();
 
-  const RL::Eigenpairs pairs = solve(
-      o, summary, progress, [&] { return RL::cotangent_operators(surface, o.mass == "lumped"); });
+  progress.show("computing eigenvalues of " + std::to_string(operators.stiffness.rows()) +
+                " unknowns");
+  RL::Eigenpairs pairs = RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count);
+  summary.add("assembly_seconds", assembly_seconds);
+  summary.add("solve_seconds", timer.time() - assembly_seconds);
+  summary.add("iterations", pairs.iterations);
+  summary.add("relative_residual", pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
   if(o.eigenfunction < pairs.values.size())
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       if(!surface.is_degenerate(f))

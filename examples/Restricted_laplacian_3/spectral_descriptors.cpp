@@ -9,6 +9,7 @@
 #include "support/picture.h"
 #include "support/program.h"
 #include "support/space.h"
+#include "support/spectrum.h"
 #include "support/table.h"
 #include "support/threads.h"
 
@@ -57,7 +58,7 @@ const char* const usage =
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "what it found was written.\n";
 
-struct Options : Common_options {
+struct Options : Common_options, Eigensolver_options {
   int count = 100;
   std::string descriptor = "hks";
   int columns = 100;
@@ -111,7 +112,7 @@ bool read_options(int argc, char* argv[], Options& o) {
       "index, from 0, of the column for --output and --picture (default: the middle one of hks and "
       "wks, the first of others)");
   po::options_description all(help_width);
-  all.add(problem).add(space_options(o)).add(output_options(o));
+  all.add(problem).add(eigensolver_options(o)).add(space_options(o)).add(output_options(o));
 
   po::variables_map given;
   if(!parse_command_line(argc, argv, usage, all, o, given))
@@ -119,6 +120,7 @@ bool read_options(int argc, char* argv[], Options& o) {
   require_choice("descriptor", o.descriptor,
                  {"hks", "wks", "gps", "biharmonic", "diffusion", "shape-dna"});
   require(o.count > 0, "the argument of --count must be positive");
+  check_eigensolver_options(o, given, o.space.paper_space);
   require(o.columns > 1, "the argument of --columns must be at least 2");
   require_descriptor(given, o, "columns", {"hks", "wks"});
   require_descriptor(given, o, "time", {"hks", "diffusion"});
@@ -149,31 +151,14 @@ RL::Laplace_spectrum spectrum_of(const RL::Triangulated_surface_3& surface, cons
   add_space(summary, space);
   const double setup_seconds = timer.time();
 
-  progress.show("assembling");
-  const RL::Operators operators = assemble_with(space, o, [&](const auto& integration) {
-    return RL::assemble_operators(space, space.depth(), integration);
-  });
-  const double assembly_seconds = timer.time() - setup_seconds;
-
-  progress.show("computing eigenvalues of " + std::to_string(operators.stiffness.rows()) +
-                " unknowns");
-  RL::Laplace_spectrum spectrum;
-  spectrum.pairs = RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count);
-  spectrum.eigenvalues = spectrum.pairs.values;
-  spectrum.area = surface.area();
-  const double solve_seconds = timer.time() - setup_seconds - assembly_seconds;
+  summary.add("setup_seconds", setup_seconds);
+  RL::Laplace_spectrum spectrum = solve_spectrum(space, o.count, o, o, summary, progress);
 
   progress.show("evaluating eigenfunctions");
   if(o.is_of_vertices())
     spectrum.vertex_values =
         RL::Spline_functions_3(space, spectrum.pairs.vectors).values_at_vertices();
 
-  summary.add("setup_seconds", setup_seconds);
-  summary.add("assembly_seconds", assembly_seconds);
-  summary.add("solve_seconds", solve_seconds);
-  summary.add("iterations", spectrum.pairs.iterations);
-  summary.add("relative_residual",
-              spectrum.pairs.residuals.size() ? spectrum.pairs.residuals.maxCoeff() : 0.);
   summary.add("zero_eigenvalues", RL::number_of_zero_eigenvalues(spectrum));
   return spectrum;
 }

@@ -59,11 +59,11 @@ struct Laplace_spectrum {
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The factor \f$c\f$ of the stabilisation of the stiffness matrix, see `assemble_operators()`, that
-/// `laplace_spectrum()` uses unless told otherwise: 1e-5, and 0 in the space of the paper. It makes
+/// `laplace_spectrum()` uses unless told otherwise: 1e-4, and 0 in the space of the paper. It makes
 /// `multigrid_eigenpairs()` converge on any surface, and changes eigenvalues by less than the
 /// discretisation does.
 inline double default_spectrum_stabilization(const Spline_space_3& space) {
-  return space.is_paper_space() ? 0 : 1e-5;
+  return space.is_paper_space() ? 0 : 1e-4;
 }
 
 namespace internal {
@@ -109,7 +109,8 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
-/// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1).
+/// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
+/// `vertex_values` remains empty.
 /// \param integration a model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
 /// - `eigensolver`: `Eigensolver::multigrid`, `Eigensolver::shift_invert`, or (default)
@@ -125,9 +126,9 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
 /// \throws Numerical_error if a factorization fails
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<SurfaceIntegration> = 0>
-Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
-                                  const SurfaceIntegration& integration,
-                                  const NamedParameters& np = parameters::default_values()) {
+Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
+                                    const SurfaceIntegration& integration,
+                                    const NamedParameters& np = parameters::default_values()) {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   if(k < 1)
@@ -166,6 +167,18 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
   }
   spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
   spectrum.area = space.surface().area();
+  return spectrum;
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
+/// Parameters and exceptions are those of `laplace_eigenpairs()`.
+template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_no_named_parameters<SurfaceIntegration> = 0>
+Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
+                                  const SurfaceIntegration& integration,
+                                  const NamedParameters& np = parameters::default_values()) {
+  Laplace_spectrum spectrum = laplace_eigenpairs(space, k, integration, np);
   spectrum.vertex_values = Spline_functions_3(space, spectrum.pairs.vectors).values_at_vertices();
   return spectrum;
 }
@@ -198,7 +211,7 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
 /// the natural boundary condition if it is open.
 /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
-/// \param np optional named parameters: those of `Spline_space_3`, and of the overload for spaces
+/// \param np optional named parameters: those of `Spline_space_3` and of `laplace_eigenpairs()`
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>

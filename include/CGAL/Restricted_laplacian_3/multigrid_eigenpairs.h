@@ -145,25 +145,36 @@ public:
 
   /// of the last level
   int iterations() const { return m_iterations; }
-  /// Rayleigh quotients and residuals of the vectors
-  const Eigen::VectorXd& values() const { return m_values; }
-  const Eigen::VectorXd& residuals() const { return m_residuals; }
-
-  /// the first vectors, normalized as those of `Eigenpairs`; all are given up
-  Eigen::MatrixXd take_vectors(Eigen::Index count) {
+  /// Moves the first vectors to `pairs`, normalized, with their values and residuals.
+  void take_pairs(Eigen::Index count, Eigenpairs& pairs) {
     m_w = m_p = Column_panels<float>();
-    Eigen::MatrixXd result(m_x.rows(), count);
+    // copies of an eigenvalue may be out of order by rounding
+    std::vector<Eigen::Index> order(count);
+    std::iota(order.begin(), order.end(), Eigen::Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [this](Eigen::Index i, Eigen::Index j) { return m_values[i] < m_values[j]; });
+    pairs.values.resize(count);
+    pairs.residuals.resize(count);
+    Eigen::MatrixXd& result = pairs.vectors;
+    result.resize(m_x.rows(), count);
+    for(Eigen::Index i = 0; i < count; ++i) {
+      pairs.values[i] = m_values[order[i]];
+      pairs.residuals[i] = m_residuals[order[i]];
+    }
+    std::vector<Eigen::Index> place(count);
+    for(Eigen::Index i = 0; i < count; ++i)
+      place[order[i]] = i;
     for(Eigen::Index j = 0; j < count; ++j) {
+      auto column = result.col(place[j]);
       for(Eigen::Index i = 0; i < m_x.rows(); ++i)
-        result(i, j) = m_x.column(j)[panel_width * i];
+        column[i] = m_x.column(j)[panel_width * i];
       Eigen::Index largest;
-      result.col(j).cwiseAbs().maxCoeff(&largest);
-      result.col(j) /= result(largest, j) < 0 ? -std::sqrt(m_masses[j]) : std::sqrt(m_masses[j]);
+      column.cwiseAbs().maxCoeff(&largest);
+      column /= column[largest] < 0 ? -std::sqrt(m_masses[j]) : std::sqrt(m_masses[j]);
       if(j % panel_width == panel_width - 1)
         m_x.release(static_cast<std::size_t>(j / panel_width));
     }
     m_x = Column_panels<double>();
-    return result;
   }
 
 private:
@@ -565,10 +576,8 @@ multigrid_eigenpairs(std::vector<Eigen::SparseMatrix<double>> stiffness,
                    [&progress](double part) { progress.show(part); });
   }
   pairs.iterations = solver.iterations();
-  pairs.values = solver.values().head(k);
-  pairs.residuals = solver.residuals().head(k);
+  solver.take_pairs(k, pairs);
   pairs.converged = (pairs.residuals.array() <= options.relative_tolerance).all();
-  pairs.vectors = solver.take_vectors(k);
   return pairs;
 }
 

@@ -251,6 +251,10 @@ test_bad_input() {
   fails "mass" laplace_spectrum small.off --operator cotangent --mass magic
   fails "eigenfunction" laplace_spectrum small.off --count 3 --eigenfunction 3
   fails "eigenfunction" laplace_spectrum small.off --count 3 --eigenfunction -1
+  fails "eigensolver" laplace_spectrum small.off --eigensolver magic
+  fails "eigensolver" laplace_spectrum small.off --eigensolver multigrid --paper
+  fails "tolerance" laplace_spectrum small.off --tolerance 0
+  fails "stabilization" laplace_spectrum small.off --stabilization -1
   program=spectral_descriptors
   fails "descriptor" $program small.off --descriptor magic
   fails "count" $program small.off --count 0
@@ -463,6 +467,20 @@ test_spectrum() {
   check "prints the eigenvalues" grep -q "[^0-9]2\.0" out
   check "the mesh has the eigenfunction" grep -aqx "property double value" s.ply
   check "the picture is not empty" [ "$(wc -c < s.png)" -gt 10000 ]
+
+  # Both eigensolvers find the same, and the parameters of multigrid matter.
+  for solver in multigrid shift-invert; do
+    succeeds laplace_spectrum sphere.off --depth 4 --count 16 --eigensolver $solver \
+      --tolerance 1e-6 --csv $solver.csv
+    check "eigenvalues of the sphere, $solver" has_sphere_spectrum $solver.csv 1e-2
+    numbers $solver.csv > $solver
+  done
+  check "eigensolvers agree" eval "paste multigrid shift-invert |
+    awk '{ d = \$1 - \$2; if(d * d > 1e-14) exit 1 }'"
+  check "residual of multigrid" is_near "$(comment relative_residual multigrid.csv)" 0 1e-6
+  succeeds laplace_spectrum sphere.off --depth 4 --count 16 --stabilization 0.1 --csv strong.csv
+  numbers strong.csv > strong
+  check "stabilization matters" eval "! cmp -s strong shift-invert"
 
   for mass in lumped full; do
     succeeds laplace_spectrum sphere.off --operator cotangent --mass $mass --count 16 --csv c.csv

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_SPECTRUM_H
+#define RESTRICTED_LAPLACIAN_3_EXAMPLES_SPECTRUM_H
+
+// What the programs that compute eigenfunctions have in common: options, progress, the summary.
+
+#include "command_line.h"
+#include "program.h"
+#include "space.h"
+#include "table.h"
+
+#include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+
+#include <cmath>
+#include <string>
+
+namespace examples {
+
+struct Eigensolver_options {
+  std::string eigensolver = "auto";
+  double tolerance = RL::Multigrid_eigenpairs_options().relative_tolerance;
+  double stabilization = -1; // the default
+};
+
+inline po::options_description eigensolver_options(Eigensolver_options& o) {
+  po::options_description options("Eigensolver", help_width);
+  auto add = options.add_options();
+  add("eigensolver", po::value(&o.eigensolver)->value_name("NAME")->default_value(o.eigensolver),
+      "multigrid, shift-invert (a factorization), or auto: the faster one");
+  add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
+      "relative residual of multigrid; errors of eigenvalues are about its square");
+  add("stabilization", po::value(&o.stabilization)->value_name("C"),
+      "factor of the stabilization by normal derivatives; default 0.0001, or 0 with --paper");
+  return options;
+}
+
+inline void check_eigensolver_options(const Eigensolver_options& o, const po::variables_map& given,
+                                      bool is_paper) {
+  require_choice("eigensolver", o.eigensolver, {"auto", "multigrid", "shift-invert"});
+  require(o.eigensolver != "multigrid" || !is_paper, "--eigensolver multigrid excludes --paper");
+  require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
+  require(given.count("stabilization") == 0 ||
+              (o.stabilization >= 0 && std::isfinite(o.stabilization)),
+          "the argument of --stabilization must be a number that is not negative");
+}
+
+// The smallest eigenpairs on a space, without values at the vertices.
+inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int count,
+                                           const Common_options& common,
+                                           const Eigensolver_options& o, Summary& summary,
+                                           const Progress& progress) {
+  namespace params = CGAL::parameters;
+  progress.show("assembling " + std::to_string(space.dimension()) + " unknowns");
+  int shown = -1;
+  const auto show = [&](double part) {
+    const int percent = static_cast<int>(100 * part);
+    if(percent != shown)
+      progress.show("computing eigenvalues: " + std::to_string(percent) + " %");
+    shown = percent;
+    return true;
+  };
+  const double stabilization =
+      o.stabilization < 0 ? RL::default_spectrum_stabilization(space) : o.stabilization;
+  const RL::Eigensolver eigensolver = o.eigensolver == "multigrid" ? RL::Eigensolver::multigrid
+                                      : o.eigensolver == "shift-invert"
+                                          ? RL::Eigensolver::shift_invert
+                                          : RL::Eigensolver::automatic;
+  const RL::Laplace_spectrum spectrum = assemble_with(space, common, [&](const auto& integration) {
+    return RL::laplace_eigenpairs(
+        space, count, integration,
+        params::eigensolver(
+            eigensolver,
+            params::relative_tolerance(o.tolerance, params::normal_stabilization(stabilization)))
+            .callback(show));
+  });
+  summary.add("assembly_seconds", spectrum.report.assembly_seconds);
+  summary.add("solve_seconds", spectrum.report.solve_seconds);
+  summary.add("iterations", spectrum.report.iterations);
+  summary.add("relative_residual", spectrum.report.relative_residual);
+  return spectrum;
+}
+
+} // namespace examples
+
+#endif // RESTRICTED_LAPLACIAN_3_EXAMPLES_SPECTRUM_H
