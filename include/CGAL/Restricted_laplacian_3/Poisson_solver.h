@@ -222,7 +222,7 @@ public:
     timer.start();
     x.derived().resize(b.rows(), b.cols());
     for(Eigen::Index column = 0; column < b.cols();) {
-      // Some columns travel with empty ones: a cycle takes about twice as long for eight as for one.
+      // Some columns travel with empty ones: eight take about twice as long as one.
       column += std::visit(
           [&](const auto& multigrid) {
             return b.cols() - column == 1

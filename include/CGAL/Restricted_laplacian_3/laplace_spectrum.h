@@ -58,8 +58,8 @@ struct Laplace_spectrum {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// The factor \f$c\f$ of the stabilisation of the stiffness matrix, see `assemble_operators()`, that
-/// `laplace_spectrum()` uses unless told otherwise: 1e-4, and 0 in the space of the paper. It makes
+/// The factor \f$c\f$ of the stabilisation of the stiffness matrix, see `assemble_operators()`,
+/// that `laplace_spectrum()` uses unless told otherwise: 1e-4, and 0 in the space of the paper. It makes
 /// `multigrid_eigenpairs()` converge on any surface, and changes eigenvalues by less than the
 /// discretisation does.
 inline double default_spectrum_stabilization(const Spline_space_3& space) {

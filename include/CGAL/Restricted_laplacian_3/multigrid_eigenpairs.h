@@ -53,8 +53,8 @@ namespace internal {
 /// Comput. 23, 2001) on one level of a hierarchy after the other, see `multigrid_eigenpairs()`.
 ///
 /// In each iteration the problem is projected to the space of the current vectors \f$X\f$, their
-/// preconditioned residuals \f$W\f$, and their last changes \f$P\f$. With \f$A = S + \alpha M\f$ the
-/// projected problem is solved as \f$M x = \nu A x\f$, \f$\nu = 1 / (\lambda + \alpha)\f$: \f$A\f$
+/// preconditioned residuals \f$W\f$, and their last changes \f$P\f$. With \f$A = S + \alpha M\f$
+/// the projected problem is solved as \f$M x = \nu A x\f$, \f$\nu = 1 / (\lambda + \alpha)\f$: \f$A\f$
 /// is positive definite, while \f$M\f$ is singular to rounding on functions that nearly vanish on
 /// the surface.
 ///

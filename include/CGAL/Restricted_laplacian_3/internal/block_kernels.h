@@ -263,8 +263,8 @@ void subtract_columns(const float* values, const std::uint32_t* columns, std::si
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(subtract_columns<K>(values, columns, count, rows, x, sum));
 }
 
-/// Product of a symmetric matrix with `K` vectors. The matrix consists of `number` x `number` blocks
-/// of 8 x 8 numbers, of which the upper triangle is stored, one column of blocks after the other.
+/// Product of a symmetric matrix with `K` vectors. The matrix has `number` x `number` blocks of
+/// 8 x 8 numbers, of which the upper triangle is stored, one column of blocks after the other.
 template <int K>
 void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_symmetric<K>(blocks, number, from, to));
