@@ -54,9 +54,9 @@ namespace internal {
 ///
 /// In each iteration the problem is projected to the space of the current vectors \f$X\f$, their
 /// preconditioned residuals \f$W\f$, and their last changes \f$P\f$. With \f$A = S + \alpha M\f$
-/// the projected problem is solved as \f$M x = \nu A x\f$, \f$\nu = 1 / (\lambda + \alpha)\f$: \f$A\f$
-/// is positive definite, while \f$M\f$ is singular to rounding on functions that nearly vanish on
-/// the surface.
+/// the projected problem is solved as \f$M x = \nu A x\f$, \f$\nu = 1 / (\lambda + \alpha)\f$:
+/// \f$A\f$ is positive definite, while \f$M\f$ is singular to rounding on functions that nearly
+/// vanish on the surface.
 ///
 /// Vectors that have converged, and those beyond the number that is asked for, take part in the
 /// projection, but have no \f$W\f$ and \f$P\f$ (soft locking). The products

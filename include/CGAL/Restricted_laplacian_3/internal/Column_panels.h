@@ -109,9 +109,9 @@ scalar_products(bool is_parallel, const std::vector<Panel_view>& panels, std::si
   return result;
 }
 
-/// Replaces `x` by the product of the panels with the matrix `c`, and `p` by that with `d`. Both may
-/// be among the panels. The matrices have a row for each column of the
-/// panels, of which the ones that a panel has too many are 0.
+/// Replaces `x` by the product of the panels with the matrix `c`, and `p` by that with `d`. Both
+/// may be among the panels. The matrices have a row for each column of the panels, of which the
+/// ones that a panel has too many are 0.
 inline void combine(bool is_parallel, const std::vector<Panel_view>& panels,
                     const Eigen::MatrixXd& c, Column_panels<double>& x, const Eigen::MatrixXd& d,
                     Column_panels<float>& p) {
