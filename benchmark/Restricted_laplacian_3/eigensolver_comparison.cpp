@@ -138,7 +138,8 @@ void compare_on_matrices(const Options& o) {
   const auto surface = find_mesh(o.mesh);
   if(!surface)
     return;
-  const RL::Spline_space_3 space(*surface, space_options(o.depths[0], true, o.threads));
+  // without threads: those of TBB would not exist in the child processes
+  const RL::Spline_space_3 space(*surface, space_options(o.depths[0], true, 1));
   const int coarsest = RL::internal::coarsest_multigrid_level(space);
   std::vector<RL::Operators> operators = level_operators(space, coarsest);
   std::printf("# %s, depth %d, %d pairs, tolerance %g\n# what                  threads  unknowns  "

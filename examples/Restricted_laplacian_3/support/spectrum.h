@@ -32,7 +32,7 @@ inline po::options_description eigensolver_options(Eigensolver_options& o) {
   add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
       "relative residual of multigrid; errors of eigenvalues are about its square");
   add("stabilization", po::value(&o.stabilization)->value_name("C"),
-      "factor of the stabilization by normal derivatives; default 0.0001, or 0 with --paper");
+      "factor of the stabilization by normal derivatives; default 0.00001, or 0 with --paper");
   return options;
 }
 

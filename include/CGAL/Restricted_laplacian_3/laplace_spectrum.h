@@ -59,11 +59,11 @@ struct Laplace_spectrum {
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The factor \f$c\f$ of the stabilisation of the stiffness matrix, see `assemble_operators()`,
-/// that `laplace_spectrum()` uses unless told otherwise: 1e-4, and 0 in the space of the paper.
+/// that `laplace_spectrum()` uses unless told otherwise: 1e-5, and 0 in the space of the paper.
 /// With it `multigrid_eigenpairs()` needs few iterations on any surface, while eigenvalues change
 /// by no more than the discretisation changes them.
 inline double default_spectrum_stabilization(const Spline_space_3& space) {
-  return space.is_paper_space() ? 0 : 1e-4;
+  return space.is_paper_space() ? 0 : 1e-5;
 }
 
 namespace internal {
