@@ -167,8 +167,8 @@ TEST_CASE("one_patch_of_everything_is_the_inverse", "[multigrid]") {
   // up to the regularization, times the norm of the inverse
   CHECK((load - a * solution).norm() <= 2e-4 * load.norm());
   float largest = 0;
-  for(std::size_t i = 0; i < r.size(); ++i)
-    largest = std::max(largest, std::abs(r.data()[i]));
+  for(int i = 0; i < n; ++i)
+    largest = std::max(largest, std::abs(r.data()[smoother.positions().of_unknown[i]]));
   CHECK(largest <= 2e-4 * load.norm());
 }
 
@@ -282,20 +282,18 @@ TEST_CASE("kernels_for_vector_registers_equal_plain_ones", "[multigrid]") {
     }
     const auto x = random_floats(8 * 64);
     for(int rows = 1; rows <= 8; ++rows) {
-      auto values = random_floats(8 * count), sum = random_floats(64), same = sum;
-      for(std::size_t k = 0; k < values.size(); ++k)
-        if(static_cast<int>(k % 8) >= rows)
-          values[k] = 0;
+      const auto values = random_floats(rows * count + 7);
+      auto sum = random_floats(64), same = sum;
       RL::internal::plain::subtract_columns<1>(values.data(), columns.data(), count, rows, x.data(),
                                                sum.data());
       RL::internal::lanes::subtract_columns<1>(values.data(), columns.data(), count, rows, x.data(),
                                                same.data());
-      compare(sum.data(), same.data(), 64);
+      compare(sum.data(), same.data(), rows);
       RL::internal::plain::subtract_columns<8>(values.data(), columns.data(), count, rows, x.data(),
                                                sum.data());
       RL::internal::lanes::subtract_columns<8>(values.data(), columns.data(), count, rows, x.data(),
                                                same.data());
-      compare(sum.data(), same.data(), 64);
+      compare(sum.data() + 8, same.data() + 8, 8 * rows - 8);
     }
     auto sum = random_floats(8), same = sum;
     RL::internal::plain::add_products<8>(entries.data(), count, -0.7f, x.data(), sum.data());

@@ -23,14 +23,14 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// A symmetric sparse matrix in single precision. The eight rows of a cluster share one list of the
-/// columns in which any of them has an entry, with eight numbers for each.
+/// columns in which any of them has an entry, with a number of each row for each.
 ///
 /// Restricted splines of neighbouring cells act on the same sheets, so their rows have most of
-/// their columns in common: with clusters of neighbours about two thirds of these numbers are
-/// entries of the matrix, and what is read of a vector serves eight rows.
+/// their columns in common: with clusters of neighbours two thirds of these numbers are entries of
+/// the matrix, and what is read of a vector serves eight rows.
 class Cluster_matrix {
 public:
-  Cluster_matrix() : m_first(1, 0) {}
+  Cluster_matrix() : m_first(1, 0), m_first_values(1, 0) {}
 
   /// \param scale the matrix becomes \f$D A D\f$ with this diagonal matrix \f$D\f$
   Cluster_matrix(bool is_parallel, const Eigen::SparseMatrix<double>& a,
@@ -62,10 +62,14 @@ public:
           last_seen[column] = static_cast<std::uint32_t>(i);
         });
     });
-    for(std::size_t i = 0; i < clusters; ++i)
+    m_first_values.assign(clusters + 1, 0);
+    for(std::size_t i = 0; i < clusters; ++i) {
+      m_first_values[i + 1] = m_first_values[i] + m_cluster_sizes[i] * m_first[i + 1];
       m_first[i + 1] += m_first[i];
+    }
     m_columns.resize(m_first.back());
-    m_values.resize(lanes_of_floats * m_first.back());
+    // Products read eight numbers at a time.
+    m_values.assign(m_first_values.back() + lanes_of_floats - 1, 0.f);
     parallel_for(is_parallel, 0, clusters, grain, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> last_seen(positions.number_of_positions, no_unknown);
       std::vector<std::size_t> place(positions.number_of_positions); // of a column
@@ -79,9 +83,7 @@ public:
         });
         std::sort(first, last);
         for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
-          place[m_columns[k]] = lanes_of_floats * k;
-        std::fill(m_values.begin() + lanes_of_floats * m_first[i],
-                  m_values.begin() + lanes_of_floats * m_first[i + 1], 0.f);
+          place[m_columns[k]] = m_first_values[i] + m_cluster_sizes[i] * (k - m_first[i]);
         for_each_entry(i, [&](int lane, std::uint32_t column, double value) {
           m_values[place[column] + lane] = static_cast<float>(value);
         });
@@ -92,17 +94,19 @@ public:
   std::size_t number_of_clusters() const { return m_first.size() - 1; }
 
   /// Calls `visit(column, values)` with the position of each column that the rows of a cluster
-  /// have, and their eight numbers in it.
+  /// have, and their numbers in it.
   template <class Visitor> void for_each_column(std::size_t cluster, Visitor&& visit) const {
-    for(std::size_t k = m_first[cluster]; k < m_first[cluster + 1]; ++k)
-      visit(m_columns[k], m_values.data() + lanes_of_floats * k);
+    const float* values = m_values.data() + m_first_values[cluster];
+    for(std::size_t k = m_first[cluster]; k < m_first[cluster + 1]; ++k) {
+      visit(m_columns[k], values);
+      values += m_cluster_sizes[cluster];
+    }
   }
 
   /// subtracts the rows of cluster `i`, times `x`, from a cluster of `K` vectors
   template <int K> void subtract_rows(std::size_t i, const Level_vectors<K>& x, float* sum) const {
-    subtract_columns<K>(m_values.data() + lanes_of_floats * m_first[i],
-                        m_columns.data() + m_first[i], m_first[i + 1] - m_first[i],
-                        m_cluster_sizes[i], x.data(), sum);
+    subtract_columns<K>(m_values.data() + m_first_values[i], m_columns.data() + m_first[i],
+                        m_first[i + 1] - m_first[i], m_cluster_sizes[i], x.data(), sum);
   }
 
   /// \f$r = b - A x\f$
@@ -125,6 +129,7 @@ private:
 
   std::vector<std::uint8_t> m_cluster_sizes; // number of unknowns
   std::vector<std::size_t> m_first;          // column of each cluster, and one more
+  std::vector<std::size_t> m_first_values;   // of each cluster, and one more
   std::vector<std::uint32_t> m_columns;
   Aligned_floats m_values;
 };

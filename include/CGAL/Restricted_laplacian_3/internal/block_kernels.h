@@ -34,7 +34,7 @@ void subtract_columns(const float* values, const std::uint32_t* columns, std::si
   for(std::size_t k = 0; k < count; ++k)
     for(int i = 0; i < rows; ++i)
       for(int c = 0; c < K; ++c)
-        sum[K * i + c] -= values[8 * k + i] * x[K * static_cast<std::size_t>(columns[k]) + c];
+        sum[K * i + c] -= values[rows * k + i] * x[K * static_cast<std::size_t>(columns[k]) + c];
 }
 
 template <int K>
@@ -79,18 +79,19 @@ inline void subtract_outer_products(const double* c, const double* d, double* a,
 
 namespace lanes {
 
-// One vector: the lanes are the rows of a cluster.
+// One vector: the lanes are the rows of a cluster. Where it has less than eight, the others get
+// numbers without meaning, which nothing reads.
 inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
 subtract_columns_of_one(const float* values, const std::uint32_t* columns, std::size_t count,
-                        const float* x, float* sum) {
+                        int rows, const float* x, float* sum) {
   // Four sums: a sum takes that many cycles to be ready for the next term.
   Float_lanes own[4] = {};
   std::size_t k = 0;
   for(; k + 4 <= count; k += 4)
     for(int c = 0; c < 4; ++c)
-      own[c] += load(values + 8 * (k + c)) * x[columns[k + c]];
+      own[c] += load(values + rows * (k + c)) * x[columns[k + c]];
   for(; k < count; ++k)
-    own[0] += load(values + 8 * k) * x[columns[k]];
+    own[0] += load(values + rows * k) * x[columns[k]];
   store(load(sum) - ((own[0] + own[1]) + (own[2] + own[3])), sum);
 }
 
@@ -105,7 +106,7 @@ subtract_columns_of_eight(const float* values, const std::uint32_t* columns, std
   for(std::size_t k = 0; k < count; ++k) {
     const Float_lanes from = load(x + 8 * static_cast<std::size_t>(columns[k]));
     for(int i = 0; i < rows; ++i)
-      own[i] -= values[8 * k + i] * from;
+      own[i] -= values[rows * k + i] * from;
   }
   for(int i = 0; i < rows; ++i)
     store(own[i], sum + 8 * i);
@@ -116,7 +117,7 @@ inline void subtract_columns(const float* values, const std::uint32_t* columns, 
                              int rows, const float* x, float* sum) {
   static_assert(K == 1 || K == 8);
   if(K == 1)
-    return subtract_columns_of_one(values, columns, count, x, sum);
+    return subtract_columns_of_one(values, columns, count, rows, x, sum);
   switch(rows) {
   case 1: return subtract_columns_of_eight<1>(values, columns, count, x, sum);
   case 2: return subtract_columns_of_eight<2>(values, columns, count, x, sum);
@@ -254,9 +255,9 @@ subtract_outer_products(const double* c, const double* d, double* a, int size, i
 #define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call) plain::call
 #endif
 
-/// Subtracts the rows of a cluster, times `K` vectors `x`, from `K` vectors: for each of `count`
-/// columns eight numbers, of which those from `rows` on are 0. `x` and `sum` have `K` numbers for
-/// each position.
+/// Subtracts the `rows` rows of a cluster, times `K` vectors `x`, from `K` vectors: for each of
+/// `count` columns a number for each row. `x` and `sum` have `K` numbers for each position; those
+/// of `sum` beyond the rows may change. After the values there have to be seven numbers more.
 template <int K>
 void subtract_columns(const float* values, const std::uint32_t* columns, std::size_t count,
                       int rows, const float* x, float* sum) {

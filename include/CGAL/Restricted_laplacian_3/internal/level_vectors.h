@@ -51,8 +51,8 @@ private:
 };
 
 /// Where the unknowns of a level are in its vectors. The number of positions is a multiple of
-/// eight. A cluster may have less than eight unknowns; they come first in it, and the positions
-/// that belong to no unknown hold 0.
+/// eight. A cluster may have less than eight unknowns; they come first in it, and what is at the
+/// positions that belong to no unknown has no meaning.
 struct Level_positions {
   std::vector<std::uint32_t> of_unknown;
   std::size_t number_of_positions = 0;
