@@ -82,6 +82,8 @@ private:
   /// \param point_of number of a point &rarr; `Sheet_point`
   template <class PointOf> Eigen::MatrixXd values(std::size_t number, PointOf&& point_of) const {
     Eigen::MatrixXd result(static_cast<Index>(number), m_coefficients.rows());
+    if(m_coefficients.rows() == 0)
+      return result; // no function: no memory to take parts of
     // Values of a chunk are gathered point by point, and stored column by column: the rows of the
     // result are far apart in memory.
     constexpr std::size_t grain = 64;
