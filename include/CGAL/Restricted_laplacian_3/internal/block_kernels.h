@@ -246,13 +246,6 @@ subtract_outer_products(const double* c, const double* d, double* a, int size, i
 
 } // namespace lanes
 
-#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call)                                                     \
-  if(processor_has_lanes())                                                                        \
-    lanes::call;                                                                                   \
-  else                                                                                             \
-    plain::call
-#else
-#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call) plain::call
 #endif
 
 /// Subtracts the `rows` rows of a cluster, times `K` vectors `x`, from `K` vectors: for each of
@@ -285,8 +278,6 @@ inline void subtract_outer_products(const double* c, const double* d, double* a,
                                     int stride) {
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(subtract_outer_products(c, d, a, size, stride));
 }
-
-#undef CGAL_RESTRICTED_LAPLACIAN_3_BEST
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

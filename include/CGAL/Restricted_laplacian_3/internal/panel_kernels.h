@@ -146,13 +146,6 @@ inline void add_symmetric_column(const double* values, const int* rows, std::siz
 
 } // namespace lanes
 
-#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call)                                                     \
-  if(processor_has_lanes())                                                                        \
-    lanes::call;                                                                                   \
-  else                                                                                             \
-    plain::call
-#else
-#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call) plain::call
 #endif
 
 /// Adds the scalar product of column `i` of a panel `q` with column `j` of a panel `b` to number
@@ -177,8 +170,6 @@ void add_symmetric_column(const double* values, const int* rows, std::size_t cou
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(
       add_symmetric_column<K>(values, rows, count, x, own, sums, first_row, own_sum));
 }
-
-#undef CGAL_RESTRICTED_LAPLACIAN_3_BEST
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

@@ -121,6 +121,14 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes sums_of_components(const Fl
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
+/// calls the function of that name in `lanes` if the processor has them, else the one in `plain`
+#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call)                                                     \
+  if(processor_has_lanes())                                                                        \
+    lanes::call;                                                                                   \
+  else                                                                                             \
+    plain::call
+#else
+#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call) plain::call
 #endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_VECTOR_LANES_H
