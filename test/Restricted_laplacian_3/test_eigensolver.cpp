@@ -101,7 +101,7 @@ TEST_CASE("multigrid_eigenpairs_do_not_miss_copies_of_a_multiple_eigenvalue", "[
     const RL::Eigenpairs pairs = multigrid_pairs(m, k, {});
     CHECK(pairs.converged);
     REQUIRE(pairs.values.size() == k);
-    CHECK((pairs.values - expected.head(k)).cwiseAbs().maxCoeff() <= 1e-7 * expected[39]);
+    CHECK((pairs.values - expected.head(k)).cwiseAbs().maxCoeff() <= 1e-5 * expected[39]);
   }
 }
 

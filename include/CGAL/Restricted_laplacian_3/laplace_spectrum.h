@@ -115,8 +115,9 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
 /// \param np optional named parameters:
 /// - `eigensolver`: `Eigensolver::multigrid`, `Eigensolver::shift_invert`, or (default)
 ///   `Eigensolver::automatic`, which takes the former from 5,000 unknowns on
-/// - `relative_tolerance`: for the residuals of `Eigensolver::multigrid`; default 1e-4. Those of
-///   `Eigensolver::shift_invert` are always near 1e-8.
+/// - `relative_tolerance`: for the residuals of `Eigensolver::multigrid`; default 1e-3, which
+///   makes eigenvalues exact to about 1e-6. Those of `Eigensolver::shift_invert` are always near
+///   1e-8.
 /// - `number_of_iterations`: of `Eigensolver::multigrid` on a level, at most; default 100
 /// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`, for the stiffness matrix;
 ///   default `default_spectrum_stabilization()`

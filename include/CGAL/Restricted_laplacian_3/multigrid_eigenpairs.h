@@ -33,9 +33,9 @@ namespace Restricted_laplacian_3 {
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// What `multigrid_eigenpairs()` does unless told otherwise.
 struct Multigrid_eigenpairs_options {
-  /// the largest of `Eigenpairs::residuals` that counts as converged; the relative error of an
-  /// eigenvalue is of the order of its square
-  double relative_tolerance = 1e-4;
+  /// the largest of `Eigenpairs::residuals` that counts as converged; the error of an eigenvector
+  /// is of the order of its residual, the relative one of an eigenvalue of the order of its square
+  double relative_tolerance = 1e-3;
   /// on each level
   int maximum_iterations = 100;
   /// of a cycle: smoothing steps before, and again after the coarse correction
@@ -145,9 +145,11 @@ public:
 
   /// of the last level
   int iterations() const { return m_iterations; }
+
   /// Moves the first vectors to `pairs`, normalized, with their values and residuals.
   void take_pairs(Eigen::Index count, Eigenpairs& pairs) {
-    m_w = m_p = Column_panels<float>();
+    m_w.keep_columns(0);
+    m_p.keep_columns(0);
     // copies of an eigenvalue may be out of order by rounding
     std::vector<Eigen::Index> order(count);
     std::iota(order.begin(), order.end(), Eigen::Index(0));
@@ -185,8 +187,6 @@ private:
   static constexpr double gain_of_an_iteration = 0.9;
   static constexpr int iterations_without_gain = 8;
   static constexpr double growth_of_rounding = 2;
-  // Values whose relative difference is smaller count as copies of one.
-  static constexpr double gap_of_clusters = 1e-3;
   // Vectors whose values are larger than the last one that is asked for by less than this fraction
   // are improved as well: some of them may fall below it.
   static constexpr double gap_at_the_end = 1e-2;
@@ -194,9 +194,9 @@ private:
   double eigenvalue(Eigen::Index i) const { return 1 / m_nu[i] - m_alpha; }
 
   /// Values and residuals of the active pairs, and for those that have not converged the
-  /// preconditioned residuals. The latter remain active, and with them those that may be copies of
-  /// the same eigenvalue, because the projection mixes these.
+  /// preconditioned residuals. The latter remain active.
   void compute_corrections(double tolerance) {
+    m_w.keep_columns(0);
     m_w = Column_panels<float>(m_x.rows(), static_cast<Eigen::Index>(m_active.size()));
     m_columns_of_w.clear();
     m_unconverged.clear();
@@ -236,28 +236,13 @@ private:
                                      m_workspace);
       std::copy_n(w.data(), w.size(), m_w.panel(first / panel_width));
     }
-    const Eigen::Index count = m_active.empty() ? 0 : m_active.back() + 1;
-    std::vector<char> is_active(static_cast<std::size_t>(count), 0);
-    for(Eigen::Index i : m_unconverged)
-      is_active[i] = 1;
-    const auto join = [&](Eigen::Index i, Eigen::Index j) {
-      if(is_active[i] && m_nu[j] <= (1 + gap_of_clusters) * m_nu[i] &&
-         m_nu[i] <= (1 + gap_of_clusters) * m_nu[j])
-        is_active[j] = 1;
-    };
-    for(Eigen::Index i = 0; i + 1 < count; ++i)
-      join(i, i + 1);
-    for(Eigen::Index i = count; i-- > 1;)
-      join(i, i - 1);
-    m_active.clear();
-    for(Eigen::Index i = 0; i < count; ++i)
-      if(is_active[i])
-        m_active.push_back(i);
+    m_active = m_unconverged;
   }
 
   /// Makes the vectors orthonormal, and solves the problem in their span. All become active.
   void orthonormalize() {
-    m_w = m_p = Column_panels<float>(m_x.rows(), 0);
+    m_w.keep_columns(0);
+    m_p.keep_columns(0);
     m_columns_of_w.clear();
     m_owners_of_p.clear();
     m_known_s = m_known_m = Eigen::MatrixXd();
@@ -350,10 +335,12 @@ private:
         Eigen::MatrixXd::Zero(panel_width * static_cast<Eigen::Index>(panels.size()), nx + np);
     for(Eigen::Index i = 0; i < n; ++i)
       coefficients.row(places[i]) = next.row(i);
-    Column_panels<float> p(m_x.rows(), np);
+    // P takes the place of W, which has at least as many columns.
     combine(m_options.is_parallel, panels, coefficients.leftCols(nx), m_x,
-            coefficients.rightCols(np), p);
-    m_p = std::move(p);
+            coefficients.rightCols(np), m_w);
+    m_w.keep_columns(np);
+    std::swap(m_p, m_w);
+    m_w.keep_columns(0);
     m_owners_of_p = m_unconverged;
   }
 
@@ -403,8 +390,9 @@ private:
   Eigen::VectorXd m_nu, m_values, m_masses, m_residuals;
   Eigen::MatrixXd m_known_s, m_known_m; // products of the columns of X and P
   // numbers of columns of X, ascending
-  std::vector<Eigen::Index> m_active, m_unconverged, m_owners_of_p;
-  std::vector<Eigen::Index> m_columns_of_w; // of those that have not converged
+  std::vector<Eigen::Index> m_active;                     // those whose residuals are computed next
+  std::vector<Eigen::Index> m_unconverged, m_owners_of_p; // those that have a column of W, of P
+  std::vector<Eigen::Index> m_columns_of_w;               // which columns these are
   Multigrid<>::Workspace<panel_width> m_workspace;
 };
 
@@ -469,16 +457,17 @@ inline void check_levels(const std::vector<Eigen::SparseMatrix<double>>& stiffne
 /// J. Sci. Comput. 23, 2001), preconditioned by one V-cycle for \f$S + \alpha M\f$, where
 /// \f$\alpha\f$ is half of the tenth eigenvalue. Cycles are applied to eight vectors at a time, in
 /// single precision; everything else is in double precision. About a third more vectors than asked
-/// for are carried along, which keeps clusters of eigenvalues together and makes the last ones
-/// converge about as fast as the first ones. Pairs that have converged are locked softly.
+/// for are carried along: the last pairs converge the faster, the larger the gap to the first
+/// eigenvalue beyond them is. Pairs that have converged are locked softly; at the end the vectors
+/// are made orthonormal and all residuals computed once more, and the iteration goes on if one is
+/// too large.
 ///
 /// The stiffness matrix is to be stabilised, the mass matrix is not, see `assemble_operators()`.
-/// Without stabilisation the eigenvalues still converge, but the residuals do not get below about
-/// 1e-3.
+/// Without stabilisation it takes more iterations, or does not get to the tolerance.
 ///
 /// Takes a time of the order of \f$k\f$ cycles and of \f$k^2\f$ times the number of unknowns for
-/// each iteration, of which 5 to 10 are needed on the finest level. Memory: matrices and hierarchy
-/// as in `Poisson_solver`, and about \f$1.4\, k\f$ vectors in double precision and \f$2 k\f$ in
+/// each iteration, of which 5 to 15 are needed on the finest level. Memory: matrices and hierarchy
+/// as in `Poisson_solver`, and about \f$1.4\, k\f$ vectors in double precision and \f$2.4\, k\f$ in
 /// single precision.
 ///
 /// The result is the same for any number of threads.
@@ -562,7 +551,7 @@ multigrid_eigenpairs(std::vector<Eigen::SparseMatrix<double>> stiffness,
     Sparse_matrix().swap(stiffness[level]);
     Sparse_matrix().swap(mass[level]);
   }
-  const std::vector<Sparse_matrix> from_start(prolongations.begin() + start, prolongations.end());
+  std::vector<Sparse_matrix> from_start(prolongations.begin() + start, prolongations.end());
   const Multigrid<> multigrid(a, std::move(prolongations), std::move(patches), options.is_parallel,
                               std::move(coarse), [&a] { Sparse_matrix().swap(a); });
 
@@ -570,6 +559,7 @@ multigrid_eigenpairs(std::vector<Eigen::SparseMatrix<double>> stiffness,
   for(std::size_t level = start + 1; level <= finest; ++level) {
     progress.next_step(static_cast<double>(s[level].rows()));
     solver.prolongate(from_start[level - start - 1]);
+    Sparse_matrix().swap(from_start[level - start - 1]);
     const bool is_finest = level == finest;
     solver.improve(level, s[level], m[level], is_finest ? k : block,
                    is_finest ? options.relative_tolerance : tolerance_of_coarse_levels, is_finest,

@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/internal/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/panel_kernels.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/internal/release_memory.h>
 
 #include <Eigen/Core>
 
@@ -46,8 +47,23 @@ public:
   Number* column(Eigen::Index j) { return panel(j / panel_width) + j % panel_width; }
   const Number* column(Eigen::Index j) const { return panel(j / panel_width) + j % panel_width; }
 
-  /// gives the memory of a panel back
-  void release(std::size_t i) { typename decltype(m_panels)::value_type().swap(m_panels[i]); }
+  /// Gives the memory of a panel back, to the system where that is possible: the allocator would
+  /// keep pieces of this size for others of the same kind.
+  void release(std::size_t i) {
+#ifdef __linux__
+    release_pages(m_panels[i].data(), m_panels[i].data() + m_panels[i].size());
+#endif
+    typename decltype(m_panels)::value_type().swap(m_panels[i]);
+  }
+
+  /// gives the memory of the panels after the first `columns` columns back
+  void keep_columns(Eigen::Index columns) {
+    const std::size_t kept = static_cast<std::size_t>((columns + panel_width - 1) / panel_width);
+    for(std::size_t i = kept; i < m_panels.size(); ++i)
+      release(i);
+    m_panels.resize(kept);
+    m_columns = columns;
+  }
 
 private:
   Eigen::Index m_rows = 0, m_columns = 0;
@@ -109,9 +125,9 @@ scalar_products(bool is_parallel, const std::vector<Panel_view>& panels, std::si
   return result;
 }
 
-/// Replaces `x` by the product of the panels with the matrix `c`, and `p` by that with `d`. Both
-/// may be among the panels. The matrices have a row for each column of the panels, of which the
-/// ones that a panel has too many are 0.
+/// Replaces the first columns of `x` by the product of the panels with the matrix `c`, and those of
+/// `p` by that with `d`. Both may be among the panels. The matrices have a row for each column of
+/// the panels, of which the ones that a panel has too many are 0.
 inline void combine(bool is_parallel, const std::vector<Panel_view>& panels,
                     const Eigen::MatrixXd& c, Column_panels<double>& x, const Eigen::MatrixXd& d,
                     Column_panels<float>& p) {
@@ -143,7 +159,9 @@ inline void combine(bool is_parallel, const std::vector<Panel_view>& panels,
         else
           std::copy_n(panels[i].floats + place, count, old.data() + chunk_size * i);
       const auto write = [&](const std::vector<double>& coefficients, auto& result) {
-        for(std::size_t k = 0; k < result.number_of_panels(); ++k) {
+        const std::size_t written =
+            coefficients.size() / (panel_width * panel_width * panels.size());
+        for(std::size_t k = 0; k < written; ++k) {
           std::fill(sum.begin(), sum.end(), 0.);
           for(std::size_t i = 0; i < panels.size(); ++i)
             add_combination(old.data() + chunk_size * i,
