@@ -107,7 +107,7 @@ public:
     m_m = &m;
     m_values = m_masses = m_residuals = Eigen::VectorXd::Zero(m_x.columns());
     m_iterations = 0;
-    orthonormalize();
+    orthonormalize(count);
     double first = 0, best = std::numeric_limits<double>::max();
     int last_improvement = 0;
     for(bool is_orthonormal = true;; ++m_iterations) {
@@ -125,15 +125,15 @@ public:
         // Products that follow from others gather rounding errors. When these show, start anew.
         is_orthonormal = largest > growth_of_rounding * best;
         if(is_orthonormal)
-          orthonormalize();
+          orthonormalize(count);
         else
-          project();
+          project(count);
         extend_or_cut(count);
         continue;
       }
       if(is_orthonormal || !is_verified)
         break;
-      orthonormalize();
+      orthonormalize(count);
       extend_or_cut(count);
       is_orthonormal = true;
       if(is_over) {
@@ -240,24 +240,30 @@ private:
   }
 
   /// Makes the vectors orthonormal, and solves the problem in their span. All become active.
-  void orthonormalize() {
+  void orthonormalize(Eigen::Index count) {
     m_w.keep_columns(0);
     m_p.keep_columns(0);
     m_columns_of_w.clear();
     m_owners_of_p.clear();
     m_known_s = m_known_m = Eigen::MatrixXd();
     m_unconverged.clear();
-    project();
+    project(count);
     m_active.resize(static_cast<std::size_t>(m_x.columns()));
     std::iota(m_active.begin(), m_active.end(), Eigen::Index(0));
+  }
+
+  /// the number of the first vectors, `count` and those after them whose values are near
+  Eigen::Index end_of_near(Eigen::Index count) const {
+    Eigen::Index end = count;
+    while(end < m_x.columns() && m_nu[count - 1] <= (1 + gap_at_the_end) * m_nu[end])
+      ++end;
+    return end;
   }
 
   /// From the vectors after the first `count` those remain active, or become so, whose values are
   /// near.
   void extend_or_cut(Eigen::Index count) {
-    Eigen::Index end = count;
-    while(end < m_x.columns() && m_nu[count - 1] <= (1 + gap_at_the_end) * m_nu[end])
-      ++end;
+    const Eigen::Index end = end_of_near(count);
     m_residuals.tail(m_x.columns() - end).setZero();
     while(!m_active.empty() && m_active.back() >= end)
       m_active.pop_back();
@@ -267,8 +273,8 @@ private:
   }
 
   /// Solves the problem on the space of all \f$X\f$, \f$P\f$ and \f$W\f$, sets \f$X\f$ to the
-  /// solution, and \f$P\f$ to the changes of those that had not converged.
-  void project() {
+  /// solution, and \f$P\f$ to the changes of those that had not converged and may be active again.
+  void project(Eigen::Index count) {
     const Eigen::Index nx = m_x.columns();
     std::vector<Panel_view> panels;
     add_views(m_x, panels);
@@ -323,6 +329,9 @@ private:
     std::tie(m_nu, vectors) = largest_pairs(m, s + m_alpha * m, nx);
 
     // X and P in terms of the basis
+    const Eigen::Index end = end_of_near(count);
+    while(!m_unconverged.empty() && m_unconverged.back() >= end)
+      m_unconverged.pop_back();
     const Eigen::Index np = static_cast<Eigen::Index>(m_unconverged.size());
     Eigen::MatrixXd next(n, nx + np);
     next.leftCols(nx) = vectors;
