@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_H
 
 /// \file
-/// Includes all public headers of the package. `laplace_spectrum.h` needs Spectra; without it the
-/// rest works, and `laplace_spectrum()` does not exist.
+/// Includes all public headers of the package. `laplace_spectrum.h` and `monte_carlo_error.h` need
+/// Spectra; without it the rest works, and their functions do not exist.
 
 #include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/heat_kernel_signature.h>
@@ -19,6 +19,7 @@
 #if defined(__has_include)
 #if __has_include(<Spectra/SymEigsSolver.h>)
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 #endif
 #endif
 
