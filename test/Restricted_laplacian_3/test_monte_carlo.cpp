@@ -78,8 +78,8 @@ std::array<double, 2> slopes_of_errors(const RL::Spline_space_3& space, RL::Samp
 }
 
 /// Root mean squares, over entries of a matrix, of what should be normal numbers: the mean over
-/// seeds minus the exact entry, over its standard error; and, minus 1, the ratio of the mean squared
-/// error bar to the variance over the seeds.
+/// seeds minus the exact entry, over its standard error; and, minus 1, the ratio of the mean
+/// squared error bar to the variance over the seeds.
 struct Calibration {
   double bias, bars;
 };
