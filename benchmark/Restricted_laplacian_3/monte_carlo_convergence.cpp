@@ -5,9 +5,8 @@
 //
 // matrices: error of stiffness and mass matrix of a mesh over the number of samples, independent
 //   and stratified, and the slopes of the lines of least squares; seconds for a million samples
-// eigenvalues: error of the eigenvalues of a sphere by samples, relative to those by cubature of
-// the
-//   same mesh at the same depth, beside the standard error that is estimated from the samples
+// eigenvalues: error of the eigenvalues of a sphere by samples, beside that by cubature of the same
+//   mesh at the same depth, and the standard error that is estimated from the samples
 // areas: sums and spread of the areas that are estimated for points, over the number of neighbours
 // points: error of the eigenvalues l = 1 .. 5 of the unit sphere from points alone, over their
 //   number and the depth
