@@ -11,7 +11,7 @@
 // points: error of the eigenvalues l = 1 .. 5 of the unit sphere from points alone, over their
 //   number and the depth
 // scans: two range scans of the bunny, put together by their poses as a set of points, against the
-//   part of the bunny's mesh that they cover, at the same depth and by the cotangent Laplacian
+//   part of the bunny's mesh that they cover
 //
 // Prints tables that gnuplot reads. Meant to be built with CHOLMOD.
 //
@@ -23,7 +23,7 @@
 #include "support/meshes.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 #include <CGAL/Restricted_laplacian_3/point_areas.h>
@@ -32,6 +32,8 @@
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/property_map.h>
 
 #include <Eigen/Core>
 
@@ -42,6 +44,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <random>
 #include <sstream>
 #include <string>
@@ -288,10 +291,10 @@ RL::Triangulated_surface_3 surface_of(const Soup& soup) {
   return RL::read_surface(soup.points, soup.faces);
 }
 
-/// The vertices of the scans that a file of poses lists, with normals from the faces around them:
-/// faces serve for nothing else.
-Points scan_points(const std::string& poses) {
-  Points result;
+/// The vertices of each of the scans that a file of poses lists, with normals from the faces around
+/// them: faces serve for nothing else.
+std::vector<Points> scan_points(const std::string& poses) {
+  std::vector<Points> result;
   std::ifstream in(std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + poses);
   for(std::string line; std::getline(in, line);) {
     std::istringstream words(line);
@@ -302,6 +305,8 @@ Points scan_points(const std::string& poses) {
     for(double& entry : m)
       words >> entry;
     Soup soup = read_soup(file);
+    if(soup.faces.empty())
+      continue;
     for(RL::Point_3& p : soup.points)
       p = RL::Point_3(m[0] * p.x() + m[1] * p.y() + m[2] * p.z() + m[3],
                       m[4] * p.x() + m[5] * p.y() + m[6] * p.z() + m[7],
@@ -311,80 +316,161 @@ Points scan_points(const std::string& poses) {
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       for(std::uint32_t v : surface.triangle(f))
         normals[v] += surface.area(f) * surface.normal(f);
+    result.emplace_back();
     for(std::size_t v = 0; v < normals.size(); ++v)
       if(normals[v] != CGAL::NULL_VECTOR)
-        result.add(soup.points[v], normals[v]);
+        result.back().add(soup.points[v], normals[v]);
   }
   return result;
 }
 
-/// the faces all of whose corners are within a distance of a point
-Soup covered_part(const Soup& soup, const std::vector<RL::Point_3>& points, double distance) {
+/// whether points are within a distance of some points
+std::vector<char> are_near(const std::vector<RL::Point_3>& points,
+                           const std::vector<RL::Point_3>& others, double distance) {
   using Traits = CGAL::Search_traits_3<RL::Kernel>;
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
-  const Search::Tree tree(points.begin(), points.end());
-  std::vector<char> is_near;
-  for(const RL::Point_3& p : soup.points)
-    is_near.push_back(Search(tree, p, 1).begin()->second <= distance * distance);
+  const Search::Tree tree(others.begin(), others.end());
+  std::vector<char> result;
+  for(const RL::Point_3& p : points)
+    result.push_back(Search(tree, p, 1).begin()->second <= distance * distance);
+  return result;
+}
+
+/// The largest component, along edges, of the faces all of whose corners are marked.
+Soup largest_marked_part(const Soup& soup, const std::vector<char>& is_marked) {
+  RL::internal::Disjoint_sets sets(soup.faces.size());
+  std::map<std::pair<std::size_t, std::size_t>, std::uint32_t> face_of_edge;
+  std::vector<std::uint32_t> faces;
+  for(std::uint32_t f = 0; f < soup.faces.size(); ++f) {
+    const auto& v = soup.faces[f];
+    if(!std::all_of(v.begin(), v.end(), [&](std::size_t i) { return is_marked[i]; }))
+      continue;
+    faces.push_back(f);
+    for(std::size_t k = 0; k < v.size(); ++k)
+      sets.unite(f,
+                 face_of_edge.insert({std::minmax(v[k], v[(k + 1) % v.size()]), f}).first->second);
+  }
+  std::vector<std::size_t> sizes(soup.faces.size(), 0);
+  for(std::uint32_t f : faces)
+    ++sizes[sets.find(f)];
+  const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
   Soup part;
   part.points = soup.points;
-  for(const auto& f : soup.faces)
-    if(std::all_of(f.begin(), f.end(), [&](std::size_t v) { return is_near[v]; }))
-      part.faces.push_back(f);
+  for(std::uint32_t f : faces)
+    if(sets.find(f) == largest)
+      part.faces.push_back(soup.faces[f]);
   return part;
+}
+
+std::vector<RL::Point_3> used_points(const Soup& soup) {
+  std::vector<char> is_used(soup.points.size(), 0);
+  for(const auto& f : soup.faces)
+    for(std::size_t v : f)
+      is_used[v] = 1;
+  std::vector<RL::Point_3> points;
+  for(std::size_t v = 0; v < is_used.size(); ++v)
+    if(is_used[v])
+      points.push_back(soup.points[v]);
+  return points;
 }
 
 /// \f$\Delta u = y\f$ on a surface
 RL::Spline_function_3 poisson_solution(const RL::Spline_space_3& space) {
   const auto y = [](const RL::Surface_point& p) { return p.point.y(); };
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space);
   Eigen::VectorXd coefficients;
-  solver.solve(Eigen::VectorXd(-RL::assemble_load(space, y)), coefficients);
+  RL::make_poisson_solver(space).solve(Eigen::VectorXd(-RL::assemble_load(space, y)), coefficients,
+                                       1e-6);
   return RL::Spline_function_3(space, std::move(coefficients));
 }
 
+/// How far the solution on points differs from that on a mesh, at the nearest vertices: root mean
+/// square, relative to that of the latter.
+double poisson_difference(const RL::Spline_space_3& of_points, const RL::Spline_space_3& of_mesh) {
+  using Map = CGAL::Pointer_property_map<RL::Point_3>::const_type;
+  using Traits = CGAL::Search_traits_adapter<std::size_t, Map, CGAL::Search_traits_3<RL::Kernel>>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+  const std::vector<double> u = poisson_solution(of_points).values_at_vertices(),
+                            v = poisson_solution(of_mesh).values_at_vertices();
+  std::vector<RL::Point_3> vertices;
+  std::vector<std::size_t> numbers;
+  for(std::size_t i = 0; i < v.size(); ++i) {
+    vertices.push_back(of_mesh.surface().point(i));
+    if(std::isfinite(v[i]))
+      numbers.push_back(i);
+  }
+  const Map map = CGAL::make_property_map(std::as_const(vertices));
+  const Search::Tree tree(numbers.begin(), numbers.end(), Search::Tree::Splitter(), Traits(map));
+  double difference = 0, squares = 0;
+  for(std::size_t i = 0; i < u.size(); ++i) {
+    const RL::Triangulated_surface_3& surface = of_points.surface();
+    const Search search(tree, surface.point(i), 1, 0, true, Search::Distance(map));
+    const double expected = v[search.begin()->first];
+    difference += surface.area(i) * (u[i] - expected) * (u[i] - expected);
+    squares += surface.area(i) * expected * expected;
+  }
+  return std::sqrt(difference / squares);
+}
+
 void run_scans() {
-  const Points points = scan_points("bunscan.conf");
+  const std::vector<Points> scans = scan_points("bunscan.conf");
   const Soup bunny = read_soup("bunny_zipper_69k.ply");
-  if(points.size() == 0 || bunny.faces.empty())
+  if(scans.size() < 2 || bunny.faces.empty())
     return;
   constexpr double distance = 0.0015;
-  constexpr int count = 16;
-  const RL::Triangulated_surface_3 whole = surface_of(bunny),
-                                   part = surface_of(covered_part(bunny, points.points, distance));
-  CGAL::Real_timer timer;
-  timer.start();
-  const RL::Triangulated_surface_3 scans = points.surface();
-  std::printf("# two range scans of the bunny: %zu points, area %.5f, estimated in %.2f seconds\n",
-              points.size(), scans.area(), timer.time());
-  std::printf("# the mesh: area %.5f; the part of it within %.4f of a point: %.5f\n", whole.area(),
-              distance, part.area());
-  const auto print = [&](const std::string& name, int depth, std::size_t unknowns,
-                         std::size_t components, double per_cell, const Eigen::VectorXd& values) {
-    std::printf("%-18s %5d %8zu %10zu %8.1f ", name.c_str(), depth, unknowns, components, per_cell);
-    for(Eigen::Index i = 0; i < values.size(); ++i)
+  constexpr int count = 11;
+  Points joined;
+  double sum_of_areas = 0;
+  for(const Points& scan : scans) {
+    sum_of_areas += scan.surface().area();
+    for(std::size_t i = 0; i < scan.size(); ++i)
+      joined.add(scan.points[i], scan.normals[i]);
+  }
+  const RL::Triangulated_surface_3 whole = surface_of(bunny);
+  std::printf("# range scans of the bunny, %zu points: area %.5f, estimated from all points; the "
+              "areas of single scans sum to %.5f\n",
+              joined.size(), joined.surface().area(), sum_of_areas);
+  const Soup soup = largest_marked_part(bunny, are_near(bunny.points, joined.points, distance));
+  const RL::Triangulated_surface_3 part = surface_of(soup);
+  const std::vector<char> is_kept = are_near(joined.points, used_points(soup), distance);
+  Points kept;
+  for(std::size_t i = 0; i < joined.size(); ++i)
+    if(is_kept[i])
+      kept.add(joined.points[i], joined.normals[i]);
+  const RL::Triangulated_surface_3 points = kept.surface();
+  std::printf("# mesh of the bunny: area %.5f; part: the largest component of its faces within "
+              "%.4f of the points: %.5f\n# points within that distance of the part: %zu, area "
+              "%.5f\n",
+              whole.area(), distance, part.area(), kept.size(), points.area());
+  std::printf("# per_cell: points; poisson: difference of the solution of Laplacian u = y from "
+              "that on the part, relative; then the first %d eigenvalues above 0\n",
+              count - 1);
+  std::printf("# %-14s %5s %8s %10s %8s %8s\n", "surface", "depth", "unknowns", "components",
+              "per_cell", "poisson");
+  const auto run = [&](const std::string& name, const RL::Triangulated_surface_3& surface,
+                       int depth, bool is_split) {
+    const RL::Spline_space_3 space = space_of(surface, depth, is_split);
+    const bool has_points = surface.is_point_set();
+    std::printf("%-16s %5d %8zu %10zu ", (name + (is_split ? " split" : " unsplit")).c_str(), depth,
+                space.dimension(), space.number_of_sheets(0));
+    if(has_points)
+      std::printf("%8.1f %8.4f ",
+                  static_cast<double>(surface.number_of_faces()) / space.number_of_cells(depth),
+                  poisson_difference(space, space_of(part, 6, true)));
+    else
+      std::printf("%8s %8s ", "-", "-");
+    const Eigen::VectorXd values =
+        RL::laplace_eigenpairs(space, count, RL::Cubature(space)).eigenvalues;
+    for(Eigen::Index i = 1; i < values.size(); ++i)
       std::printf(" %.1f", values[i]);
     std::printf("\n");
     std::fflush(stdout);
   };
-  std::printf("# per_cell: points; then the first %d eigenvalues\n", count);
-  std::printf("# %-16s %5s %8s %10s %8s\n", "surface", "depth", "unknowns", "components",
-              "per_cell");
-  for(int depth = 3; depth <= 6; ++depth)
-    for(bool is_split : {false, true}) {
-      const std::string kind = is_split ? " split" : " unsplit";
-      const auto run = [&](const std::string& name, const RL::Triangulated_surface_3& surface) {
-        const RL::Spline_space_3 space = space_of(surface, depth, is_split);
-        print(name + kind, depth, space.dimension(), space.number_of_sheets(0),
-              surface.is_point_set()
-                  ? static_cast<double>(surface.number_of_faces()) / space.number_of_cells(depth)
-                  : 0,
-              RL::laplace_eigenpairs(space, count, RL::Cubature(space)).eigenvalues);
-      };
-      run("points", scans);
-      run("part", part);
-      run("whole", whole);
+  for(bool is_split : {false, true})
+    for(int depth = 3; depth <= 6; ++depth) {
+      run("points", points, depth, is_split);
+      run("part", part, depth, is_split);
     }
+  run("whole", whole, 6, true);
   std::printf("\n\n");
 }
 

@@ -21,15 +21,13 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   // the area that each point stands for is estimated; there is no mesh
-  const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(points, 10, CGAL::parameters::octree_depth(4));
+  const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(points, 10);
   for(double eigenvalue : spectrum.eigenvalues)
     std::cout << eigenvalue << '\n';
 
   auto u = points.add_property_map<double>("u", 0).first;
   const auto f = [](const RL::Surface_point& s) { return s.point.z(); };
-  const RL::Solve_report report =
-      RL::solve_poisson(points, f, u, CGAL::parameters::octree_depth(4));
+  const RL::Solve_report report = RL::solve_poisson(points, f, u);
   const auto [low, high] = std::minmax_element(u.begin(), u.end());
   std::cout << "u is between " << *low << " and " << *high << '\n';
   return report.converged && spectrum.report.converged ? 0 : 1;

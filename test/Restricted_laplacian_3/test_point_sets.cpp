@@ -328,6 +328,26 @@ TEST_CASE("spectrum_of_points", "[points]") {
   CHECK(spectrum.area == Approx(4 * pi_of_points).epsilon(1e-3));
 }
 
+TEST_CASE("depth_that_points_allow", "[points]") {
+  const auto depth_of = [](int n) {
+    const RL::Spline_space_3 space(shapes::sphere_points(n),
+                                   maps_of_pairs(params::cube_scale(1.1)));
+    const auto per_cell = [&](int depth) {
+      return static_cast<double>(n) /
+             RL::Octree_3(space.surface(), depth, 1.1, false).number_of_cells(depth);
+    };
+    CHECK((space.depth() == 1 || per_cell(space.depth()) >= 50));
+    CHECK((space.depth() == 6 || per_cell(space.depth() + 1) < 50));
+    return space.depth();
+  };
+  CHECK(depth_of(40) == 1);
+  CHECK(depth_of(3000) == 2);
+  CHECK(depth_of(20000) == 3);
+  CHECK(depth_of(60000) == 4);
+  // else the default is that of meshes
+  CHECK(RL::Spline_space_3(shapes::mesh(shapes::sphere(0))).depth() == 6);
+}
+
 TEST_CASE("spectrum_of_many_points_on_a_sphere", "[points][slow]") {
   for(int depth : {3, 4, 5}) {
     INFO("depth " << depth);
@@ -430,6 +450,25 @@ TEST_CASE("points_on_walls_between_cells", "[points]") {
     for(int i : {1, 2})
       CHECK(eigenvalues[i] == Approx(pi_of_points * pi_of_points).epsilon(1e-2));
   }
+}
+
+TEST_CASE("points_on_the_boundary_of_the_domain_cube", "[points]") {
+  const Oriented_points points = shapes::cube_points(15);
+  Oriented_points with_corners = points; // which lie on the last walls
+  with_corners.push_back({{0, 0, 0}, {-1, -1, -1}});
+  with_corners.push_back({{1, 1, 1}, {1, 1, 1}});
+  RL::Spline_space_options options;
+  options.octree_depth = 2;
+  options.cube_scale = 1;
+  const std::vector<double> areas(with_corners.size(), 0.01);
+  const RL::Spline_space_3 space(surface_of_points(with_corners, areas), options);
+  CHECK(space.number_of_cells(2) == 64 - 8); // all but the inner ones
+  const RL::Operators operators = RL::assemble_operators(space);
+  CHECK(operators.mass.sum() == Approx(sum_of(areas)).epsilon(1e-12));
+  CHECK(operators.mass.diagonal().minCoeff() > 0);
+  const RL::Spline_function_3 one(space, Eigen::VectorXd::Ones(space.dimension()));
+  for(double value : one.values_at_vertices())
+    CHECK(value == Approx(1).epsilon(1e-12));
 }
 
 TEST_CASE("point_sets_that_cannot_be_used", "[points]") {

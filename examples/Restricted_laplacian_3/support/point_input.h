@@ -11,6 +11,7 @@
 #include "ply_property.h"
 #include "program.h"
 
+#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/point_areas.h>
 
@@ -40,7 +41,9 @@ inline po::options_description point_options(Point_options& p, Common_options& o
 const char* const about_points =
     "A file .xyz with lines of six numbers, x y z nx ny nz, or a PLY file without faces but with\n"
     "the properties nx, ny, nz of its vertices, is a set of points with normals, and stands for a\n"
-    "surface without any mesh. Normals must be oriented alike.\n";
+    "surface without any mesh. Normals must be oriented alike. Unless --depth is given, the depth "
+    "is\n"
+    "the largest up to 6 that gives 50 points to a cell.\n";
 
 namespace internal {
 
@@ -111,8 +114,8 @@ inline Oriented_points read_ply_points(const std::string& file) {
 
 } // namespace internal
 
-// A mesh, or a set of points.
-inline Mesh_input read_mesh_or_points(const Common_options& o, const Point_options& p,
+// A mesh, or a set of points, for which the depth is chosen if none is given.
+inline Mesh_input read_mesh_or_points(Common_options& o, const Point_options& p,
                                       const po::variables_map& given) {
   const bool is_xyz = internal::has_extension(o.mesh, ".xyz");
   require(std::ifstream(o.mesh).good(), "cannot open '" + o.mesh + "'");
@@ -125,9 +128,15 @@ inline Mesh_input read_mesh_or_points(const Common_options& o, const Point_optio
       is_xyz ? internal::read_xyz(o.mesh) : internal::read_ply_points(o.mesh);
   std::vector<double> areas =
       RL::estimate_point_areas(input.points, input.normals, p.neighbors, o.space.is_parallel);
-  return {RL::Triangulated_surface_3(std::move(input.points), std::move(input.normals),
-                                     std::move(areas)),
-          false};
+  RL::Triangulated_surface_3 surface(std::move(input.points), std::move(input.normals),
+                                     std::move(areas));
+  if(given["depth"].defaulted()) {
+    const double cube_scale = given.count("cube-scale") ? o.space.cube_scale
+                              : o.space.paper_space     ? 1.2
+                                                        : 1.1;
+    o.space.octree_depth = RL::default_octree_depth_of_points(surface, cube_scale);
+  }
+  return {std::move(surface), false};
 }
 
 } // namespace examples

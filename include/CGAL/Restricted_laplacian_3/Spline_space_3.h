@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINE_SPACE_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINE_SPACE_3_H
 
+#include <CGAL/Restricted_laplacian_3/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
@@ -29,6 +30,43 @@ namespace Restricted_laplacian_3 {
 /// \f$i = (d_x + 1) + 3 (d_y + 1) + 9 (d_z + 1)\f$ is centred on the neighbour at offset
 /// \f$(d_x, d_y, d_z)\f$
 using Cell_elements = std::array<std::uint32_t, 27>;
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The depth that a set of points allows, for functions that are given no `octree_depth`: the
+/// largest up to 6 at which the cells that hold points have 50 of them each, on average; at least
+/// 1.
+///
+/// With fewer points in a cell the sums do not determine the functions on it any more, and
+/// eigenvalues become too small: see the section on points in the User Manual.
+/// \param surface one that is given by points
+/// \param cube_scale side of the domain cube over the longest side of the bounding box
+inline int default_octree_depth_of_points(const Triangulated_surface_3& surface,
+                                          double cube_scale) {
+  constexpr std::size_t points_per_cell = 50;
+  constexpr int largest_depth = 6;
+  const double side = cube_scale * surface.extent();
+  const Point_3 center = surface.center();
+  std::vector<std::uint64_t> keys;
+  keys.reserve(surface.number_of_vertices());
+  for(std::size_t i = 0; i < surface.number_of_vertices(); ++i) {
+    std::array<int, 3> index;
+    for(int axis = 0; axis < 3; ++axis) {
+      const double x =
+          ((surface.point(i)[axis] - center[axis]) / side + 0.5) * (1 << largest_depth);
+      index[axis] = (std::min)((std::max)(static_cast<int>(x), 0), (1 << largest_depth) - 1);
+    }
+    keys.push_back(morton_key(index));
+  }
+  std::sort(keys.begin(), keys.end());
+  int depth = largest_depth;
+  for(;; --depth) {
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    if(depth == 1 || surface.number_of_vertices() >= points_per_cell * keys.size())
+      return depth;
+    for(std::uint64_t& key : keys)
+      key >>= 3;
+  }
+}
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Which space a `Spline_space_3` is.
@@ -82,7 +120,8 @@ public:
   /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
   /// triangles; or a model of `ConstRange`, for example `CGAL::Point_set_3`, of oriented points
   /// \param np optional named parameters:
-  /// - `octree_depth`: depth \f$d\f$ of the octree; default 6
+  /// - `octree_depth`: depth \f$d\f$ of the octree; default 6, or
+  ///   `default_octree_depth_of_points()`
   /// - `cube_scale`: side of the domain cube over the longest side of the bounding box; default
   ///   1.1, or 1.2 with `paper_space(true)`
   /// - `paper_space`: whether only elements centred inside the grid exist, unsplit; default `false`
@@ -105,7 +144,7 @@ public:
             internal::Require_named_parameters<NamedParameters> = 0>
   explicit Spline_space_3(const FaceGraph& tm,
                           const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(internal::read_mesh_or_points(tm, np), spline_space_options(np)) {}
+    : Spline_space_3(surface_and_options(tm, np)) {}
 
   /// The spaces of a triangle soup, which need not be a manifold: two triangles are joined if they
   /// have two indices in common, any number of them at one edge.
@@ -233,6 +272,26 @@ private:
     std::uint32_t slot;
     std::uint32_t sheet() const { return slot / 27; }
   };
+
+  struct Surface_and_options {
+    Triangulated_surface_3 surface;
+    Spline_space_options options;
+  };
+
+  explicit Spline_space_3(Surface_and_options&& s)
+    : Spline_space_3(std::move(s.surface), s.options) {}
+
+  template <class MeshOrPoints, class NamedParameters>
+  static Surface_and_options surface_and_options(const MeshOrPoints& input,
+                                                 const NamedParameters& np) {
+    Surface_and_options result = {internal::read_mesh_or_points(input, np),
+                                  spline_space_options(np)};
+    if(result.surface.is_point_set() &&
+       !internal::is_given_v<NamedParameters, internal_np::octree_depth_t>)
+      result.options.octree_depth =
+          default_octree_depth_of_points(result.surface, result.options.cube_scale);
+    return result;
+  }
 
   template <class NamedParameters>
   static Spline_space_options spline_space_options(const NamedParameters& np) {
