@@ -7,6 +7,7 @@
 #include "support/mesh_input.h"
 #include "support/mesh_output.h"
 #include "support/picture.h"
+#include "support/point_input.h"
 #include "support/program.h"
 #include "support/space.h"
 #include "support/spectrum.h"
@@ -36,7 +37,7 @@ const char* const usage =
     "usage: laplace_spectrum MESH [OPTION]...\n"
     "\n"
     "Computes the smallest numbers l with -Laplacian u = l u on the surface of MESH (off, obj,\n"
-    "ply, stl, ts): 0, 2, 2, 2, 6, ... on the unit sphere. Boundaries have the natural\n"
+    "ply, stl, ts, xyz): 0, 2, 2, 2, 6, ... on the unit sphere. Boundaries have the natural\n"
     "condition: u does not change across them.\n"
     "\n"
     "With --operator cotangent the functions are linear in each triangle, and the options of the\n"
@@ -45,14 +46,14 @@ const char* const usage =
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "what it found was written.\n";
 
-struct Options : Common_options, Eigensolver_options {
+struct Options : Common_options, Point_options, Eigensolver_options {
   int count = 20;
   int eigenfunction = 1;
   std::string operator_name = "restricted", mass = "full";
 };
 
 // returns false if there is nothing more to do
-bool read_options(int argc, char* argv[], Options& o) {
+bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
   auto add = problem.add_options();
   add("count", po::value(&o.count)->value_name("K")->default_value(o.count),
@@ -64,10 +65,13 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
       "index, from 0, of the eigenfunction for --output and --picture");
   po::options_description all(help_width);
-  all.add(problem).add(eigensolver_options(o)).add(space_options(o)).add(output_options(o));
+  all.add(problem)
+      .add(eigensolver_options(o))
+      .add(space_options(o))
+      .add(point_options(o, o))
+      .add(output_options(o));
 
-  po::variables_map given;
-  if(!parse_command_line(argc, argv, usage, all, o, given))
+  if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
     return false;
   require(o.count > 0, "the argument of --count must be positive");
   require_choice("operator", o.operator_name, {"restricted", "cotangent"});
@@ -135,12 +139,13 @@ void print_eigenvalues(const std::vector<double>& values) {
 int main(int argc, char* argv[]) {
   return run_program("laplace_spectrum", [&]() -> int {
     Options o;
-    if(!read_options(argc, argv, o))
+    po::variables_map given;
+    if(!read_options(argc, argv, o, given))
       return success;
     const Progress progress(o.quiet);
 
     progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh(o.mesh);
+    const Mesh_input input = read_mesh_or_points(o, o, given);
     std::vector<double> u(input.surface.number_of_vertices(), std::nan(""));
 
     Summary summary(input);

@@ -8,6 +8,7 @@
 #include "support/mesh_output.h"
 #include "support/picture.h"
 #include "support/ply_property.h"
+#include "support/point_input.h"
 #include "support/program.h"
 #include "support/space.h"
 #include "support/table.h"
@@ -38,7 +39,8 @@ namespace params = CGAL::parameters;
 const char* const usage =
     "usage: solve_poisson MESH [OPTION]...\n"
     "\n"
-    "Solves Laplacian u = f on the surface of MESH (off, obj, ply, stl, ts). The Laplacian is\n"
+    "Solves Laplacian u = f on the surface of MESH (off, obj, ply, stl, ts, xyz). The Laplacian "
+    "is\n"
     "the divergence of the gradient: it is negative, and on the unit sphere f = z gives\n"
     "u = -z / 2. On each connected component of the surface the mean of f is subtracted, and u\n"
     "has mean 0.\n"
@@ -50,7 +52,7 @@ const char* const usage =
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "the output was written.\n";
 
-struct Options : Common_options {
+struct Options : Common_options, Point_options {
   std::string rhs = "z", rhs_property;
   double alpha = 0, tolerance = RL::Poisson_solver_options().relative_tolerance;
   double stabilization = -1; // the default
@@ -58,7 +60,7 @@ struct Options : Common_options {
 };
 
 // returns false if there is nothing more to do
-bool read_options(int argc, char* argv[], Options& o) {
+bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
   auto add = problem.add_options();
   add("rhs", po::value(&o.rhs)->value_name("x|y|z|random")->default_value(o.rhs),
@@ -77,10 +79,13 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("stabilization", po::value(&o.stabilization)->value_name("C"),
       "factor of the stabilization by normal derivatives; default 0.001, or 0 with --paper");
   po::options_description all(help_width);
-  all.add(problem).add(space_options(o)).add(solver).add(output_options(o));
+  all.add(problem)
+      .add(space_options(o))
+      .add(point_options(o, o))
+      .add(solver)
+      .add(output_options(o));
 
-  po::variables_map given;
-  if(!parse_command_line(argc, argv, usage, all, o, given))
+  if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
     return false;
   require_choice("rhs", o.rhs, {"x", "y", "z", "random"});
   require(given["rhs"].defaulted() || given.count("rhs-property") == 0,
@@ -191,12 +196,13 @@ RL::Solve_report solve(const RL::Triangulated_surface_3& surface, const Options&
 int main(int argc, char* argv[]) {
   return run_program("solve_poisson", [&]() -> int {
     Options o;
-    if(!read_options(argc, argv, o))
+    po::variables_map given;
+    if(!read_options(argc, argv, o, given))
       return success;
     const Progress progress(o.quiet);
 
     progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh(o.mesh);
+    const Mesh_input input = read_mesh_or_points(o, o, given);
     Summary summary(input);
     const Thread_limit threads(o.threads);
     summary.add("threads", threads.number());

@@ -5,11 +5,12 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_H
 
 /// \file
-/// Includes all public headers of the package. `laplace_spectrum.h` needs Spectra; without it the
-/// rest works, and `laplace_spectrum()` does not exist.
+/// Includes all public headers of the package. `laplace_spectrum.h` and `monte_carlo_error.h` need
+/// Spectra; without it the rest works, and their functions do not exist.
 
 #include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/heat_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/shape_dna.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/spectral_embedding.h>
@@ -18,6 +19,7 @@
 #if defined(__has_include)
 #if __has_include(<Spectra/SymEigsSolver.h>)
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 #endif
 #endif
 

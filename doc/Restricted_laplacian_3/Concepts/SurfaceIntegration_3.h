@@ -7,8 +7,11 @@
 \cgalConcept
 
 A way to integrate over a surface, sheet by sheet of the finest level of an octree: by nodes on the
-surface, each with a positive weight. All integrals are sums over the same nodes. The weights of all
-nodes on all sheets sum to the area of the surface, in units of the squared cell width.
+surface, each with a weight that is not negative. All integrals are sums over the same nodes. The
+weights of all nodes on all sheets sum to the area of the surface, in units of the squared cell width.
+
+A surface is thus a set of positions, normals and weights, each in a cell: the nodes of a rule on the
+parts of triangles, samples of a mesh, or the points of a point set.
 
 The functions that assemble matrices and right-hand sides take a model as argument. If the space
 uses several threads, they call its members from several threads at once.

@@ -29,6 +29,7 @@ struct Common_options {
   std::string mesh;
   RL::Spline_space_options space;
   std::string assembly = "cubature";
+  std::string sampling = "independent";
   long long samples = 1000000;
   long long seed = 0;
   int threads = 0; // all
@@ -58,9 +59,12 @@ inline po::options_description space_options(Common_options& o) {
   add("paper", po::bool_switch(&o.space.paper_space),
       "the space of the paper: only elements that are centred in the 2^D grid, unsplit");
   add("assembly", po::value(&o.assembly)->value_name("METHOD")->default_value(o.assembly),
-      "cubature: integrals over the triangles; monte-carlo: sums over random samples");
+      "cubature: integrals over the triangles, or sums over the points; monte-carlo: sums over "
+      "random samples");
   add("samples", po::value(&o.samples)->value_name("N")->default_value(o.samples),
       "number of samples for --assembly monte-carlo");
+  add("sampling", po::value(&o.sampling)->value_name("KIND")->default_value(o.sampling),
+      "samples that are independent, or stratified: one in each of N parts of equal area");
   add("seed", po::value(&o.seed)->value_name("N")->default_value(o.seed),
       "seed of everything random");
   add("threads", po::value(&o.threads)->value_name("N"),
@@ -141,6 +145,9 @@ inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
   require_choice("assembly", o.assembly, {"cubature", "monte-carlo"});
   require(given["samples"].defaulted() || o.assembly == "monte-carlo",
           "--samples needs --assembly monte-carlo");
+  require_choice("sampling", o.sampling, {"independent", "stratified"});
+  require(given["sampling"].defaulted() || o.assembly == "monte-carlo",
+          "--sampling needs --assembly monte-carlo");
   require_positive(given, "samples", static_cast<double>(o.samples));
   require(o.seed >= 0 && o.seed <= std::numeric_limits<unsigned int>::max(),
           "the argument of --seed must lie between 0 and 4294967295");

@@ -28,7 +28,8 @@
 namespace examples {
 
 struct Mesh_input {
-  // The vertices and triangles of the file, in its order. They need not form a manifold.
+  // The vertices and triangles of the file, in its order. They need not form a manifold. Or its
+  // points, see point_input.h.
   RL::Triangulated_surface_3 surface;
   // whether the file has faces that are not triangles
   bool is_triangulated;

@@ -28,7 +28,8 @@ template <typename Number> void write_bytes(std::ostream& out, Number number) {
 
 } // namespace internal
 
-// Writes a binary PLY file of a surface with a value for each vertex, and a color that shows it.
+// Writes a binary PLY file of a surface with a value for each vertex, and a color that shows it;
+// of points without faces, but with their normals.
 // Like the writers of CGAL it is for machines that store the lowest byte of a number first.
 inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3& surface,
                        const std::vector<double>& values) {
@@ -39,17 +40,23 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
         << "element vertex " << surface.number_of_vertices() << '\n'
         << "property double x\nproperty double y\nproperty double z\n"
         << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-        << "property double value\n"
-        << "element face " << surface.number_of_faces() << '\n'
-        << "property list uchar int vertex_indices\nend_header\n";
+        << "property double value\n";
+    if(surface.is_point_set())
+      out << "property double nx\nproperty double ny\nproperty double nz\n";
+    else
+      out << "element face " << surface.number_of_faces() << '\n'
+          << "property list uchar int vertex_indices\n";
+    out << "end_header\n";
     for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
       for(int axis = 0; axis < 3; ++axis)
         write_bytes(out, surface.point(v)[axis]);
       for(const double component : colors[v])
         write_bytes(out, linear_to_srgb(component));
       write_bytes(out, values[v]);
+      for(int axis = 0; axis < 3 && surface.is_point_set(); ++axis)
+        write_bytes(out, surface.normal(v)[axis]);
     }
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    for(std::size_t f = 0; f < surface.number_of_faces() && !surface.is_point_set(); ++f) {
       write_bytes(out, std::uint8_t(3));
       for(const std::uint32_t vertex : surface.triangle(f))
         write_bytes(out, vertex);

@@ -4,8 +4,8 @@
 #ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_PICTURE_H
 #define RESTRICTED_LAPLACIAN_3_EXAMPLES_PICTURE_H
 
-// Draws a mesh with a color per vertex into a PNG file: parallel projection, a z-buffer, smooth
-// shading except across sharp edges, and each pixel the mean of 2 x 2.
+// Draws a mesh, or points, with a color per vertex into a PNG file: parallel projection, a
+// z-buffer, smooth shading except across sharp edges, and each pixel the mean of 2 x 2.
 
 #include "color_map.h"
 #include "program.h"
@@ -192,10 +192,27 @@ inline Vector corner_normal(const RL::Triangulated_surface_3& surface, std::size
   return sum;
 }
 
+// The corners of the disc that shows a point: somewhat larger than the area that the point stands
+// for, so that there are no holes between discs.
+inline std::vector<RL::Point_3> disc(const RL::Triangulated_surface_3& surface, std::size_t point) {
+  constexpr int size = 8;
+  const double radius = 1.5 * std::sqrt(surface.area(point) / CGAL_PI);
+  const Vector& n = surface.normal(point);
+  const Vector u =
+      unit(CGAL::cross_product(n, std::abs(n.x()) < 0.6 ? Vector(1, 0, 0) : Vector(0, 1, 0)));
+  const Vector v = CGAL::cross_product(n, u);
+  std::vector<RL::Point_3> corners;
+  for(int i = 0; i < size; ++i) {
+    const double angle = 2 * CGAL_PI * i / size;
+    corners.push_back(surface.point(point) + radius * (std::cos(angle) * u + std::sin(angle) * v));
+  }
+  return corners;
+}
+
 } // namespace internal
 
 // Draws a surface with one color and one value for each vertex; the values serve the level lines
-// only. The picture has the shape of what it shows.
+// only. Points are drawn as discs, without level lines. The picture has the shape of what it shows.
 inline void write_picture(const std::string& file, const RL::Triangulated_surface_3& surface,
                           const std::vector<Color>& colors, const std::vector<double>& values,
                           const Picture_options& options) {
@@ -228,14 +245,24 @@ inline void write_picture(const std::string& file, const RL::Triangulated_surfac
   const double interval =
       options.isolines > 0 ? (range.high - range.low) / (options.isolines + 0.5) : 0;
   const auto faces_around = internal::faces_around_vertices(surface);
+  const auto corner = [&](std::size_t face, std::size_t vertex, const Vector& position) {
+    return internal::Corner{scale * (position - origin) + offset,
+                            view(internal::corner_normal(surface, face, faces_around[vertex])),
+                            colors[vertex], values[vertex]};
+  };
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    internal::Triangle triangle;
-    auto corner = triangle.begin();
-    for(const std::uint32_t vertex : surface.triangle(f))
-      *corner++ = {scale * (positions[vertex] - origin) + offset,
-                   view(internal::corner_normal(surface, f, faces_around[vertex])), colors[vertex],
-                   values[vertex]};
-    canvas.draw(triangle, interval);
+    if(!surface.is_point_set()) {
+      const auto& v = surface.triangle(f);
+      canvas.draw({corner(f, v[0], positions[v[0]]), corner(f, v[1], positions[v[1]]),
+                   corner(f, v[2], positions[v[2]])},
+                  interval);
+      continue;
+    }
+    std::vector<internal::Corner> corners;
+    for(const RL::Point_3& p : internal::disc(surface, f))
+      corners.push_back(corner(f, f, view(p - CGAL::ORIGIN)));
+    for(std::size_t i = 2; i < corners.size(); ++i)
+      canvas.draw({corners[0], corners[i - 1], corners[i]}, 0); // a disc has one value
   }
   canvas.write(file, samples);
 }

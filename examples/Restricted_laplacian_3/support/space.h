@@ -34,8 +34,9 @@ inline void add_space(Summary& summary, const RL::Spline_space_3& space) {
 template <typename Assemble>
 auto assemble_with(const RL::Spline_space_3& space, const Common_options& o, Assemble assemble) {
   if(o.assembly == "monte-carlo")
-    return assemble(RL::Monte_carlo(space, static_cast<std::size_t>(o.samples),
-                                    static_cast<std::uint64_t>(o.seed)));
+    return assemble(RL::Monte_carlo(
+        space, static_cast<std::size_t>(o.samples), static_cast<std::uint64_t>(o.seed),
+        o.sampling == "stratified" ? RL::Sampling::stratified : RL::Sampling::independent));
   return assemble(RL::Cubature(space));
 }
 

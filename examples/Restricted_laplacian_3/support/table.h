@@ -26,8 +26,12 @@ class Summary {
 public:
   // starts with what was read
   explicit Summary(const Mesh_input& input) {
-    add("vertices", input.surface.number_of_vertices());
-    add("faces", input.surface.number_of_faces());
+    if(input.surface.is_point_set())
+      add("points", input.surface.number_of_vertices());
+    else {
+      add("vertices", input.surface.number_of_vertices());
+      add("faces", input.surface.number_of_faces());
+    }
     if(input.is_triangulated)
       add("triangulated", "yes");
     if(input.surface.number_of_degenerate_faces() > 0)

@@ -13,6 +13,8 @@
 #include <CGAL/Restricted_laplacian_3/internal/Finest_sheets.h>
 #include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/internal/Piece_sorter.h>
+#include <CGAL/Restricted_laplacian_3/internal/Point_links.h>
+#include <CGAL/Restricted_laplacian_3/internal/Point_sites.h>
 #include <CGAL/Restricted_laplacian_3/internal/Seams_in_grid.h>
 #include <CGAL/Restricted_laplacian_3/internal/element_masks.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
@@ -54,6 +56,9 @@ namespace Restricted_laplacian_3 {
 /// cell by the position of their centroid along a fixed direction: numbers belong to the surface as
 /// well, and a level of a deep octree has those of a shallow octree. Without splitting all surface
 /// in a cell is one sheet, and there are no links.
+///
+/// The points of a point set are fragments of one cell each. Which of them belong together must be
+/// guessed: see `internal::Point_links`.
 class Octree_3 {
 public:
   /// half-open range of numbers of sheets
@@ -105,7 +110,8 @@ public:
     m_levels.resize(depth + 1);
     // A plane section of a cube has at most the area sqrt(2) h^2: refuse before any work.
     const double h = cell_width(depth);
-    limits().refuse_if(m_surface.area() / (h * h) > 1.4143 * maximum_number_of_fragments);
+    limits().refuse_if(!m_surface.is_point_set() &&
+                       m_surface.area() / (h * h) > 1.4143 * maximum_number_of_fragments);
     std::vector<internal::Place> places = build_finest_level(joining_tolerance);
     for(int level = depth - 1; level >= 0; --level)
       build_coarser_level(level, places);
@@ -274,27 +280,66 @@ private:
   std::vector<internal::Place> build_finest_level(double joining_tolerance) {
     const std::vector<std::array<double, 3>> points = grid_points();
     std::vector<internal::Number_lists::Pair> links;
-    std::vector<internal::Place> places;
-    if(m_is_split) {
-      const double h = cell_width(m_depth);
-      const Surface_seams seams(m_surface, thin_face_height * h, joining_tolerance);
-      const double width = (std::max)(2 * thin_face_height, 1.01 * joining_tolerance / h);
-      const internal::Seams_in_grid in_grid(m_surface, seams, points, 1 << m_depth, width);
-      places =
-          make_finest_sheets(points, [&in_grid](const std::array<int, 3>& cell, std::uint32_t size,
-                                                auto&& face_of, internal::Sheet_scratch& scratch) {
-            in_grid.join(cell, size, face_of, scratch.sides, scratch.sets);
-          });
-      link_fragments_of_same_face(links);
-      link_faces_along_walls(in_grid, links);
-    } else
-      places = make_finest_sheets(points, [](const std::array<int, 3>&, std::uint32_t size, auto&&,
-                                             internal::Sheet_scratch& scratch) {
-        scratch.sets.reset(size);
-        for(std::uint32_t i = 1; i < size; ++i)
-          scratch.sets.unite(0, i);
-      });
+    std::vector<internal::Place> places = !m_is_split ? unite_sheets(points)
+                                          : m_surface.is_point_set()
+                                              ? split_points(points, links)
+                                              : split_triangles(points, joining_tolerance, links);
     m_levels[m_depth].links = internal::Number_lists(number_of_sheets(m_depth), links);
+    return places;
+  }
+
+  std::vector<internal::Cell_fragment>
+  fragments(const std::vector<std::array<double, 3>>& points) const {
+    return m_surface.is_point_set() ? internal::sort_points(points, limits(), m_is_parallel)
+                                    : internal::cut_faces(m_surface, points, clipper(), m_is_split,
+                                                          limits(), m_is_parallel);
+  }
+
+  /// one sheet for each cell
+  std::vector<internal::Place> unite_sheets(const std::vector<std::array<double, 3>>& points) {
+    return make_finest_sheets(points, [](const std::array<int, 3>&, std::uint32_t size, auto&&,
+                                         internal::Sheet_scratch& scratch) {
+      scratch.sets.reset(size);
+      for(std::uint32_t i = 1; i < size; ++i)
+        scratch.sets.unite(0, i);
+    });
+  }
+
+  /// sheets of fragments that are joined along seams
+  std::vector<internal::Place> split_triangles(const std::vector<std::array<double, 3>>& points,
+                                               double joining_tolerance,
+                                               std::vector<internal::Number_lists::Pair>& links) {
+    const double h = cell_width(m_depth);
+    const Surface_seams seams(m_surface, thin_face_height * h, joining_tolerance);
+    const double width = (std::max)(2 * thin_face_height, 1.01 * joining_tolerance / h);
+    const internal::Seams_in_grid in_grid(m_surface, seams, points, 1 << m_depth, width);
+    std::vector<internal::Place> places =
+        make_finest_sheets(points, [&in_grid](const std::array<int, 3>& cell, std::uint32_t size,
+                                              auto&& face_of, internal::Sheet_scratch& scratch) {
+          in_grid.join(cell, size, face_of, scratch.sides, scratch.sets);
+        });
+    link_fragments_of_same_face(links);
+    link_faces_along_walls(in_grid, links);
+    return places;
+  }
+
+  /// sheets of linked points
+  std::vector<internal::Place> split_points(const std::vector<std::array<double, 3>>& points,
+                                            std::vector<internal::Number_lists::Pair>& links) {
+    const internal::Point_links point_links(m_surface, m_is_parallel);
+    std::vector<internal::Place> places =
+        make_finest_sheets(points, [&](const std::array<int, 3>&, std::uint32_t size,
+                                       auto&& point_of, internal::Sheet_scratch& scratch) {
+          point_links.join(size, point_of, scratch.sets);
+        });
+    std::vector<std::uint32_t> sheet_of_point(m_surface.number_of_faces());
+    for(std::uint32_t sheet = 0; sheet < number_of_sheets(m_depth); ++sheet)
+      for(std::uint32_t point : faces(sheet))
+        sheet_of_point[point] = sheet;
+    for(std::size_t i = 0; i < sheet_of_point.size(); ++i)
+      for(std::uint32_t j : point_links[i])
+        if(sheet_of_point[i] != sheet_of_point[j])
+          links.emplace_back(sheet_of_point[i], sheet_of_point[j]);
     return places;
   }
 
@@ -302,9 +347,8 @@ private:
   template <class Join>
   std::vector<internal::Place> make_finest_sheets(const std::vector<std::array<double, 3>>& points,
                                                   Join&& join) {
-    internal::Finest_sheets sheets = internal::group_into_sheets(
-        internal::cut_faces(m_surface, points, clipper(), m_is_split, limits(), m_is_parallel),
-        join, limits(), m_is_parallel);
+    internal::Finest_sheets sheets =
+        internal::group_into_sheets(fragments(points), join, limits(), m_is_parallel);
     Level& finest = m_levels[m_depth];
     finest.keys = std::move(sheets.keys);
     finest.first_sheets = std::move(sheets.first_sheets);

@@ -4,12 +4,14 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINE_SPACE_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINE_SPACE_3_H
 
+#include <CGAL/Restricted_laplacian_3/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/internal/stable_sort_by_key.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
+#include <CGAL/Restricted_laplacian_3/read_point_set.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +32,43 @@ namespace Restricted_laplacian_3 {
 using Cell_elements = std::array<std::uint32_t, 27>;
 
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// The depth that a set of points allows, for functions that are given no `octree_depth`: the
+/// largest up to 6 at which the cells that hold points have 50 of them each, on average; at least
+/// 1.
+///
+/// With fewer points in a cell the sums do not determine the functions on it any more, and
+/// eigenvalues become too small: see the section on points in the User Manual.
+/// \param surface one that is given by points
+/// \param cube_scale side of the domain cube over the longest side of the bounding box
+inline int default_octree_depth_of_points(const Triangulated_surface_3& surface,
+                                          double cube_scale) {
+  constexpr std::size_t points_per_cell = 50;
+  constexpr int largest_depth = 6;
+  const double side = cube_scale * surface.extent();
+  const Point_3 center = surface.center();
+  std::vector<std::uint64_t> keys;
+  keys.reserve(surface.number_of_vertices());
+  for(std::size_t i = 0; i < surface.number_of_vertices(); ++i) {
+    std::array<int, 3> index;
+    for(int axis = 0; axis < 3; ++axis) {
+      const double x =
+          ((surface.point(i)[axis] - center[axis]) / side + 0.5) * (1 << largest_depth);
+      index[axis] = (std::min)((std::max)(static_cast<int>(x), 0), (1 << largest_depth) - 1);
+    }
+    keys.push_back(morton_key(index));
+  }
+  std::sort(keys.begin(), keys.end());
+  int depth = largest_depth;
+  for(;; --depth) {
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    if(depth == 1 || surface.number_of_vertices() >= points_per_cell * keys.size())
+      return depth;
+    for(std::uint64_t& key : keys)
+      key >>= 3;
+  }
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
 /// Which space a `Spline_space_3` is.
 struct Spline_space_options {
   /// depth \f$d\f$ of the octree
@@ -42,6 +81,9 @@ struct Spline_space_options {
   /// an element is split into one for each connected component of the surface in its support; has
   /// no effect on the space of the paper
   bool split_elements = true;
+  /// the same for a point set, in place of `split_elements`: by the components that links between
+  /// points form, see `read_point_set()`
+  bool split_point_set = false;
   /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
   /// are joined if they run along each other; negative: they are not
   double joining_tolerance = -1;
@@ -76,20 +118,24 @@ public:
   static constexpr std::uint32_t no_element = (std::numeric_limits<std::uint32_t>::max)();
 
   /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-  /// triangles
+  /// triangles; or a model of `ConstRange`, for example `CGAL::Point_set_3`, of oriented points
   /// \param np optional named parameters:
-  /// - `octree_depth`: depth \f$d\f$ of the octree; default 6
+  /// - `octree_depth`: depth \f$d\f$ of the octree; default 6, or
+  ///   `default_octree_depth_of_points()`
   /// - `cube_scale`: side of the domain cube over the longest side of the bounding box; default
   ///   1.1, or 1.2 with `paper_space(true)`
   /// - `paper_space`: whether only elements centred inside the grid exist, unsplit; default `false`
   /// - `split_elements`: whether elements are split by the components of the surface in their
-  ///   support; default `true`, no effect with `paper_space(true)`
+  ///   support; default `true`, no effect with `paper_space(true)`. For points the default is
+  ///   `false`, because their components are guessed, see `read_point_set()`
   /// - `joining_tolerance`: distance up to which open sides of faces are joined, to close duplicate
   ///   vertices and T-junctions, see `Surface_seams`; by default they are not joined
   /// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads here and in the assembly of
   ///   operators, which needs TBB; `CGAL::Parallel_if_available_tag()` to do so if the program is
   ///   linked with TBB; default `CGAL::Sequential_tag()`. The results are the same.
   /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
+  /// - for points, in its place, all named parameters of `read_point_set()`: `point_map`,
+  ///   `normal_map`, `area_map`, `number_of_neighbors`
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
   ///
   /// The mesh is read once, and not needed any more. Time and memory are proportional to the number
@@ -98,7 +144,7 @@ public:
             internal::Require_named_parameters<NamedParameters> = 0>
   explicit Spline_space_3(const FaceGraph& tm,
                           const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(read_surface(tm, np), spline_space_options(np)) {}
+    : Spline_space_3(surface_and_options(tm, np)) {}
 
   /// The spaces of a triangle soup, which need not be a manifold: two triangles are joined if they
   /// have two indices in common, any number of them at one edge.
@@ -112,12 +158,11 @@ public:
                  const NamedParameters& np = parameters::default_values())
     : Spline_space_3(read_surface(points, triangles), spline_space_options(np)) {}
 
-  /// the spaces of a surface given as points and triangles, which need not be a manifold
+  /// the spaces of a surface given as points and triangles, which need not be a manifold, or as
+  /// oriented points
   explicit Spline_space_3(Triangulated_surface_3 surface,
                           const Spline_space_options& options = Spline_space_options())
-    : m_options(checked(options)),
-      m_octree(std::move(surface), options.octree_depth, m_options.cube_scale,
-               m_options.split_elements, m_options.joining_tolerance, m_options.is_parallel) {
+    : m_options(checked(options)), m_octree(make_octree(std::move(surface), m_options)) {
     m_levels.resize(depth() + 1);
     for(int level = 0; level <= depth(); ++level)
       number_elements(level);
@@ -228,6 +273,26 @@ private:
     std::uint32_t sheet() const { return slot / 27; }
   };
 
+  struct Surface_and_options {
+    Triangulated_surface_3 surface;
+    Spline_space_options options;
+  };
+
+  explicit Spline_space_3(Surface_and_options&& s)
+    : Spline_space_3(std::move(s.surface), s.options) {}
+
+  template <class MeshOrPoints, class NamedParameters>
+  static Surface_and_options surface_and_options(const MeshOrPoints& input,
+                                                 const NamedParameters& np) {
+    Surface_and_options result = {internal::read_mesh_or_points(input, np),
+                                  spline_space_options(np)};
+    if(result.surface.is_point_set() &&
+       !internal::is_given_v<NamedParameters, internal_np::octree_depth_t>)
+      result.options.octree_depth =
+          default_octree_depth_of_points(result.surface, result.options.cube_scale);
+    return result;
+  }
+
   template <class NamedParameters>
   static Spline_space_options spline_space_options(const NamedParameters& np) {
     using parameters::choose_parameter;
@@ -239,6 +304,8 @@ private:
                                     default_cube_scale(o.paper_space));
     o.split_elements =
         choose_parameter(get_parameter(np, internal_np::split_elements), o.split_elements);
+    o.split_point_set =
+        choose_parameter(get_parameter(np, internal_np::split_elements), o.split_point_set);
     const double off = -1;
     o.joining_tolerance = choose_parameter(get_parameter(np, internal_np::joining_tolerance), off);
     if(o.joining_tolerance != off)
@@ -247,6 +314,12 @@ private:
     if(o.cube_scale == 0)
       throw Parameter_error("cube_scale", "is 0, but must be in 1 .. 1e6");
     return o;
+  }
+
+  static Octree_3 make_octree(Triangulated_surface_3&& surface, const Spline_space_options& o) {
+    const bool is_split = surface.is_point_set() ? o.split_point_set : o.split_elements;
+    return Octree_3(std::move(surface), o.octree_depth, o.cube_scale, is_split, o.joining_tolerance,
+                    o.is_parallel);
   }
 
   static double default_cube_scale(bool paper_space) { return paper_space ? 1.2 : 1.1; }
@@ -262,6 +335,7 @@ private:
     if(options.cube_scale == 0)
       options.cube_scale = default_cube_scale(options.paper_space);
     options.split_elements = options.split_elements && !options.paper_space;
+    options.split_point_set = options.split_point_set && !options.paper_space;
     if(!(options.joining_tolerance < 0))
       check_tolerance(options.joining_tolerance);
     return options;

@@ -42,7 +42,9 @@ class Surface_seams {
 public:
   /// \param thinness in the unit of the coordinates
   /// \param joining_tolerance in the unit of the coordinates; negative: do not join
+  /// \throws Input_error the surface is a point set
   Surface_seams(const Triangulated_surface_3& surface, double thinness, double joining_tolerance) {
+    surface.require_triangles("a boundary or a seam");
     number_edges(surface);
     internal::Disjoint_sets sets(m_number_of_seams);
     bool united = unite_sides_of_thin_faces(surface, thinness, sets);

@@ -17,14 +17,43 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+namespace internal {
+
+/// \throws Invalid_point_error unless the coordinates are finite, and the normal is and not zero
+inline void check_oriented_point(std::size_t i, const Point_3& point, const Vector_3& normal) {
+  for(int axis = 0; axis < 3; ++axis) {
+    if(!std::isfinite(point[axis]))
+      throw Invalid_point_error(i, "has a coordinate that is not a finite number");
+    if(!std::isfinite(normal[axis]))
+      throw Invalid_point_error(i, "has a normal that is not finite");
+  }
+  if(normal == CGAL::NULL_VECTOR)
+    throw Invalid_point_error(i, "has a normal of length zero");
+}
+
+/// a vector that is finite and not zero, divided by its length, however long or short it is
+inline Vector_3 unit_vector(const Vector_3& v) {
+  const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+  const Vector_3 scaled(v.x() / largest, v.y() / largest, v.z() / largest);
+  return scaled / std::sqrt(scaled.squared_length());
+}
+
+} // namespace internal
+
 /// The surface as the floors above see it: points, index triples, unit normals and areas in double
 /// precision, independent of the type of the mesh that it was read from.
+///
+/// It may also be given by oriented points, each with the area that it stands for. Such a point is
+/// a face whose three corners are the point itself: face `i` and vertex `i` are point `i`, and a
+/// function at a location on it is its value at the point. What needs more of a face than its
+/// normal, its area and the values at its corners calls `require_triangles()`.
 class Triangulated_surface_3 {
 public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -56,6 +85,49 @@ public:
     compute_normals_and_areas();
   }
 
+  /// Oriented points. Points may coincide; normals need not have unit length, and are divided by
+  /// their length here.
+  /// \param areas the area that each point stands for, at least 0, in units of squared coordinates:
+  /// areas of other units would change the weight of the stabilisation, and with it the results
+  /// \throws Empty_surface_error
+  /// \throws Invalid_point_error names the first point that cannot be used
+  /// \throws Zero_area_error all points are the same, or all areas 0
+  /// \throws Parameter_error the extent is outside of `smallest_extent` .. `largest_extent`, the
+  /// sum of the areas is infinite, or the three vectors differ in length
+  Triangulated_surface_3(std::vector<Point_3> points, std::vector<Vector_3> normals,
+                         std::vector<double> areas)
+    : m_points(std::move(points)), m_normals(std::move(normals)), m_areas(std::move(areas)),
+      m_is_point_set(true) {
+    if(m_points.empty())
+      throw Empty_surface_error("the point set has no point");
+    if(m_normals.size() != m_points.size() || m_areas.size() != m_points.size())
+      throw Parameter_error("points", "has another length than normals or areas");
+    m_triangles.resize(m_points.size());
+    for(std::size_t i = 0; i < m_points.size(); ++i) {
+      internal::check_oriented_point(i, m_points[i], m_normals[i]);
+      if(!(m_areas[i] >= 0 && std::isfinite(m_areas[i])))
+        throw Invalid_point_error(i, "has an area that is negative or not a finite number");
+      m_normals[i] = internal::unit_vector(m_normals[i]);
+      m_triangles[i].fill(static_cast<std::uint32_t>(i));
+      m_area += m_areas[i];
+    }
+    compute_bounding_box();
+    if(!(m_area > 0))
+      throw zero_area_error();
+    if(!std::isfinite(m_area))
+      throw Parameter_error("area_map", "has values whose sum is not a finite number");
+  }
+
+  /// whether the surface is given by points
+  bool is_point_set() const { return m_is_point_set; }
+
+  /// \param who what cannot do without faces, for the message
+  /// \throws Input_error if the surface is given by points
+  void require_triangles(const std::string& who) const {
+    if(m_is_point_set)
+      throw Input_error("the surface is a point set, but " + who + " needs triangles");
+  }
+
   std::size_t number_of_vertices() const { return m_points.size(); }
   std::size_t number_of_faces() const { return m_triangles.size(); }
 
@@ -69,7 +141,7 @@ public:
   }
   const Triangle& triangle(std::size_t face) const { return m_triangles[face]; }
 
-  /// unit normal by the right-hand rule; the zero vector if the face is degenerate
+  /// unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate
   const Vector_3& normal(std::size_t face) const { return m_normals[face]; }
   bool is_degenerate(std::size_t face) const { return m_normals[face] == CGAL::NULL_VECTOR; }
 
@@ -121,7 +193,7 @@ private:
     m_max = Point_3(high[0], high[1], high[2]);
     m_extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
     if(m_extent == 0)
-      throw Zero_area_error(m_triangles.size());
+      throw zero_area_error();
     if(!(m_extent >= smallest_extent && m_extent <= largest_extent))
       throw Parameter_error("extent", "of the bounding box is outside of 1e-100 .. 1e100");
   }
@@ -152,7 +224,15 @@ private:
       m_area += m_areas[f];
     }
     if(!(m_area > 0))
-      throw Zero_area_error(m_triangles.size());
+      throw zero_area_error();
+  }
+
+  Zero_area_error zero_area_error() const {
+    if(!m_is_point_set)
+      return Zero_area_error(m_triangles.size());
+    return Zero_area_error("the point set has area zero: all of its " +
+                           std::to_string(m_points.size()) +
+                           (m_extent == 0 ? " points are the same" : " points have area zero"));
   }
 
   std::vector<Point_3> m_points;
@@ -163,6 +243,7 @@ private:
   double m_extent = 0;
   double m_area = 0;
   std::size_t m_number_of_degenerate_faces = 0;
+  bool m_is_point_set = false;
 };
 
 /// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.

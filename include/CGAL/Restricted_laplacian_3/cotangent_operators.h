@@ -29,8 +29,10 @@ namespace Restricted_laplacian_3 {
 ///
 /// The package `Weights` of \cgal has cotangent weights too, but no consistent mass matrix, and an
 /// interface that differs from version to version.
+/// \throws Input_error the surface is a point set
 inline Operators cotangent_operators(const Triangulated_surface_3& surface,
                                      bool lumped_mass = false) {
+  surface.require_triangles("the cotangent Laplacian");
   std::vector<Eigen::Triplet<double>> stiffness, mass;
   stiffness.reserve(9 * surface.number_of_faces());
   mass.reserve((lumped_mass ? 3 : 9) * surface.number_of_faces());

@@ -19,16 +19,19 @@ public:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Errors
-/// The surface has no face.
+/// The surface has no face, or the point set no point.
 class Empty_surface_error : public Input_error {
 public:
-  Empty_surface_error() : Input_error("the surface has no face") {}
+  explicit Empty_surface_error(const std::string& message = "the surface has no face")
+    : Input_error(message) {}
 };
 
 /// \ingroup PkgRestrictedLaplacian3Errors
-/// All faces of the surface are degenerate: its area is zero.
+/// The area is zero: all faces of the surface are degenerate, or all points of a point set are the
+/// same, or have weight zero.
 class Zero_area_error : public Input_error {
 public:
+  explicit Zero_area_error(const std::string& message) : Input_error(message) {}
   explicit Zero_area_error(std::size_t number_of_faces)
     : Input_error("the surface has area zero: all of its " + std::to_string(number_of_faces) +
                   " faces are degenerate") {}
@@ -60,6 +63,21 @@ public:
 
 private:
   std::size_t m_vertex;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Errors
+/// A point of a point set cannot be used: a coordinate is not finite, its normal is zero or not
+/// finite, or its area negative or not finite.
+class Invalid_point_error : public Input_error {
+public:
+  Invalid_point_error(std::size_t point, const std::string& reason)
+    : Input_error("point " + std::to_string(point) + " " + reason), m_point(point) {}
+
+  /// position of the point in the range, counted from 0
+  std::size_t point() const noexcept { return m_point; }
+
+private:
+  std::size_t m_point;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Errors

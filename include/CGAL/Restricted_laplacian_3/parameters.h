@@ -8,6 +8,7 @@
 #include <CGAL/tags.h>
 #include <CGAL/version.h>
 
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -51,6 +52,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(lumped_mass)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(boundary_values)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(constraint_values)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(constraint_weight)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(area_map)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(number_of_neighbors)
 
 #if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(concurrency_tag)
@@ -80,6 +83,13 @@ template <class T>
 using Require_named_parameters = std::enable_if_t<Is_named_parameters<T>::value, int>;
 template <class T>
 using Require_no_named_parameters = std::enable_if_t<!Is_named_parameters<T>::value, int>;
+
+/// tells ranges, of points for example, from meshes
+template <class T, class = void> struct Is_range : std::false_type {};
+template <class T>
+struct Is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>())),
+                               decltype(std::end(std::declval<const T&>()))>> : std::true_type {};
+template <class T> constexpr bool is_range_v = Is_range<T>::value;
 
 /// whether several threads are asked for: the value of `concurrency_tag`, by default
 /// `CGAL::Sequential_tag()`

@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
 #include <CGAL/Restricted_laplacian_3/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/smoothing_patches.h>
 
 #include <CGAL/Real_timer.h>
@@ -158,6 +159,37 @@ private:
   const TriangleRange& m_triangles;
 };
 
+/// A range of oriented points as the source of a surface: keys of property maps are the elements of
+/// the range or their positions, see `read_point_set()`.
+template <class PointRange> class Point_source {
+public:
+  explicit Point_source(const PointRange& points) : m_points(points) {}
+
+  template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
+    return Spline_space_3(m_points, np);
+  }
+  template <class Map> Linear_surface_function<double> interpolated(Map map) const {
+    std::vector<double> values;
+    for_each_point_key(
+        m_points, [&](const auto& key) { values.push_back(CGAL::to_double(value_at(map, key))); });
+    return Linear_surface_function<double>(std::move(values));
+  }
+  template <class Visitor> void for_each_vertex(Visitor&& visit) const {
+    for_each_point_key(m_points, [&](const auto& key) { visit(key.position, key); });
+  }
+
+private:
+  const PointRange& m_points;
+};
+
+/// a mesh, or a range of oriented points, as the source of a surface
+template <class Surface> auto mesh_or_point_source(const Surface& surface) {
+  if constexpr(is_range_v<Surface>)
+    return Point_source<Surface>(surface);
+  else
+    return Mesh_source<Surface>(surface);
+}
+
 /// a function object on `Surface_point` is taken as it is, a property map is interpolated
 template <class Source, class Function>
 auto surface_function(const Source& source, const Function& f) {
@@ -190,11 +222,11 @@ Point_constraints vertex_constraints(const Source& source, const Spline_space_3&
     }
   Point_constraints constraints(space);
   source.for_each_vertex([&](std::size_t i, const auto& v) {
-    if(!get(is_constrained, v))
+    if(!value_at(is_constrained, v))
       return;
     if(!is_on_surface[i])
       throw Invalid_vertex_error(i, "is constrained, but has no face of positive area");
-    constraints.add(locations[i], static_cast<double>(get(values, v)), weight);
+    constraints.add(locations[i], static_cast<double>(value_at(values, v)), weight);
   });
   return constraints;
 }
@@ -339,7 +371,7 @@ template <class FaceGraph, class Function, class VertexMap,
           internal::Require_named_parameters<NamedParameters> = 0>
 Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
                            const NamedParameters& np = parameters::default_values()) {
-  return internal::solve_poisson(internal::Mesh_source<FaceGraph>(tm), f, 0, u, np);
+  return internal::solve_poisson(internal::mesh_or_point_source(tm), f, 0, u, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -376,7 +408,7 @@ Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, cons
                                     VertexMap u,
                                     const NamedParameters& np = parameters::default_values()) {
   internal::check_screening_weight(alpha);
-  return internal::solve_poisson(internal::Mesh_source<FaceGraph>(tm), f, alpha, u, np);
+  return internal::solve_poisson(internal::mesh_or_point_source(tm), f, alpha, u, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
@@ -463,7 +495,7 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const std::vector<double> values =
       Spline_function_3(space, std::move(coefficients)).values_at_vertices();
   source.for_each_vertex(
-      [&](std::size_t i, const auto& v) { put(u, v, static_cast<Value>(values[i])); });
+      [&](std::size_t i, const auto& v) { put_value_at(u, v, static_cast<Value>(values[i])); });
   return report;
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/internal/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/sample_surface.h>
 
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,14 +26,20 @@ namespace Restricted_laplacian_3 {
 /// Integration over the surface, exact for all that a matrix needs: triangles are cut along the
 /// walls of the cells, and Taylor's rule of degree 12 is applied to the fragments.
 ///
+/// A surface that is given by points is integrated by the sum over its points, each times the area
+/// that it stands for (paper, section 4.3).
+///
 /// \cgalModels `SurfaceIntegration_3`
 class Cubature {
 public:
   /// The space must outlive this object.
-  explicit Cubature(const Spline_space_3& space) : m_octree(&space.octree()) {}
+  explicit Cubature(const Spline_space_3& space)
+    : m_octree(&space.octree()), m_is_point_set(space.surface().is_point_set()) {}
 
   /// adds the moments of a sheet of the finest level
   void add_moments(std::size_t sheet, Cell_moments& moments) const {
+    if(m_is_point_set)
+      return add_moments_of_points(sheet, moments);
     const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
     for(std::uint32_t face : m_octree->faces(sheet))
       add_fragment(m_octree->fragment(cell, face), cell.index, m_octree->surface().normal(face),
@@ -40,6 +48,12 @@ public:
 
   /// the same, as the assembly wants it
   void add_moments(std::size_t sheet, internal::Sheet_moments& moments) const {
+    if(m_is_point_set) {
+      Cell_moments sum = moments.cell_moments();
+      add_moments_of_points(sheet, sum);
+      moments = internal::Sheet_moments(sum);
+      return;
+    }
     const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
     for(std::uint32_t face : m_octree->faces(sheet))
       internal::add_fragment(m_octree->fragment(cell, face), cell.index,
@@ -56,6 +70,8 @@ public:
   /// The same with the nodes of a rule that is exact up to `degree`, at most 12.
   template <class Visitor>
   void for_each_node(std::size_t sheet, int degree, Visitor&& visit) const {
+    if(m_is_point_set)
+      return for_each_point(sheet, visit);
     const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
     const std::vector<Triangle_quadrature_node>& rule = triangle_quadrature(degree);
     Surface_location location;
@@ -71,41 +87,69 @@ public:
   }
 
 private:
+  template <class Visitor> void for_each_point(std::size_t sheet, Visitor&& visit) const {
+    const int depth = m_octree->depth();
+    const double h = m_octree->cell_width(depth);
+    const Triangulated_surface_3& surface = m_octree->surface();
+    const Cell_3 cell = m_octree->cell(depth, sheet);
+    Surface_location location;
+    for(std::uint32_t point : m_octree->faces(sheet)) {
+      location.face = point;
+      std::array<double, 3> t = m_octree->grid_coordinates(depth, surface.point(point));
+      for(int axis = 0; axis < 3; ++axis)
+        t[axis] -= cell.index[axis];
+      visit(t, static_cast<const Surface_location&>(location), surface.area(point) / h / h);
+    }
+  }
+
+  void add_moments_of_points(std::size_t sheet, Cell_moments& moments) const {
+    for_each_point(sheet, [&](const std::array<double, 3>& t, const Surface_location& location,
+                              double weight) {
+      add_sample(t, m_octree->surface().normal(location.face), weight, moments);
+    });
+  }
+
   const Octree_3* m_octree;
+  bool m_is_point_set;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Integration over the surface by samples that are uniformly distributed by area, each of weight
 /// area / number of samples (paper, section 4.3). The error of an integral falls with the square
-/// root of the number of samples. Elements that no sample meets have zero rows.
+/// root of the number of samples, with `Sampling::stratified` nearly with the number itself.
+/// Elements that no sample meets have zero rows.
 ///
 /// \cgalModels `SurfaceIntegration_3`
 class Monte_carlo {
 public:
   /// The space must outlive this object.
-  Monte_carlo(const Spline_space_3& space, std::size_t number_of_samples, std::uint64_t seed)
-    : Monte_carlo(space, sample_surface(space.surface(), number_of_samples, seed)) {}
+  Monte_carlo(const Spline_space_3& space, std::size_t number_of_samples, std::uint64_t seed,
+              Sampling sampling = Sampling::independent)
+    : Monte_carlo(space, sample_surface(space.surface(), number_of_samples, seed, sampling)) {}
 
   Monte_carlo(const Spline_space_3& space, const std::vector<Surface_location>& samples)
     : m_octree(&space.octree()) {
     const int depth = m_octree->depth();
     const double h = m_octree->cell_width(depth);
-    m_weight = m_octree->surface().area() / samples.size() / (h * h);
+    m_weight = m_octree->surface().area() / static_cast<double>(samples.size()) / (h * h);
     const std::size_t number_of_sheets = m_octree->number_of_sheets(depth);
 
+    std::vector<std::size_t> sheet_of_sample(samples.size());
+    std::vector<std::array<double, 3>> positions(samples.size());
+    internal::parallel_for(space.options().is_parallel, 0, samples.size(), 1 << 12,
+                           [&](std::size_t begin, std::size_t end) {
+                             for(std::size_t k = begin; k < end; ++k) {
+                               std::tie(sheet_of_sample[k], positions[k]) = space.locate(
+                                   depth, m_octree->surface().surface_point(samples[k]).point,
+                                   samples[k].face);
+                               if(sheet_of_sample[k] == number_of_sheets)
+                                 throw Location_error("a sample is not on the surface");
+                             }
+                           });
     // counting sort by sheet
-    std::vector<std::size_t> sheet_of_sample;
-    std::vector<std::array<double, 3>> positions;
     m_first.assign(number_of_sheets + 1, 0);
-    for(const Surface_location& sample : samples) {
-      const auto [sheet, t] =
-          space.locate(depth, m_octree->surface().surface_point(sample).point, sample.face);
-      if(sheet == number_of_sheets)
-        throw Location_error("a sample is not on the surface");
-      sheet_of_sample.push_back(sheet);
-      positions.push_back(t);
+    for(std::size_t sheet : sheet_of_sample)
       ++m_first[sheet + 1];
-    }
     for(std::size_t i = 0; i < number_of_sheets; ++i)
       m_first[i + 1] += m_first[i];
     m_samples.resize(samples.size());

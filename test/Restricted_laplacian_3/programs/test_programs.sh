@@ -147,7 +147,8 @@ awk 'NR > 2 && NF == 3 { print 9 * $1, 9 * $2, 9 * $3; next } { print }' OFMT=%.
 
 # The tests.
 
-common_options="depth cube-scale unsplit join paper assembly samples seed threads csv output quiet"
+common_options="depth cube-scale unsplit join paper assembly sampling samples seed threads csv output
+  quiet"
 
 test_help() {
   local program option
@@ -809,6 +810,44 @@ PLATES
   done
 }
 
+# Points in place of a mesh: the vertices of sphere.off, whose normals are their coordinates.
+test_points() {
+  awk 'NR > 2 && NF == 3 { print $0, $0 }' sphere.off > points.xyz
+  awk '{ print $1, $2, $3 }' points.xyz > bare.xyz
+  { printf 'ply\nformat ascii 1.0\nelement vertex %d\n' "$(wc -l < points.xyz)"
+    printf 'property double %s\n' x y z nx ny nz
+    echo end_header
+    cat points.xyz; } > points.ply
+  sed '/property double n/d' points.ply > bare.ply
+  for file in points.xyz points.ply; do
+    succeeds solve_poisson $file --depth 2 --csv u.csv --output u.ply --picture u.png
+    check "$file: u = -z / 2" is_below "$(largest_difference u.csv 3 -0.5)" 0.01
+    check "$file: points" [ "$(comment points u.csv)" = 1026 ]
+    check "$file: area" is_near "$(comment area u.csv)" 12.566 0.1
+    check "$file: a picture" eval "head -c 4 u.png | grep -q PNG"
+    # what is written can be read again
+    succeeds laplace_spectrum u.ply --depth 2 --count 4 --split-points --neighbors 12 --csv e.csv
+    for value in $(numbers e.csv | tail -n 3); do
+      check "$file: eigenvalues 2" is_near "$value" 2 0.02
+    done
+    check "$file: one component" [ "$(comment components e.csv)" = 1 ]
+  done
+  fails "normal" laplace_spectrum bare.xyz
+  fails "normal" laplace_spectrum bare.ply
+  sed '5s/.*/0 0 1 0 0 0/' points.xyz > bad.xyz
+  fails "point 4 has a normal of length zero" solve_poisson bad.xyz
+  : > empty.xyz
+  fails "no point" solve_poisson empty.xyz
+  fails "triangles" laplace_spectrum points.xyz --operator cotangent
+  fails "triangles" laplace_spectrum points.xyz --assembly monte-carlo
+  fails "number_of_neighbors" laplace_spectrum points.xyz --neighbors 2
+  fails "set of points" laplace_spectrum sphere.off --split-points
+  fails "sampling" laplace_spectrum sphere.off --assembly monte-carlo --sampling regular
+  succeeds laplace_spectrum sphere.off --depth 3 --count 2 --csv stratified.csv \
+    --assembly monte-carlo --samples 50000 --sampling stratified
+  check "stratified samples" is_near "$(numbers stratified.csv | tail -n 1)" 2 0.01
+}
+
 test_short_programs() {
   succeeds minimal_poisson sphere.off
   # u = -z / 2
@@ -828,6 +867,11 @@ test_short_programs() {
   check "and finds the same solution with all" \
     [ "$(sed 's/^[^:]*: //' out | cut -d' ' -f4 | cut -c1-6 | sort -u | wc -l)" -eq 1 ]
   fails "usage" generic_meshes
+  awk 'NR > 2 && NF == 3 { print $0, $0 }' sphere.off > minimal.xyz
+  succeeds minimal_points minimal.xyz
+  check "minimal_points prints ten eigenvalues and a range" [ "$(wc -l < out)" -eq 11 ]
+  check "the second of which is 2" is_near "$(sed -n 2p out)" 2 0.05
+  fails "usage" minimal_points
   succeeds steps sphere.off
   check "steps prints something" [ -s out ]
   fails "usage" steps

@@ -28,17 +28,33 @@ inline std::uint32_t elements_at_offset(int axis, int offset) {
 }
 
 /// The element pieces of offsets -1, 0, 1 are (1-t)^2/2, 1/2+t-t^2 and t^2/2: with all of a
-/// fragment at t = 0 the last, with all of it at t = 1 the first vanishes on it.
-inline std::uint32_t element_mask(const Fragment& fragment, const std::array<int, 3>& cell) {
+/// piece at t = 0 the last, with all of it at t = 1 the first vanishes on it.
+/// \param range_along lowest and highest coordinate along an axis
+template <class Range_along>
+std::uint32_t element_mask_of_range(const Range_along& range_along,
+                                    const std::array<int, 3>& cell) {
   std::uint32_t mask = (1u << 27) - 1;
   for(int axis = 0; axis < 3; ++axis) {
-    const auto range = internal::range(fragment, axis);
+    const std::array<double, 2> range = range_along(axis);
     if(!(range[0] < cell[axis] + 1))
       mask &= ~elements_at_offset(axis, -1);
     if(!(range[1] > cell[axis]))
       mask &= ~elements_at_offset(axis, 1);
   }
   return mask;
+}
+
+inline std::uint32_t element_mask(const Fragment& fragment, const std::array<int, 3>& cell) {
+  return element_mask_of_range([&](int axis) { return internal::range(fragment, axis); }, cell);
+}
+
+/// the mask of a single point
+inline std::uint32_t element_mask(const std::array<double, 3>& p, const std::array<int, 3>& cell) {
+  return element_mask_of_range(
+      [&](int axis) {
+        return std::array<double, 2>{p[axis], p[axis]};
+      },
+      cell);
 }
 
 /// The mask of a parent follows from those of its children: in the lower child of an axis (parity
