@@ -37,10 +37,10 @@ run_tests() {
 
 bash scripts/install_dependencies.sh
 
-# Nearly all of the time of a unit test's compilation goes into functions of the package and of
-# Eigen that all of them use: two translation units take a third of the time of one for each file.
-# Each of the two takes up to 4 GB.
-unity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=9)
+# Nearly all of the time of a compilation goes into functions of the package, of CGAL and of Eigen
+# that all unit tests and example programs use: two translation units for all unit tests and two for
+# all programs take a fraction of the time of one for each file, and up to 5 GB each.
+unity=(-DCMAKE_UNITY_BUILD=ON)
 
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
   -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON "${unity[@]}"

@@ -77,4 +77,5 @@ int main() {
     if(mesh.point(v).x() < -0.2)
       on_the_left = std::max(on_the_left, std::abs(u[v] - mesh.point(v).x() * mesh.point(v).y()));
   std::cout << "weights, largest difference where they are large: " << on_the_left << '\n';
+  return 0;
 }
