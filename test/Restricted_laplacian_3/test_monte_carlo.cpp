@@ -63,7 +63,7 @@ std::array<double, 2> slopes_of_errors(const RL::Spline_space_3& space, RL::Samp
   std::vector<double> sizes, stiffness_errors, mass_errors;
   for(std::size_t number = 1000; number <= 256000; number *= 4) {
     double stiffness = 0, mass = 0;
-    const int number_of_seeds = 8;
+    const int number_of_seeds = 4;
     for(int seed = 0; seed < number_of_seeds; ++seed) {
       const RL::Operators operators = RL::assemble_operators(
           space, space.depth(), RL::Monte_carlo(space, number, seed + number, sampling));

@@ -305,6 +305,18 @@ TEST_CASE("poisson_problems_on_points", "[points]") {
   CHECK(error(-0.5, of_vector) <= 2e-3);
   CHECK(RL::solve_screened_poisson(set, f, 3., u, params::octree_depth(3)).converged);
   CHECK(error(0.2, of_set) <= 1e-3);
+  // prescribed values, also by keys of the set
+  auto is_pole = set.add_property_map<bool>("pole", false).first;
+  for(std::size_t i : {std::size_t(0), points.size() - 1})
+    is_pole[Point_set::Index(i)] = true;
+  const auto zero = [](const RL::Surface_point&) { return 0.; };
+  CHECK(
+      RL::solve_poisson(
+          set, zero, u,
+          params::octree_depth(3, params::constraint_values(f)).vertex_is_constrained_map(is_pole))
+          .converged);
+  for(std::size_t i : {std::size_t(0), points.size() - 1})
+    CHECK(of_set(i) == Approx(points[i].first.z()).epsilon(1e-2));
   // weights in place of a number
   const std::vector<double> threes(points.size(), 3);
   CHECK(RL::solve_screened_poisson(points, z, CGAL::make_property_map(threes),

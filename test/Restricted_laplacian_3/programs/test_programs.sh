@@ -159,11 +159,11 @@ test_help() {
     done
   done
   run solve_poisson --help
-  for option in rhs rhs-property alpha tolerance cycle smoother; do
+  for option in rhs rhs-property alpha tolerance cycle smoother neighbors split-points; do
     check "solve_poisson --help explains --$option" grep -q -e "--$option" out
   done
   run laplace_spectrum --help
-  for option in count operator mass eigenfunction; do
+  for option in count operator mass eigenfunction neighbors split-points; do
     check "laplace_spectrum --help explains --$option" grep -q -e "--$option" out
   done
   run spectral_descriptors --help
