@@ -9,6 +9,8 @@
 /// rest works, and `laplace_spectrum()` does not exist.
 
 #include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/heat_kernel_signature.h>
 #include <CGAL/Restricted_laplacian_3/shape_dna.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>

@@ -144,8 +144,8 @@ public:
     return load;
   }
 
-  /// \f$ \int_{\partial \mathcal M} \nu\, b_i \f$ with the outward conormal \f$\nu\f$: `dimension()`
-  /// rows, a column for each coordinate of \f$\nu\f$
+  /// \f$ \int_{\partial \mathcal M} \nu\, b_i \f$ with the outward conormal \f$\nu\f$: a row for
+  /// each element, a column for each coordinate of \f$\nu\f$
   Eigen::MatrixXd conormal_loads() const {
     Eigen::MatrixXd loads =
         Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(m_space->dimension()), 3);

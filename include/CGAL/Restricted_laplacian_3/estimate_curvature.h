@@ -321,10 +321,13 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
     if constexpr(is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
       const auto map = parameters::get_parameter(np, internal_np::vertex_normal_map);
       std::vector<Vector_3> normals;
-      source.for_each_vertex([&](std::size_t, const auto& v) {
+      source.for_each_vertex([&](std::size_t i, const auto& v) {
         const auto n = get(map, v);
-        normals.push_back(unit_or_zero(
-            Vector_3(CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z()))));
+        const Vector_3 normal(CGAL::to_double(n.x()), CGAL::to_double(n.y()),
+                              CGAL::to_double(n.z()));
+        if(!std::isfinite(normal.squared_length()))
+          throw Invalid_vertex_error(i, "has a normal that is not finite");
+        normals.push_back(unit_or_zero(normal));
       });
       return Restricted_laplacian_3::estimate_curvature(
           space, Cubature(space), Interpolated_normals(std::move(normals)), np);

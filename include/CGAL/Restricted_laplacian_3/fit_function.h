@@ -341,7 +341,7 @@ private:
         (of_zero.loads.col(k) - left.loads.col(k)) / unit() - mean * m_integrals;
     const Eigen::VectorXd a_eta =
         solver.upper_half().template selfadjointView<Eigen::Upper>() * eta;
-    const double smoothing = m_options.smoothing_weight * left.gradient_squares[k] / unit();
+    const double smoothing = m_options.smoothing_weight / unit() * left.gradient_squares[k];
     const double stabilization = eta.dot(a_eta - mass_eta) - smoothing;
     return stabilization <= internal::largest_stabilization_energy * (left.squares[k] + smoothing);
   }
