@@ -9,6 +9,8 @@
 /// Spectra; without it the rest works, and their functions do not exist.
 
 #include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/heat_kernel_signature.h>
 #include <CGAL/Restricted_laplacian_3/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/shape_dna.h>

@@ -109,6 +109,30 @@ template <typename Range> std::vector<Color> value_colors(const Range& values) {
   return colors;
 }
 
+// Diverging colors, white for 0, that are full at the magnitude that a fraction of the values is
+// below: curvatures have a few values that are much larger than all others. Gray for NaN.
+inline std::vector<Color> clipped_colors(const std::vector<double>& values, double fraction) {
+  std::vector<double> magnitudes;
+  for(const double x : values)
+    if(std::isfinite(x))
+      magnitudes.push_back(std::abs(x));
+  double largest = 0;
+  if(!magnitudes.empty()) {
+    const auto nth =
+        magnitudes.begin() +
+        static_cast<std::ptrdiff_t>(fraction * static_cast<double>(magnitudes.size() - 1));
+    std::nth_element(magnitudes.begin(), nth, magnitudes.end());
+    largest = *nth;
+  }
+  std::vector<Color> colors;
+  for(const double x : values)
+    if(!std::isfinite(x))
+      colors.push_back({0.5, 0.5, 0.5});
+    else
+      colors.push_back(diverging_color(largest > 0 ? 0.5 + 0.5 * x / largest : 0.5));
+  return colors;
+}
+
 } // namespace examples
 
 #endif // RESTRICTED_LAPLACIAN_3_EXAMPLES_COLOR_MAP_H

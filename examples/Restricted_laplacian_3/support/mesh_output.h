@@ -11,6 +11,8 @@
 
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
@@ -28,19 +30,20 @@ template <typename Number> void write_bytes(std::ostream& out, Number number) {
 
 } // namespace internal
 
-// Writes a binary PLY file of a surface with a value for each vertex, and a color that shows it;
-// of points without faces, but with their normals.
-// Like the writers of CGAL it is for machines that store the lowest byte of a number first.
+// Writes a binary PLY file of a surface with a color and some named values for each vertex: columns
+// of a matrix; of points without faces, but with their normals. Like the writers of CGAL it is for
+// machines that store the lowest byte of a number first.
 inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3& surface,
-                       const std::vector<double>& values) {
+                       const std::vector<Color>& colors, const std::vector<std::string>& names,
+                       const Eigen::MatrixXd& values) {
   using internal::write_bytes;
-  const std::vector<Color> colors = value_colors(values);
   write_file(file, [&](std::ostream& out) {
     out << "ply\nformat binary_little_endian 1.0\n"
         << "element vertex " << surface.number_of_vertices() << '\n'
         << "property double x\nproperty double y\nproperty double z\n"
-        << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-        << "property double value\n";
+        << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    for(const std::string& name : names)
+      out << "property double " << name << '\n';
     if(surface.is_point_set())
       out << "property double nx\nproperty double ny\nproperty double nz\n";
     else
@@ -52,7 +55,8 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
         write_bytes(out, surface.point(v)[axis]);
       for(const double component : colors[v])
         write_bytes(out, linear_to_srgb(component));
-      write_bytes(out, values[v]);
+      for(const double value : values.row(static_cast<Eigen::Index>(v)))
+        write_bytes(out, value);
       for(int axis = 0; axis < 3 && surface.is_point_set(); ++axis)
         write_bytes(out, surface.normal(v)[axis]);
     }
@@ -62,6 +66,14 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
         write_bytes(out, vertex);
     }
   });
+}
+
+// The same with one value, and colors that show it.
+inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3& surface,
+                       const std::vector<double>& values) {
+  write_mesh(
+      file, surface, value_colors(values), {"value"},
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
 }
 
 } // namespace examples

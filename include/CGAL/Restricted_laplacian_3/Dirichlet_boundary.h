@@ -31,6 +31,36 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+namespace internal {
+
+/// a side of a face: from corner `side` to corner `side + 1`, modulo 3
+struct Face_side {
+  std::size_t face;
+  int side;
+};
+
+/// the sides of faces that are joined to no other face, see `Surface_seams`
+inline std::vector<Face_side> boundary_sides(const Spline_space_3& space) {
+  const Triangulated_surface_3& surface = space.surface();
+  std::vector<Face_side> result;
+  if(surface.number_of_faces() == 0)
+    return result;
+  const double h = space.octree().cell_width(space.depth());
+  const Surface_seams seams(surface, Octree_3::thin_face_height * h,
+                            space.options().joining_tolerance);
+  std::vector<std::uint32_t> number_of_sides(seams.number_of_seams(), 0);
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(int side = 0; side < 3; ++side)
+      ++number_of_sides[seams.seam(f, side)];
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(int side = 0; side < 3; ++side)
+      if(!surface.is_degenerate(f) && number_of_sides[seams.seam(f, side)] == 1)
+        result.push_back({f, side});
+  return result;
+}
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Prescribes the values \f$u = g\f$ on the boundary of an open surface, by the symmetric method of
 /// Nitsche. With the outward conormal \f$\nu\f$ (unit, tangential to the surface) it adds
@@ -68,18 +98,8 @@ public:
   /// \param space must outlive this object
   /// \throws Parameter_error if the surface has no boundary
   explicit Dirichlet_boundary(const Spline_space_3& space) : m_space(&space) {
-    const Triangulated_surface_3& surface = space.surface();
-    const double h = space.octree().cell_width(space.depth());
-    const Surface_seams seams(surface, Octree_3::thin_face_height * h,
-                              space.options().joining_tolerance);
-    std::vector<std::uint32_t> number_of_sides(seams.number_of_seams(), 0);
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      for(int side = 0; side < 3; ++side)
-        ++number_of_sides[seams.seam(f, side)];
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      for(int side = 0; side < 3; ++side)
-        if(!surface.is_degenerate(f) && number_of_sides[seams.seam(f, side)] == 1)
-          add_side(f, side);
+    for(const internal::Face_side& s : internal::boundary_sides(space))
+      add_side(s.face, s.side);
     if(m_nodes.empty())
       throw Parameter_error("boundary_values", "are given, but the surface has no boundary");
     std::stable_sort(m_nodes.begin(), m_nodes.end(),
@@ -122,6 +142,22 @@ public:
           load[elements[i]] += value * (node.beta * b[i] - node.flux * d[i]);
     }
     return load;
+  }
+
+  /// \f$ \int_{\partial \mathcal M} \nu\, b_i \f$ with the outward conormal \f$\nu\f$: a row for
+  /// each element, a column for each coordinate of \f$\nu\f$
+  Eigen::MatrixXd conormal_loads() const {
+    Eigen::MatrixXd loads =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(m_space->dimension()), 3);
+    for(const Node& node : m_nodes) {
+      const auto b = values(node).first;
+      const Eigen::RowVector3d conormal(node.conormal.x(), node.conormal.y(), node.conormal.z());
+      const Cell_elements& elements = m_space->elements(m_space->depth(), node.sheet);
+      for(int i = 0; i < 27; ++i)
+        if(elements[i] != Spline_space_3::no_element)
+          loads.row(elements[i]) += node.weight * b[i] * conormal;
+    }
+    return loads;
   }
 
   /// \f$(\int_{\partial \mathcal M} (u - g)^2 / \mathrm{length})^{1/2}\f$

@@ -22,6 +22,17 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// Values and derivatives of several functions at several points: a row for each point, a column
+/// for each function.
+struct Spline_jets {
+  Eigen::MatrixXd values;
+  /// derivatives along \f$x\f$, \f$y\f$ and \f$z\f$, in units of the function over length. They
+  /// are those of the splines in space: the part along a tangent plane of the surface is that of
+  /// the surface gradient, the part along the normal has no meaning on the surface.
+  std::array<Eigen::MatrixXd, 3> derivatives;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Ref
 /// Several functions \f$u_k = \sum_i H_{ik} b_i\f$ on the surface of a spline space, for example
 /// eigenfunctions, the columns of `Eigenpairs::vectors`. They are evaluated together: the point is
 /// located, and the 27 elements are evaluated there, once for all of them. Each value is that of a
@@ -76,11 +87,50 @@ public:
     });
   }
 
+  /// Values and derivatives at all vertices, in the order of `vertices(tm)`; NaN at vertices that
+  /// have no face of positive area.
+  Spline_jets jets_at_vertices() const {
+    const std::vector<internal::Sheet_point> points = internal::locate_vertices(*m_space, m_level);
+    return jets(points.size(), [&](std::size_t i) { return points[i]; });
+  }
+
+  /// Values and derivatives at locations.
+  /// \param locations a range of `Surface_location`
+  /// \throws Location_error if there is no such face, or if a location is not on the surface
+  template <class LocationRange>
+  Spline_jets jets_at_locations(const LocationRange& locations) const {
+    const std::vector<Surface_location> copy(std::begin(locations), std::end(locations));
+    return jets(copy.size(), [&](std::size_t i) {
+      return internal::locate_on_surface(*m_space, m_level, copy[i]);
+    });
+  }
+
 private:
   using Index = Eigen::Index;
 
+  template <class PointOf> Spline_jets jets(std::size_t number, PointOf&& point_of) const {
+    const double width = m_space->octree().cell_width(m_level);
+    Spline_jets result;
+    result.values = values(number, point_of);
+    for(int axis = 0; axis < 3; ++axis)
+      result.derivatives[axis] = sums(number, point_of,
+                                      [axis](const std::array<double, 3>& t) {
+                                        return internal::element_derivatives(t, axis);
+                                      }) /
+                                 width;
+    return result;
+  }
+
   /// \param point_of number of a point &rarr; `Sheet_point`
   template <class PointOf> Eigen::MatrixXd values(std::size_t number, PointOf&& point_of) const {
+    return sums(number, point_of,
+                [](const std::array<double, 3>& t) { return internal::element_values(t); });
+  }
+
+  /// the functions with other values of the elements
+  /// \param values_of local coordinate &rarr; numbers for the 27 elements
+  template <class PointOf, class ValuesOf>
+  Eigen::MatrixXd sums(std::size_t number, PointOf&& point_of, ValuesOf&& values_of) const {
     Eigen::MatrixXd result(static_cast<Index>(number), m_coefficients.rows());
     if(m_coefficients.rows() == 0)
       return result; // no function: no memory to take parts of
@@ -92,19 +142,21 @@ private:
           const Index size = static_cast<Index>(end - begin);
           Eigen::MatrixXd chunk(m_coefficients.rows(), size);
           for(Index i = 0; i < size; ++i)
-            evaluate(point_of(begin + static_cast<std::size_t>(i)), chunk.col(i));
+            evaluate(point_of(begin + static_cast<std::size_t>(i)), values_of, chunk.col(i));
           result.middleRows(static_cast<Index>(begin), size) = chunk.transpose();
         });
     return result;
   }
 
-  void evaluate(const internal::Sheet_point& p, Eigen::MatrixXd::ColXpr result) const {
+  template <class ValuesOf>
+  void evaluate(const internal::Sheet_point& p, ValuesOf&& values_of,
+                Eigen::MatrixXd::ColXpr result) const {
     if(p.sheet == internal::Sheet_point::not_on_surface) {
       result.setConstant(std::numeric_limits<double>::quiet_NaN());
       return;
     }
     const Cell_elements& elements = m_space->elements(m_level, p.sheet);
-    const std::array<double, 27> values = internal::element_values(p.t);
+    const std::array<double, 27> values = values_of(p.t);
     result.setZero();
     for(int i = 0; i < 27; ++i)
       if(elements[i] != Spline_space_3::no_element)

@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/internal/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/internal/Element_matrix_pattern.h>
 #include <CGAL/Restricted_laplacian_3/internal/Operator_assembly.h>
+#include <CGAL/Restricted_laplacian_3/internal/function_components.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/surface_integration.h>
 
@@ -156,30 +157,30 @@ inline Operators assemble_operators(const Spline_space_3& space) {
 
 namespace internal {
 
-/// The matrices \f$S + \alpha M\f$ of the levels `coarsest` ..\ depth, coarsest first, and the
-/// integrals of the elements of the finest level.
+/// The matrices \f$\beta S + \alpha M\f$ of the levels `coarsest` ..\ depth, coarsest first, and
+/// the integrals of the elements of the finest level.
 struct System_matrices {
   std::vector<Sparse_matrix> matrices;
   Eigen::VectorXd integrals;
 };
 
-/// In one pass over the surface; no mass matrices are formed if \f$\alpha = 0\f$.
+/// In one pass over the surface; no matrices are formed whose factor is 0.
 template <class SurfaceIntegration>
 System_matrices assemble_system(const Spline_space_3& space, int coarsest,
                                 const SurfaceIntegration& integration, double alpha,
-                                double normal_stabilization) {
+                                double normal_stabilization, double beta = 1) {
   checked_normal_stabilization(normal_stabilization);
   const std::size_t number_of_levels = static_cast<std::size_t>(space.depth() - coarsest) + 1;
   System_matrices result;
   result.integrals = Eigen::VectorXd::Zero(space.dimension());
   result.matrices.resize(number_of_levels);
-  std::vector<Sparse_matrix> mass(alpha != 0 ? number_of_levels : 0);
+  std::vector<Sparse_matrix> mass(alpha != 0 && beta != 0 ? number_of_levels : 0);
   std::vector<Assembly_targets> targets(space.depth() + 1);
   for(std::size_t i = 0; i < number_of_levels; ++i) {
     const int level = coarsest + static_cast<int>(i);
     Element_matrix_pattern(space, level).zero_matrix().swap(result.matrices[i]);
-    targets[level].stiffness = &result.matrices[i];
-    if(alpha != 0) {
+    (beta != 0 ? targets[level].stiffness : targets[level].mass) = &result.matrices[i];
+    if(!mass.empty()) {
       mass[i] = result.matrices[i];
       targets[level].mass = &mass[i];
     }
@@ -188,8 +189,13 @@ System_matrices assemble_system(const Spline_space_3& space, int coarsest,
   Operator_assembly<SurfaceIntegration>(space, integration, normal_stabilization, true,
                                         std::move(targets));
   // The patterns are the same, so values can be added without a merge.
-  for(std::size_t i = 0; i < mass.size(); ++i)
-    result.matrices[i].coeffs() += alpha * mass[i].coeffs();
+  const double factor = beta != 0 ? beta : alpha;
+  for(std::size_t i = 0; i < number_of_levels; ++i) {
+    if(factor != 1)
+      result.matrices[i].coeffs() *= factor;
+    if(!mass.empty())
+      result.matrices[i].coeffs() += alpha * mass[i].coeffs();
+  }
   return result;
 }
 
@@ -298,30 +304,42 @@ void for_each_node_of_level(const Spline_space_3& space, int level, std::size_t 
   }
 }
 
-/// The vector that gets from each sheet of `level` what `load_of_sheet(sheet)` returns for its
-/// elements, times `factor`. Sheets are computed on several threads, and added in their order.
-template <class LoadOfSheet>
-Eigen::VectorXd sum_loads(const Spline_space_3& space, int level, double factor,
-                          LoadOfSheet&& load_of_sheet) {
+/// The vectors, columns of a matrix, that get from each sheet of `level` what
+/// `loads_of_sheet(sheet)` returns for its elements, times `factor`. Sheets are computed on several
+/// threads, and added in their order.
+template <int K, class LoadsOfSheet>
+Eigen::Matrix<double, Eigen::Dynamic, K> sum_loads(const Spline_space_3& space, int level,
+                                                   double factor, LoadsOfSheet&& loads_of_sheet) {
   constexpr std::size_t grain = 256, sheets_at_once = 64 * grain;
   const std::size_t number_of_sheets = space.octree().number_of_sheets(level);
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(space.dimension(level));
-  std::vector<Cell_load::Load> loads((std::min)(sheets_at_once, number_of_sheets));
+  Eigen::Matrix<double, Eigen::Dynamic, K> sums;
+  sums.setZero(static_cast<Eigen::Index>(space.dimension(level)), K);
+  std::vector<std::array<Cell_load::Load, K>> loads((std::min)(sheets_at_once, number_of_sheets));
   for(std::size_t first = 0; first < number_of_sheets; first += sheets_at_once) {
     const std::size_t last = (std::min)(first + sheets_at_once, number_of_sheets);
     parallel_for(space.options().is_parallel, first, last, grain,
                  [&](std::size_t begin, std::size_t end) {
                    for(std::size_t sheet = begin; sheet < end; ++sheet)
-                     loads[sheet - first] = load_of_sheet(sheet);
+                     loads[sheet - first] = loads_of_sheet(sheet);
                  });
     for(std::size_t sheet = first; sheet < last; ++sheet) {
       const Cell_elements& elements = space.elements(level, sheet);
-      for(int i = 0; i < 27; ++i)
-        if(elements[i] != Spline_space_3::no_element)
-          load[elements[i]] += factor * loads[sheet - first][i];
+      for(int k = 0; k < K; ++k)
+        for(int i = 0; i < 27; ++i)
+          if(elements[i] != Spline_space_3::no_element)
+            sums(elements[i], k) += factor * loads[sheet - first][k][i];
     }
   }
-  return load;
+  return sums;
+}
+
+/// the same for one vector
+template <class LoadOfSheet>
+Eigen::VectorXd sum_loads(const Spline_space_3& space, int level, double factor,
+                          LoadOfSheet&& load_of_sheet) {
+  return sum_loads<1>(space, level, factor, [&](std::size_t sheet) {
+    return std::array<Cell_load::Load, 1>{load_of_sheet(sheet)};
+  });
 }
 
 } // namespace internal
@@ -364,6 +382,35 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, in
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
   return assemble_load(space, f, space.depth());
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The loads of all components of a function in one pass over the surface: \f$ \gamma_{ik} =
+/// \int_{\mathcal M} f_k\, b_i \f$ (paper, section 5.3), a row for each element of `level`, a
+/// column for each component.
+/// \param f a function object that takes a `const Surface_point&` and returns a number, a
+/// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal;
+/// all else as in `assemble_load()`
+template <class Function, class SurfaceIntegration>
+Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space, const Function& f, int level,
+                                         const SurfaceIntegration& integration) {
+  constexpr int number = internal::Components_of<Function>::number;
+  space.checked_level(level);
+  const double h = space.octree().cell_width(space.depth());
+  return internal::sum_loads<number>(space, level, h * h, [&](std::size_t sheet) {
+    std::array<internal::Cell_load, number> moments;
+    internal::for_each_node_of_level(
+        space, level, sheet, integration, 6 + internal::degree_on_triangles(f),
+        [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
+          const auto value = internal::components_at(f, p);
+          for(int k = 0; k < number; ++k)
+            moments[k].add(t, weight * value[k]);
+        });
+    std::array<internal::Cell_load::Load, number> loads = {};
+    for(int k = 0; k < number; ++k)
+      moments[k].add_values_to(loads[k]);
+    return loads;
+  });
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref

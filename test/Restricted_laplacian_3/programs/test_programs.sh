@@ -152,7 +152,8 @@ common_options="depth cube-scale unsplit join paper assembly sampling samples se
 
 test_help() {
   local program option
-  for program in solve_poisson laplace_spectrum spectral_descriptors; do
+  for program in solve_poisson laplace_spectrum spectral_descriptors fit_function \
+    estimate_curvature; do
     succeeds "$program" --help
     for option in $common_options picture help; do
       check "$program --help explains --$option" grep -q -e "--$option" out
@@ -165,6 +166,14 @@ test_help() {
   run laplace_spectrum --help
   for option in count operator mass eigenfunction neighbors split-points; do
     check "laplace_spectrum --help explains --$option" grep -q -e "--$option" out
+  done
+  run fit_function --help
+  for option in property normals smoothing refinements tolerance stabilization; do
+    check "fit_function --help explains --$option" grep -q -e "--$option" out
+  done
+  run estimate_curvature --help
+  for option in method smoothing tolerance stabilization show clip; do
+    check "estimate_curvature --help explains --$option" grep -q -e "--$option" out
   done
   run spectral_descriptors --help
   for option in descriptor count columns time energy scaled normalization compare column; do
@@ -582,6 +591,80 @@ test_descriptors() {
   check "--quiet prints nothing" [ ! -s out ]
 }
 
+# column N FILE: the numbers of a column of a table, without its heading
+column() { grep -v '^#' "$2" | tail -n +2 | cut -d, -f"$1"; }
+
+# is_within LOW HIGH: all numbers of the standard input
+is_within() { awk -v a="$1" -v b="$2" '!($1 >= a && $1 <= b) { bad = 1 } END { exit bad || !NR }'; }
+
+test_fits() {
+  succeeds fit_function sphere.off --property x,z --depth 3 --csv f.csv --output f.ply \
+    --picture f.png
+  check "heading of the table" [ "$(grep -v '^#' f.csv | head -n 1)" = vertex,x,z ]
+  check "one row for each vertex" [ "$(numbers f.csv | wc -l)" = 1026 ]
+  for name in vertices faces depth dimension area setup_seconds assembly_seconds solve_seconds \
+    iterations relative_residual rms_error; do
+    check "the table says $name" [ -n "$(comment $name f.csv)" ]
+  done
+  check "coordinates are fitted" is_below "$(largest_difference f.csv 1 1)" 1e-6
+  check "up to rounding" is_below "$(comment rms_error f.csv)" 1e-6
+  check "to the tolerance" is_below "$(comment relative_residual f.csv)" 1.0001e-8
+  check "the mesh has the values" grep -aqx "property double z" f.ply
+  check "there is a picture" [ "$(wc -c < f.png)" -gt 10000 ]
+  succeeds fit_function f.ply --property z --depth 3 --csv z.csv
+  check "properties of a file" is_below "$(largest_difference z.csv 3 1)" 1e-5
+  check "heading of one function" [ "$(grep -v '^#' z.csv | head -n 1)" = vertex,value ]
+  succeeds fit_function sphere.off --normals --depth 3 --csv n.csv
+  check "normals" is_below "$(largest_difference n.csv 1 1)" 1e-2
+  check "heading of normals" [ "$(grep -v '^#' n.csv | head -n 1)" = vertex,nx,ny,nz ]
+  succeeds fit_function sphere.off --property z --depth 3 --smoothing 1e9 --csv s.csv
+  check "--smoothing leads to the mean" eval "numbers s.csv | is_within -1e-4 1e-4"
+  succeeds fit_function sphere.off --property z --depth 3 --assembly monte-carlo --csv m.csv
+  check "samples" is_below "$(largest_difference m.csv 3 1)" 1e-2
+  fails "property" fit_function sphere.off
+  fails "both" fit_function sphere.off --property x --normals
+  fails "height" fit_function sphere.off --property height
+  fails "smoothing" fit_function sphere.off --property x --smoothing -1
+  fails "refinements" fit_function sphere.off --property x --refinements -1
+  fails "tolerance" fit_function sphere.off --property x --tolerance 0
+  fails "stabilization" fit_function sphere.off --property x --stabilization nan
+  fails "open" fit_function missing.off --normals
+}
+
+test_curvature() {
+  for method in normals face-normals coordinates; do
+    succeeds estimate_curvature sphere.off --depth 3 --method $method --csv c.csv --output c.ply \
+      --picture c.png
+    check "$method: heading of the table" \
+      [ "$(grep -v '^#' c.csv | head -n 1)" = vertex,mean,gaussian ]
+    check "$method: mean curvature" eval "column 2 c.csv | is_within 0.95 1.05"
+    for line in "property uchar red" "property double mean" "property double gaussian"; do
+      check "$method: header of the mesh: $line" grep -aqx "$line" c.ply
+    done
+    check "$method: there is a picture" [ "$(wc -c < c.png)" -gt 10000 ]
+    check "$method: few iterations" is_below "$(comment iterations c.csv)" 15.5
+    [ $method = coordinates ] ||
+      check "$method: Gaussian curvature" eval "column 3 c.csv | is_within 0.9 1.1"
+  done
+  check "coordinates give no Gaussian curvature" \
+    [ "$(column 3 c.csv | sed 's/-nan/nan/' | sort -u)" = nan ]
+  awk 'NF == 4 { print $1, $2, $4, $3; next } { print }' sphere.off > inward.off
+  succeeds estimate_curvature inward.off --depth 3 --csv c.csv
+  check "inward normals change the sign" eval "column 2 c.csv | is_within -1.05 -0.95"
+  check "but not that of the product" eval "column 3 c.csv | is_within 0.9 1.1"
+  succeeds estimate_curvature large_sphere.off --depth 3 --smoothing 0 --csv c.csv
+  check "radius 9" eval "column 2 c.csv | is_within 0.1 0.122"
+  succeeds estimate_curvature small.off --depth 3 --assembly monte-carlo --show gaussian
+  fails "method" estimate_curvature sphere.off --method best
+  fails "show" estimate_curvature sphere.off --show both
+  fails "gaussian" estimate_curvature sphere.off --show gaussian --method coordinates
+  fails "clip" estimate_curvature sphere.off --clip 0
+  fails "smoothing" estimate_curvature sphere.off --smoothing -1
+  fails "stabilization" estimate_curvature sphere.off --stabilization x
+  fails "tolerance" estimate_curvature sphere.off --tolerance 1
+  fails "open" estimate_curvature missing.off
+}
+
 test_unusual_meshes() {
   # A cube of six squares: triangulated, the vertices stay.
   cat > cube.off << 'CUBE'
@@ -860,6 +943,12 @@ test_short_programs() {
     eval "[ \$(grep -c '^time ' out) -eq 5 ] && grep -q '^distance.* 0\\.' out &&
           grep -q '^ShapeDNA: *0 *25\\.' out"
   fails "usage" minimal_descriptors
+  succeeds minimal_curvature sphere.off
+  check "minimal_curvature prints curvatures" \
+    eval "sed -n 's/^mean curvature is between \(.*\) and \(.*\)/\1\n\2/p' out |
+          is_within 0.95 1.05"
+  check "and an error" grep -q "error of 0\.0" out
+  fails "usage" minimal_curvature
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh" [ "$status" -eq 1 ]
   succeeds generic_meshes sphere.off

@@ -102,6 +102,14 @@ inline std::array<double, 27> element_values(const std::array<double, 3>& t) {
                         B_spline_1::values(t[2]));
 }
 
+/// the derivatives of the 27 elements along an axis at a point, times the cell width
+inline std::array<double, 27> element_derivatives(const std::array<double, 3>& t, int axis) {
+  std::array<std::array<double, 3>, 3> pieces;
+  for(int a = 0; a < 3; ++a)
+    pieces[a] = a == axis ? B_spline_1::derivatives(t[a]) : B_spline_1::values(t[a]);
+  return element_values(pieces[0], pieces[1], pieces[2]);
+}
+
 } // namespace internal
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

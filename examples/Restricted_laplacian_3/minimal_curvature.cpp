@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = CGAL::parameters;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+int main(int argc, char* argv[]) {
+  Mesh mesh;
+  if(argc != 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
+    std::cerr << "usage: minimal_curvature MESH\n";
+    return 1;
+  }
+  const auto np = params::octree_depth(5);
+
+  // mean, Gaussian and principal curvatures, principal directions and normals
+  auto curvature = mesh.add_property_map<Mesh::Vertex_index, RL::Surface_curvature>("v:c").first;
+  RL::estimate_curvature(mesh, curvature, np);
+  const auto [flattest, most_curved] =
+      std::minmax_element(curvature.begin(), curvature.end(),
+                          [](const auto& a, const auto& b) { return a.mean < b.mean; });
+  std::cout << "mean curvature is between " << flattest->mean << " and " << most_curved->mean
+            << '\n';
+
+  // the normals of the faces, as three functions that are smooth and defined everywhere
+  auto normal = mesh.add_property_map<Mesh::Vertex_index, RL::Vector_3>("v:n").first;
+  const RL::Fit_report report = RL::fit_function(
+      mesh, [](const RL::Surface_point& p) { return p.normal; }, normal, np);
+  std::cout << "normals are fitted with an error of " << report.root_mean_square_error() << '\n';
+  return report.converged ? 0 : 1;
+}

@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "catch.h"
+#include "shapes.h"
+#include "special_shapes.h"
+#include "test_meshes.h"
+
+#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = CGAL::parameters;
+using shapes::Mesh;
+
+RL::Spline_space_3 fitting_space(const shapes::Triangles& t, int depth) {
+  return RL::Spline_space_3(t.points, t.faces, params::octree_depth(depth));
+}
+
+/// L2 norm of the difference of two spline functions over that of the second
+double fit_difference(const RL::Sparse_matrix& mass, const Eigen::VectorXd& a,
+                      const Eigen::VectorXd& b) {
+  const Eigen::VectorXd difference = a - b;
+  return std::sqrt(difference.dot(mass * difference) / b.dot(mass * b));
+}
+
+double smooth_test_function(const RL::Surface_point& p) {
+  return std::sin(2 * p.point.x() + 0.5) * std::cos(p.point.y()) + std::exp(p.point.z());
+}
+
+} // namespace
+
+TEST_CASE("functions_in_the_space_are_fitted_to_the_tolerance", "[fit]") {
+  const RL::Spline_space_3 space = fitting_space(shapes::sphere(4), 3);
+  const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
+  std::mt19937 generator(1);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd eta(space.dimension());
+  for(double& x : eta)
+    x = normal(generator);
+  const RL::Spline_function_3 u(space, eta);
+  const auto spline = [&](const RL::Surface_point& p) { return u.value(p); };
+  const auto quadric = [](const RL::Surface_point& p) {
+    return 1e3 + p.point.x() * p.point.y() - 2 * p.point.z() + p.point.z() * p.point.z();
+  };
+  const RL::Function_fit fit = RL::fit_function(space, spline);
+  CHECK(fit.converged);
+  CHECK(fit.relative_residual <= 1e-8);
+  CHECK(fit_difference(mass, fit.coefficients, eta) < 1e-6);
+  // values, not only their norm
+  const std::vector<double> fitted =
+      RL::Spline_function_3(space, fit.coefficients).values_at_vertices();
+  const std::vector<double> expected = u.values_at_vertices();
+  for(std::size_t v = 0; v < fitted.size(); ++v)
+    CHECK(std::abs(fitted[v] - expected[v]) < 1e-5);
+  CHECK(RL::fit_function(space, quadric).root_mean_square_error() < 1e-6);
+}
+
+TEST_CASE("smooth_functions_are_fitted_with_order_three", "[fit]") {
+  // an ellipsoid whose axes are not those of the grid
+  shapes::Triangles ellipsoid = shapes::sphere(4);
+  for(RL::Point_3& p : ellipsoid.points)
+    p = RL::Point_3(p.x() + 0.3 * p.y(), 0.8 * p.y() - 0.2 * p.z(), 0.6 * p.z() + 0.1 * p.x());
+  std::vector<double> errors;
+  for(int depth = 3; depth <= 5; ++depth) {
+    const RL::Function_fit fit =
+        RL::fit_function(fitting_space(ellipsoid, depth), smooth_test_function);
+    CHECK(fit.converged);
+    errors.push_back(fit.root_mean_square_error());
+  }
+  CHECK(std::log2(errors[0] / errors[1]) > 2.4);
+  CHECK(std::log2(errors[1] / errors[2]) > 2.8);
+}
+
+TEST_CASE("constants_are_fitted_to_rounding", "[fit]") {
+  const shapes::Triangles two =
+      shapes::joined(shapes::sphere(2), shapes::moved(shapes::sphere(2), {4, 0, 0}));
+  const RL::Spline_space_3 space = fitting_space(two, 4);
+  const auto f = [](const RL::Surface_point& p) { return p.point.x() < 2 ? -7. : 1e6; };
+  for(double w : {0., 1e-3, 1e6}) {
+    const RL::Function_fit fit = RL::fit_function(space, f, params::smoothing_weight(w));
+    CHECK(fit.root_mean_square_error() < 1e-9 * 1e6);
+  }
+}
+
+TEST_CASE("vectors_are_fitted_as_their_components", "[fit]") {
+  const shapes::Triangles sphere = shapes::sphere(3);
+  const RL::Spline_space_3 space = fitting_space(sphere, 3);
+  const auto first = [](const RL::Surface_point& p) { return p.normal.x(); };
+  const RL::Function_fit one = RL::fit_function(space, first),
+                         other = RL::fit_function(space, smooth_test_function);
+  // a rough and a smooth component
+  const RL::Function_fit both = RL::fit_function(space, [&](const RL::Surface_point& p) {
+    return std::array<double, 2>{first(p), smooth_test_function(p)};
+  });
+  REQUIRE(both.coefficients.cols() == 2);
+  CHECK(both.normal_stabilizations[0] == one.normal_stabilizations[0]);
+  CHECK(both.normal_stabilizations[1] == other.normal_stabilizations[0]);
+  CHECK(both.normal_stabilizations[0] > both.normal_stabilizations[1]);
+  const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
+  CHECK(fit_difference(mass, both.coefficients.col(0), one.coefficients) < 1e-6);
+  CHECK(fit_difference(mass, both.coefficients.col(1), other.coefficients) < 1e-6);
+  CHECK(both.root_mean_square_errors[0] == Approx(one.root_mean_square_error()));
+  CHECK(both.root_mean_square_error() ==
+        Approx(std::hypot(one.root_mean_square_error(), other.root_mean_square_error())));
+
+  const auto eigen = [&](const RL::Surface_point& p) {
+    return Eigen::Vector2d(first(p), smooth_test_function(p));
+  };
+  CHECK(RL::fit_function(space, eigen).coefficients == both.coefficients);
+  const RL::Function_fit normal =
+      RL::fit_function(space, [](const RL::Surface_point& p) { return p.normal; });
+  REQUIRE(normal.coefficients.cols() == 3);
+  CHECK(fit_difference(mass, normal.coefficients.col(0), one.coefficients) < 1e-6);
+}
+
+TEST_CASE("smoothing_leads_from_the_function_to_its_mean", "[fit]") {
+  const RL::Spline_space_3 space = fitting_space(shapes::sphere(4), 3);
+  // x is an eigenfunction of the Laplacian, with eigenvalue 2
+  const auto x = [](const RL::Surface_point& p) { return 3 + p.point.x(); };
+  const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
+  const auto amplitude = [&](double w, int steps) {
+    const RL::Function_fit fit =
+        RL::fit_function(space, x, params::smoothing_weight(w, params::refinement_steps(steps)));
+    CHECK(fit.converged);
+    const Eigen::VectorXd centered = fit.coefficients.col(0).array() - 3;
+    return std::sqrt(centered.dot(mass * centered) / (space.surface().area() / 3));
+  };
+  CHECK(amplitude(0, 0) == Approx(1).epsilon(2e-3));
+  CHECK(amplitude(1e-9, 0) == Approx(amplitude(0, 0)).epsilon(1e-6));
+  for(double w : {0.1, 1.}) {
+    const double s = 2 * w;
+    CHECK(amplitude(w, 0) == Approx(1 / (1 + s)).epsilon(5e-3));
+    CHECK(amplitude(w, 2) == Approx(1 - std::pow(s / (1 + s), 3)).epsilon(5e-3));
+  }
+  CHECK(amplitude(1e4, 0) == Approx(1 / (1 + 2e4)).epsilon(1e-2));
+  CHECK(amplitude(1e8, 0) < 1e-6);
+}
+
+TEST_CASE("fits_of_normals_take_few_iterations", "[fit][slow]") {
+  const std::string path = shared_mesh("bunny_uniform_18k.ply");
+  if(path.empty())
+    SKIP_TEST("bunny_uniform_18k.ply");
+  const RL::Triangulated_surface_3 bunny = RL::read_surface(shapes::read(path));
+  for(int depth = 4; depth <= 6; ++depth) {
+    RL::Spline_space_options options;
+    options.octree_depth = depth;
+    const RL::Spline_space_3 space(bunny, options);
+    const RL::Function_fit fit =
+        RL::fit_function(space, [](const RL::Surface_point& p) { return p.normal; });
+    INFO("depth " << depth << ", " << fit.iterations << " iterations");
+    CHECK(fit.converged);
+    CHECK(fit.relative_residual <= 1e-8);
+    CHECK(fit.iterations <= 15);
+  }
+}
+
+TEST_CASE("property_maps_are_fitted_on_meshes_and_soups", "[fit]") {
+  const shapes::Triangles sphere = shapes::sphere(3);
+  Mesh mesh = shapes::mesh(sphere);
+  auto f = mesh.add_property_map<Mesh::Vertex_index, double>("f").first;
+  auto u = mesh.add_property_map<Mesh::Vertex_index, float>("u").first;
+  auto v = mesh.add_property_map<Mesh::Vertex_index, RL::Vector_3>("v").first;
+  auto w = mesh.add_property_map<Mesh::Vertex_index, std::array<double, 3>>("w").first;
+  for(Mesh::Vertex_index i : vertices(mesh)) {
+    f[i] = mesh.point(i).z();
+    v[i] = mesh.point(i) - CGAL::ORIGIN;
+  }
+  // coordinates are in the space, and linear in each triangle
+  const auto np = params::octree_depth(3);
+  CHECK(RL::fit_function(mesh, f, u, np).root_mean_square_error() < 1e-6);
+  const RL::Fit_report report = RL::fit_function(mesh, v, w, np);
+  CHECK(report.root_mean_square_errors.size() == 3);
+  for(Mesh::Vertex_index i : vertices(mesh)) {
+    CHECK(u[i] == Approx(f[i]).margin(1e-6));
+    for(int k = 0; k < 3; ++k)
+      CHECK(w[i][k] == Approx(v[i][k]).margin(1e-6));
+  }
+  CHECK_THROWS_AS(RL::fit_function(mesh, v, u, np), RL::Parameter_error);
+
+  std::vector<double> values, fitted(sphere.points.size());
+  for(const RL::Point_3& p : sphere.points)
+    values.push_back(p.z());
+  RL::fit_function(sphere.points, sphere.faces, CGAL::make_property_map(values),
+                   CGAL::make_property_map(fitted), np);
+  for(std::size_t i = 0; i < values.size(); ++i)
+    CHECK(fitted[i] == Approx(values[i]).margin(1e-6));
+}
+
+TEST_CASE("fits_do_not_depend_on_scales", "[fit]") {
+  const shapes::Triangles sphere = shapes::sphere(2);
+  const auto fitted = [&](double length, double value) {
+    const RL::Spline_space_3 space = fitting_space(shapes::scaled(sphere, length), 2);
+    const RL::Function_fit fit = RL::fit_function(
+        space,
+        [&](const RL::Surface_point& p) {
+          return value * std::exp(p.point.x() / length) * p.normal.y();
+        },
+        params::smoothing_weight(1e-3 * length * length));
+    CHECK(fit.converged);
+    return RL::Spline_functions_3(space, fit.coefficients).values_at_vertices().eval();
+  };
+  const Eigen::MatrixXd unit = fitted(1, 1);
+  for(double length : {1e-60, 1e60})
+    for(double value : {1e-120, 1e120})
+      CHECK((fitted(length, value) / value - unit).cwiseAbs().maxCoeff() < 1e-6);
+}
+
+TEST_CASE("fits_of_bad_input_are_refused", "[fit]") {
+  const RL::Spline_space_3 space = fitting_space(shapes::sphere(1), 2);
+  const auto one = [](const RL::Surface_point&) { return 1.; };
+  const auto refused = [&](const auto& np) {
+    CHECK_THROWS_AS(RL::fit_function(space, one, np), RL::Parameter_error);
+  };
+  refused(params::smoothing_weight(-1.));
+  refused(params::smoothing_weight(std::numeric_limits<double>::quiet_NaN()));
+  refused(params::refinement_steps(-1));
+  refused(params::normal_stabilization(-1.));
+  refused(params::relative_tolerance(0.));
+  const auto nan = [](const RL::Surface_point& p) {
+    return p.face == 5 ? std::numeric_limits<double>::quiet_NaN() : 1.;
+  };
+  CHECK_THROWS_WITH(RL::fit_function(space, nan), Catch::Contains("face 5"));
+  CHECK_THROWS_AS(
+      RL::fit_function(Mesh(), one, Mesh().add_property_map<Mesh::Vertex_index, double>().first),
+      RL::Empty_surface_error);
+}
