@@ -7,6 +7,7 @@
 #include "support/mesh_input.h"
 #include "support/mesh_output.h"
 #include "support/picture.h"
+#include "support/point_input.h"
 #include "support/program.h"
 #include "support/space.h"
 #include "support/table.h"
@@ -30,27 +31,25 @@ namespace params = CGAL::parameters;
 const char* const usage =
     "usage: estimate_curvature MESH [OPTION]...\n"
     "\n"
-    "Estimates the mean curvature H and the Gaussian curvature K of the surface of MESH (off, "
-    "obj,\n"
-    "ply, stl, ts) at its vertices. A sphere of radius r whose normals point outward has\n"
-    "H = 1 / r; if they point inward, H = -1 / r.\n"
+    "Estimates the mean curvature H and the Gaussian curvature K of the surface of MESH (off,\n"
+    "obj, ply, stl, ts, xyz) at its vertices. A sphere of radius r whose normals point outward\n"
+    "has H = 1 / r; if they point inward, H = -1 / r.\n"
     "Methods: normals, the derivative of a fit of vertex normals; face-normals, the same with the\n"
-    "normals of the faces; coordinates, the Laplacian of the coordinates, which gives H only, K "
-    "is\n"
-    "NaN. The faces must be oriented alike.\n"
+    "normals of the faces; coordinates, the Laplacian of the coordinates, which gives H only, and\n"
+    "NaN for K. The faces must be oriented alike.\n"
     "The values are NaN at vertices that have no face, or only faces without area.\n"
     "\n"
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "the output was written.\n";
 
-struct Options : Common_options {
+struct Options : Common_options, Point_options {
   std::string method = "normals", show = "mean";
   double smoothing = -1, stabilization = -1; // the defaults
   double tolerance = RL::Function_fit_options().solver.relative_tolerance, clip = 95;
 };
 
 // returns false if there is nothing more to do
-bool read_options(int argc, char* argv[], Options& o) {
+bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
   auto add = problem.add_options();
   add("method",
@@ -72,10 +71,14 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("clip", po::value(&o.clip)->value_name("P")->default_value(o.clip),
       "colors are full at the magnitude that P percent of the vertices are below");
   po::options_description all(help_width);
-  all.add(problem).add(space_options(o)).add(solver).add(colors).add(output_options(o));
+  all.add(problem)
+      .add(space_options(o))
+      .add(point_options(o, o))
+      .add(solver)
+      .add(colors)
+      .add(output_options(o));
 
-  po::variables_map given;
-  if(!parse_command_line(argc, argv, usage, all, o, given))
+  if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
     return false;
   require_choice("method", o.method, {"normals", "face-normals", "coordinates"});
   require_choice("show", o.show, {"mean", "gaussian"});
@@ -110,7 +113,7 @@ bool estimate(const RL::Triangulated_surface_3& surface, const Options& o,
   const auto np = params::curvature_method(
       method(o), params::relative_tolerance(
                      o.tolerance, params::normal_stabilization(
-                                      o.stabilization < 0 ? RL::internal::curvature_stabilization
+                                      o.stabilization < 0 ? RL::default_curvature_stabilization
                                                           : o.stabilization,
                                       params::concurrency_tag(CGAL::Parallel_if_available_tag()))));
   const RL::Curvature_field field = assemble_with(space, o, [&](const auto& integration) {
@@ -139,12 +142,13 @@ bool estimate(const RL::Triangulated_surface_3& surface, const Options& o,
 int main(int argc, char* argv[]) {
   return run_program("estimate_curvature", [&]() -> int {
     Options o;
-    if(!read_options(argc, argv, o))
+    po::variables_map given;
+    if(!read_options(argc, argv, o, given))
       return success;
     const Progress progress(o.quiet);
 
     progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh(o.mesh);
+    const Mesh_input input = read_mesh_or_points(o, o, given);
     Summary summary(input);
     const Thread_limit threads(o.threads);
     summary.add("threads", threads.number());

@@ -9,6 +9,7 @@
 #include "support/mesh_output.h"
 #include "support/picture.h"
 #include "support/ply_property.h"
+#include "support/point_input.h"
 #include "support/program.h"
 #include "support/space.h"
 #include "support/table.h"
@@ -36,7 +37,8 @@ const char* const usage =
     "usage: fit_function MESH --property NAME[,NAME...] [OPTION]...\n"
     "       fit_function MESH --normals [OPTION]...\n"
     "\n"
-    "Fits functions on the surface of MESH (off, obj, ply, stl, ts) by splines: the functions of\n"
+    "Fits functions on the surface of MESH (off, obj, ply, stl, ts, xyz) by splines: the functions "
+    "of\n"
     "the space for which the integral of the squared difference is smallest. They are given at "
     "the\n"
     "vertices, and interpolated linearly.\n"
@@ -47,7 +49,7 @@ const char* const usage =
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "the output was written.\n";
 
-struct Options : Common_options {
+struct Options : Common_options, Point_options {
   std::string property;
   bool normals = false;
   double smoothing = 0, tolerance = RL::Function_fit_options().solver.relative_tolerance;
@@ -56,7 +58,7 @@ struct Options : Common_options {
 };
 
 // returns false if there is nothing more to do
-bool read_options(int argc, char* argv[], Options& o) {
+bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
   auto add = problem.add_options();
   add("property", po::value(&o.property)->value_name("NAME,..."),
@@ -74,10 +76,13 @@ bool read_options(int argc, char* argv[], Options& o) {
       "factor of the stabilization by normal derivatives; by default it is chosen for each "
       "function: small for smooth ones");
   po::options_description all(help_width);
-  all.add(problem).add(space_options(o)).add(solver).add(output_options(o));
+  all.add(problem)
+      .add(space_options(o))
+      .add(point_options(o, o))
+      .add(solver)
+      .add(output_options(o));
 
-  po::variables_map given;
-  if(!parse_command_line(argc, argv, usage, all, o, given))
+  if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
     return false;
   require(o.normals || given.count("property") == 1, "give --property or --normals");
   require(!o.normals || given.count("property") == 0, "give --property or --normals, not both");
@@ -192,12 +197,13 @@ std::vector<Color> colors(const Options& o, const Eigen::MatrixXd& u) {
 int main(int argc, char* argv[]) {
   return run_program("fit_function", [&]() -> int {
     Options o;
-    if(!read_options(argc, argv, o))
+    po::variables_map given;
+    if(!read_options(argc, argv, o, given))
       return success;
     const Progress progress(o.quiet);
 
     progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh(o.mesh);
+    const Mesh_input input = read_mesh_or_points(o, o, given);
     Summary summary(input);
     const Thread_limit threads(o.threads);
     summary.add("threads", threads.number());

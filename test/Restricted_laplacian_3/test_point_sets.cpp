@@ -10,6 +10,8 @@
 
 #include <CGAL/Restricted_laplacian_3/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/read_point_set.h>
@@ -540,5 +542,42 @@ TEST_CASE("spectra_of_points_scale", "[points]") {
         RL::laplace_spectrum(points, 4, maps_of_pairs(params::octree_depth(2))).eigenvalues;
     for(int i = 1; i < 4; ++i)
       CHECK(eigenvalues[i] * scale * scale == Approx(2).epsilon(2e-2));
+  }
+}
+
+TEST_CASE("fits_and_curvature_of_points", "[points]") {
+  const double large = 1, small = 0.4;
+  const Oriented_points points = shapes::torus_points(8000, large, small);
+  const auto np = maps_of_pairs(params::octree_depth(3));
+
+  // normals are a smooth function
+  std::vector<RL::Vector_3> fit(points.size());
+  const RL::Fit_report report =
+      RL::fit_function(points, Normal_map(), CGAL::make_property_map(fit), np);
+  CHECK(report.converged);
+  CHECK(report.root_mean_square_error() <= 1e-2);
+  double sum = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    sum += (fit[i] - points[i].second).squared_length();
+  CHECK(std::sqrt(sum / static_cast<double>(points.size())) ==
+        Approx(report.root_mean_square_error()).epsilon(0.2));
+
+  for(RL::Curvature_method method :
+      {RL::Curvature_method::normals, RL::Curvature_method::face_normals}) {
+    std::vector<RL::Surface_curvature> curvatures(points.size());
+    CHECK(RL::estimate_curvature(
+              points, CGAL::make_property_map(curvatures),
+              maps_of_pairs(params::octree_depth(4, params::curvature_method(method))))
+              .converged);
+    std::vector<double> errors;
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      const double x = points[i].first.x(), y = points[i].first.y();
+      const double r = std::sqrt(x * x + y * y), c = (r - large) / small;
+      const double mean = (large + 2 * small * c) / (2 * small * r);
+      errors.push_back(std::abs(curvatures[i].mean / mean - 1));
+    }
+    std::sort(errors.begin(), errors.end());
+    CHECK(errors[errors.size() / 2] <= 0.02);
+    CHECK(errors[errors.size() * 95 / 100] <= 0.08);
   }
 }

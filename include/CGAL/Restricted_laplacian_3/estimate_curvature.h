@@ -43,6 +43,11 @@ enum class Curvature_method {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Ref
+/// Factor of the stabilisation for `estimate_curvature()` unless told otherwise: larger than for
+/// other fits, because it is the derivatives that count.
+constexpr double default_curvature_stabilization = 0.01;
+
+/// \ingroup PkgRestrictedLaplacian3Ref
 /// The curvature of a surface at a point.
 ///
 /// *Sign.* \f$\kappa\f$ is the derivative of the unit normal \f$n\f$ along a unit tangent vector
@@ -168,17 +173,15 @@ private:
 
 namespace internal {
 
-/// factor of the stabilisation: large, because it is the derivatives that count
-constexpr double curvature_stabilization = 0.01;
-
 /// The smoothing weight: what is smoothed away should be the noise of the triangulation, whose
 /// waves are as long as some edges, but not more than what is about as long as cells are wide.
-/// Nothing near boundaries, where the natural condition would bend the normals.
+/// Nothing near boundaries, where the natural condition would bend the normals, nor for points,
+/// whose normals come from no triangulation.
 inline double curvature_smoothing_weight(const Spline_space_3& space) {
   constexpr double in_face_areas = 10, in_squared_cell_widths = 4;
   const Triangulated_surface_3& surface = space.surface();
   const std::size_t faces = surface.number_of_faces() - surface.number_of_degenerate_faces();
-  if(faces == 0 || !boundary_sides(space).empty())
+  if(surface.is_point_set() || faces == 0 || !boundary_sides(space).empty())
     return 0;
   const double h = space.octree().cell_width(space.depth());
   return (std::min)(in_face_areas * surface.area() / static_cast<double>(faces),
@@ -190,7 +193,7 @@ Function_fit_options curvature_options(const Spline_space_3& space, bool with_sm
                                        const NamedParameters& np) {
   Function_fit_options options = function_fit_options(np);
   if(!options.normal_stabilization)
-    options.normal_stabilization = curvature_stabilization;
+    options.normal_stabilization = default_curvature_stabilization;
   if(with_smoothing && !is_given_v<NamedParameters, internal_np::smoothing_weight_t>)
     options.smoothing_weight = curvature_smoothing_weight(space);
   if(!is_given_v<NamedParameters, internal_np::refinement_steps_t>)
@@ -228,7 +231,7 @@ Eigen::MatrixXd coordinate_laplacian_loads(const Spline_space_3& space,
     const auto gradient = function_of_degree([axis](const Surface_point&) { return axis; }, 0);
     loads.col(k) = -assemble_gradient_load(space, gradient, space.depth(), integration);
   }
-  if(!boundary_sides(space).empty())
+  if(!space.surface().is_point_set() && !boundary_sides(space).empty())
     loads += Dirichlet_boundary(space).conormal_loads();
   return loads;
 }
@@ -258,7 +261,7 @@ Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
 /// \param np optional named parameters: those of `fit_function()`, with other defaults:
 /// - `normal_stabilization`: default 0.01
 /// - `smoothing_weight`: \f$w\f$ in units of length^2. By default 10 times the mean area of the
-///   faces, but at most \f$4 h^2\f$; 0 on a surface with a boundary, or without faces
+///   faces, but at most \f$4 h^2\f$; 0 on a surface with a boundary, and on points
 /// - `refinement_steps`: default 1 if there is smoothing, else 0
 /// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
 template <class SurfaceIntegration, class Normals,
@@ -280,7 +283,8 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 /// \param np optional named parameters: those above, and
 /// - `curvature_method`: a `Curvature_method`; default `Curvature_method::normals`, with
 ///   `vertex_normals()`. With `Curvature_method::coordinates` there is no smoothing unless
-///   `smoothing_weight` is given, and no refinement
+///   `smoothing_weight` is given, and no refinement. On points, whose boundary is not known, it
+///   takes the surface as closed
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
           internal::Require_no_named_parameters<SurfaceIntegration> = 0>
@@ -322,7 +326,7 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
       const auto map = parameters::get_parameter(np, internal_np::vertex_normal_map);
       std::vector<Vector_3> normals;
       source.for_each_vertex([&](std::size_t i, const auto& v) {
-        const auto n = get(map, v);
+        const auto n = value_at(map, v);
         const Vector_3 normal(CGAL::to_double(n.x()), CGAL::to_double(n.y()),
                               CGAL::to_double(n.z()));
         if(!std::isfinite(normal.squared_length()))
@@ -336,7 +340,8 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
   };
   const Curvature_field field = estimated();
   const std::vector<Surface_curvature> values = field.at_vertices();
-  source.for_each_vertex([&](std::size_t i, const auto& v) { put(curvatures, v, values[i]); });
+  source.for_each_vertex(
+      [&](std::size_t i, const auto& v) { put_value_at(curvatures, v, values[i]); });
   Fit_report report = field.report();
   report.space_seconds = space_seconds;
   return report;
@@ -347,7 +352,8 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Estimates the curvature of a mesh at its vertices.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles. The normals are to the side to which the faces are oriented.
+/// triangles. The normals are to the side to which the faces are oriented. Or a range of oriented
+/// points, which take the place of vertices, see `read_point_set()`
 /// \param curvatures a model of `WritablePropertyMap` with the vertex descriptor as key and
 /// `Surface_curvature` as value; NaN at vertices without a face of positive area
 /// \param np optional named parameters: those of `Spline_space_3` and of the overloads above, and
@@ -363,7 +369,7 @@ template <class FaceGraph, class VertexMap,
           std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
 Fit_report estimate_curvature(const FaceGraph& tm, VertexMap curvatures,
                               const NamedParameters& np = parameters::default_values()) {
-  return internal::estimate_curvature(internal::Mesh_source<FaceGraph>(tm), curvatures, np);
+  return internal::estimate_curvature(internal::mesh_or_point_source(tm), curvatures, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref

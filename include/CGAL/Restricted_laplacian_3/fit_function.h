@@ -434,7 +434,7 @@ void put_at_vertices(const Source& source, const Spline_space_3& space,
   source.for_each_vertex([&](std::size_t i, const auto& v) {
     const Eigen::Matrix<double, Components::number, 1> components =
         values.row(static_cast<Eigen::Index>(i)).transpose();
-    put(map, v, Components::make(components));
+    put_value_at(map, v, Components::make(components));
   });
 }
 
@@ -460,7 +460,8 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Fits a function on a mesh by a spline, see `Function_fitter`.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles
+/// triangles; or a range of oriented points, which take the place of vertices, see
+/// `read_point_set()`
 /// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key, interpolated
 /// linearly, or a function object that takes a `const Surface_point&`. Values are numbers,
 /// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.
@@ -476,7 +477,7 @@ template <class FaceGraph, class Function, class VertexMap,
           std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
 Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
                         const NamedParameters& np = parameters::default_values()) {
-  return internal::fit_function(internal::Mesh_source<FaceGraph>(tm), f, u, np);
+  return internal::fit_function(internal::mesh_or_point_source(tm), f, u, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref

@@ -102,9 +102,16 @@ inline Vector_3 normal_by_chords(const Triangulated_surface_3& surface, std::uin
 /// some distance from the vertex. There the normals are corrected: along an edge from \f$p\f$ to
 /// \f$q\f$, \f$\langle n(p) + n(q), q - p \rangle\f$ is 0 up to terms of third order.
 ///
+/// The points of a point set have their own normals.
+///
 /// Takes \f$O(F \log F)\f$ time for \f$F\f$ faces.
 inline std::vector<Vector_3> vertex_normals(const Triangulated_surface_3& surface) {
   std::vector<Vector_3> normals(surface.number_of_vertices(), Vector_3(0, 0, 0));
+  if(surface.is_point_set()) {
+    for(std::size_t i = 0; i < normals.size(); ++i)
+      normals[i] = surface.normal(i);
+    return normals;
+  }
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
     for(int i = 0; i < 3 && !surface.is_degenerate(f); ++i) {
       const Vector_3 a = (surface.point(f, (i + 1) % 3) - surface.point(f, i)) / surface.extent(),

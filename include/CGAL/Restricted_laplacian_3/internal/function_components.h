@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_FUNCTION_COMPONENTS_H
 
 #include <CGAL/Restricted_laplacian_3/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/read_point_set.h>
 
 #include <CGAL/number_utils.h>
 
@@ -103,7 +104,7 @@ auto interpolated_components(const Source& source, const PropertyMap& map) {
       Function_components<std::decay_t<typename boost::property_traits<PropertyMap>::value_type>>;
   std::vector<Eigen::Matrix<double, Components::number, 1>> values;
   source.for_each_vertex(
-      [&](std::size_t, const auto& v) { values.push_back(Components::read(get(map, v))); });
+      [&](std::size_t, const auto& v) { values.push_back(Components::read(value_at(map, v))); });
   return Linear_surface_function<Eigen::Matrix<double, Components::number, 1>>(std::move(values));
 }
 
