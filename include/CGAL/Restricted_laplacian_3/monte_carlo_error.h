@@ -191,15 +191,14 @@ estimate_eigenvalues(const Spline_space_3& space, int k,
     throw Numerical_error("found only " + std::to_string(pairs.values.size()) + " of " +
                           std::to_string(k) + " eigenvalues");
 
+  const Eigen::MatrixXd& x = pairs.vectors;
   internal::Running_mean changes;
   for(std::size_t b = 0; b < batches.size(); ++b) {
     const Operators of_batch = operators_of_batch(b);
-    Eigen::ArrayXd change(k);
-    for(int i = 0; i < k; ++i) {
-      const auto x = pairs.vectors.col(i);
-      change[i] = x.dot(of_batch.stiffness * x) - pairs.values[i] * x.dot(of_batch.mass * x);
-    }
-    changes.add(change);
+    const Eigen::MatrixXd stiffness_x = of_batch.stiffness * x, mass_x = of_batch.mass * x;
+    const Eigen::MatrixXd residuals = stiffness_x - mass_x * pairs.values.asDiagonal();
+    const Eigen::VectorXd change = x.cwiseProduct(residuals).colwise().sum();
+    changes.add(change.array());
   }
   return {pairs.values, changes.standard_error().matrix()};
 }
