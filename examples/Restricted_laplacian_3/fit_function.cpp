@@ -29,6 +29,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace examples;
@@ -128,6 +129,41 @@ Functions properties(const RL::Triangulated_surface_3& surface, const Options& o
   return result;
 }
 
+// Adds the fit of some functions to those of others.
+void append(RL::Function_fit& all, const RL::Function_fit& fit) {
+  const Eigen::Index columns = all.coefficients.cols();
+  all.coefficients.conservativeResize(fit.coefficients.rows(), columns + fit.coefficients.cols());
+  all.coefficients.rightCols(fit.coefficients.cols()) = fit.coefficients;
+  all.converged = (columns == 0 || all.converged) && fit.converged;
+  all.iterations = std::max(all.iterations, fit.iterations);
+  all.relative_residual = std::max(all.relative_residual, fit.relative_residual);
+  all.setup_seconds = fit.setup_seconds;
+  all.assembly_seconds = fit.assembly_seconds;
+  all.solve_seconds += fit.solve_seconds;
+  for(std::size_t k = 0; k < fit.root_mean_square_errors.size(); ++k) {
+    all.root_mean_square_errors.push_back(fit.root_mean_square_errors[k]);
+    all.normal_stabilizations.push_back(fit.normal_stabilizations[k]);
+  }
+}
+
+// Three functions take hardly longer together than one of them; others are fitted one by one.
+template <class Integration>
+RL::Function_fit fit_all(const RL::Spline_space_3& space, const Integration& integration,
+                         const RL::Function_fit_options& options, const Functions& functions) {
+  RL::Function_fitter<Integration> fitter(space, integration, options);
+  const auto& values = functions.values;
+  if(values.size() == 3) {
+    std::vector<RL::Vector_3> vectors;
+    for(std::size_t v = 0; v < values[0].size(); ++v)
+      vectors.emplace_back(values[0][v], values[1][v], values[2][v]);
+    return fitter.fit(RL::Linear_surface_function<RL::Vector_3>(std::move(vectors)));
+  }
+  RL::Function_fit result;
+  for(const std::vector<double>& function : values)
+    append(result, fitter.fit(RL::Linear_surface_function<double>(function)));
+  return result;
+}
+
 // Fits the functions, with the results at the vertices in `u`, and describes what was done.
 bool fit(const RL::Triangulated_surface_3& surface, const Options& o, const Functions& functions,
          Eigen::MatrixXd& u, Summary& summary, const Progress& progress) {
@@ -146,38 +182,21 @@ bool fit(const RL::Triangulated_surface_3& surface, const Options& o, const Func
   options.solver.is_parallel = o.space.is_parallel;
   if(o.stabilization >= 0)
     options.normal_stabilization = o.stabilization;
-  RL::Fit_report report;
-  report.converged = true;
-  Eigen::MatrixXd coefficients(space.dimension(), functions.values.size());
-  assemble_with(space, o, [&](const auto& integration) {
-    RL::Function_fitter fitter(space, integration, options);
-    for(std::size_t k = 0; k < functions.values.size(); ++k) {
-      const RL::Function_fit one =
-          fitter.fit(RL::Linear_surface_function<double>(functions.values[k]));
-      coefficients.col(static_cast<Eigen::Index>(k)) = one.coefficients;
-      report.converged = report.converged && one.converged;
-      report.iterations = std::max(report.iterations, one.iterations);
-      report.relative_residual = std::max(report.relative_residual, one.relative_residual);
-      report.solve_seconds += one.solve_seconds;
-      report.setup_seconds = one.setup_seconds;
-      report.assembly_seconds = one.assembly_seconds;
-      report.root_mean_square_errors.push_back(one.root_mean_square_error());
-      report.normal_stabilizations.push_back(one.normal_stabilizations[0]);
-    }
-    return 0;
+  const RL::Function_fit fit = assemble_with(space, o, [&](const auto& integration) {
+    return fit_all(space, integration, options, functions);
   });
-  u = RL::Spline_functions_3(space, coefficients).values_at_vertices();
+  u = RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
 
   add_space(summary, space);
-  summary.add("setup_seconds", space_seconds + report.setup_seconds);
-  summary.add("assembly_seconds", report.assembly_seconds);
-  summary.add("solve_seconds", report.solve_seconds);
-  summary.add("iterations", report.iterations);
-  summary.add("relative_residual", report.relative_residual);
+  summary.add("setup_seconds", space_seconds + fit.setup_seconds);
+  summary.add("assembly_seconds", fit.assembly_seconds);
+  summary.add("solve_seconds", fit.solve_seconds);
+  summary.add("iterations", fit.iterations);
+  summary.add("relative_residual", fit.relative_residual);
   for(std::size_t k = 0; k < functions.names.size(); ++k)
-    summary.add("stabilization_" + functions.names[k], report.normal_stabilizations[k]);
-  summary.add("rms_error", report.root_mean_square_error());
-  return report.converged;
+    summary.add("stabilization_" + functions.names[k], fit.normal_stabilizations[k]);
+  summary.add("rms_error", fit.root_mean_square_error());
+  return fit.converged;
 }
 
 // Normals as red, green and blue; of other functions the first one.

@@ -46,8 +46,8 @@ inline double twice_area(const Parameters& a, const Parameters& b, const Paramet
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// A grid of `columns` x `rows` quadrilaterals in the plane of two parameters, which may be periodic.
-/// Their unit is the width of the grid.
+/// A grid of `columns` x `rows` quadrilaterals in the plane of two parameters, whose unit is the
+/// width of the grid. It may be periodic.
 class Parameter_grid {
 public:
   std::vector<Parameters> parameters;

@@ -49,7 +49,7 @@ public:
   // as a table for people
   void print(std::ostream& out) const {
     for(const Line& line : m_lines)
-      out << std::left << std::setw(20) << line.name << line.brief << '\n';
+      out << std::left << std::setw(22) << line.name << line.brief << '\n';
   }
 
   // as comments at the beginning of a file for programs

@@ -76,11 +76,12 @@ struct Function_fit_options {
 
 namespace internal {
 
-/// The factors of the stabilisation that are tried one after the other. With the first one the
-/// number of iterations does not depend on the depth; the last one is as small as rounding permits.
-constexpr std::array<double, 3> fit_stabilizations = {1e-4, 1e-6, 1e-14};
-/// the energy of the stabilisation may be up to this fraction of what is minimized
-constexpr double largest_stabilization_energy = 0.1;
+/// The factors of the stabilisation that are tried. With the first one the number of iterations
+/// does not depend on the depth; the last one is as small as rounding permits.
+constexpr std::array<double, 3> fit_stabilizations = {1e-4, 1e-5, 1e-14};
+/// The energy of the stabilisation may be up to the first fraction of what is minimized; above the
+/// second one, the smallest factor is tried next.
+constexpr double small_stabilization_energy = 0.1, large_stabilization_energy = 1;
 
 template <class NamedParameters>
 Function_fit_options function_fit_options(const NamedParameters& np) {
@@ -123,12 +124,13 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// *Stabilisation.* The mass matrix is close to singular, see `assemble_operators()`: combinations
 /// of elements that vary along the normal only nearly vanish on the surface. The term \f$c\, h N\f$
 /// is added to \f$M\f$, and \f$\frac{c}{h} N\f$ to \f$S\f$. Unless \f$c\f$ is given, it is the
-/// first of 1e-4, 1e-6 and 1e-14, for each component, with which the energy of the stabilisation is
-/// at most a tenth of what \f$u\f$ minimizes. A rough function, for example the normals of the
-/// faces, is far from the space: 1e-4 adds little to its error, and the number of iterations does
-/// not depend on the depth. The error of a smooth function would be that of the stabilisation. A
-/// smaller one takes more iterations, but then the error is of the order \f$h^3\f$, and a function
-/// in the space is fitted up to about 1e-7 of its size.
+/// first of 1e-4, 1e-5 and 1e-14, for each component, with which the energy of the stabilisation is
+/// at most a tenth of what \f$u\f$ minimizes; 1e-5 is left out where it is larger than that. A
+/// rough function, for example the normals of the faces, is far from the space: 1e-4 adds little to
+/// its error, and the number of iterations does not depend on the depth. The error of a smooth
+/// function would be that of the stabilisation. A smaller one takes more iterations, but then the
+/// error is of the order \f$h^3\f$, and a function in the space is fitted up to about 1e-7 of its
+/// size.
 ///
 /// The systems are solved by conjugate gradients with a multigrid preconditioner, a
 /// `Poisson_solver`, for up to eight components at a time.
@@ -263,37 +265,43 @@ private:
     result.coefficients.setZero(loads.rows(), loads.cols());
     result.relative_residuals.assign(loads.cols(), 0.);
     result.normal_stabilizations.assign(loads.cols(), 0.);
-    Components components(loads.cols());
-    std::iota(components.begin(), components.end(), Eigen::Index(0));
-    int iterations = 0;
-    for(double c : internal::fit_stabilizations) {
-      if(components.empty())
-        break;
+    result.converged = true;
+    std::vector<int> iterations(loads.cols(), 0);
+    std::array<Components, internal::fit_stabilizations.size()> to_be_fitted;
+    to_be_fitted[0].resize(loads.cols());
+    std::iota(to_be_fitted[0].begin(), to_be_fitted[0].end(), Eigen::Index(0));
+    const std::size_t last = to_be_fitted.size() - 1;
+    for(std::size_t i = 0; i <= last; ++i) {
+      if(to_be_fitted[i].empty())
+        continue;
+      const double c = internal::fit_stabilizations[i];
       const Poisson_solver& solver = this->solver(c);
-      iterations += solve_roughly(solver, loads, components, result);
-      const Residual left = residual(f, result, m_options.smoothing_weight > 0);
-      Components accepted, refused;
-      for(Eigen::Index k : components) {
-        const bool is_accepted = c == internal::fit_stabilizations.back() ||
-                                 is_stabilization_small(solver, k, of_zero, left, result);
-        (is_accepted ? accepted : refused).push_back(k);
+      solve_roughly(solver, loads, to_be_fitted[i], result, iterations);
+      Components accepted;
+      Residual left;
+      if(i < last)
+        left = residual(f, result, m_options.smoothing_weight > 0);
+      for(Eigen::Index k : to_be_fitted[i]) {
+        const double energy =
+            i < last ? relative_stabilization_energy(solver, k, of_zero, left, result) : 0;
+        if(energy <= internal::small_stabilization_energy)
+          accepted.push_back(k);
+        else
+          to_be_fitted[energy > internal::large_stabilization_energy ? last : i + 1].push_back(k);
       }
-      const int more = reduce_residuals(solver, loads, accepted, result);
-      if(!accepted.empty())
-        result.iterations = (std::max)(result.iterations, iterations + more);
+      reduce_residuals(solver, loads, accepted, result, iterations);
       for(Eigen::Index k : accepted)
         result.normal_stabilizations[k] = c;
-      components = std::move(refused);
     }
+    result.iterations = *std::max_element(iterations.begin(), iterations.end());
     result.relative_residual =
         *std::max_element(result.relative_residuals.begin(), result.relative_residuals.end());
-    result.converged = result.relative_residual <= m_options.solver.relative_tolerance;
   }
 
   /// solves for some components, well enough to compare energies
-  /// \return the number of iterations
-  int solve_roughly(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
-                    const Components& components, Function_fit& result) const {
+  void solve_roughly(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
+                     const Components& components, Function_fit& result,
+                     std::vector<int>& iterations) const {
     constexpr double rough_tolerance = 1e-2;
     Eigen::MatrixXd x;
     const Solve_report report =
@@ -302,38 +310,40 @@ private:
     for(std::size_t i = 0; i < components.size(); ++i) {
       result.coefficients.col(components[i]) = x.col(static_cast<Eigen::Index>(i));
       result.relative_residuals[components[i]] = report.relative_residuals[i];
+      iterations[components[i]] += report.iterations;
     }
-    return report.iterations;
   }
 
   /// Reduces the residuals of some components by one factor for all of them, so that the largest
   /// one meets the tolerance.
-  /// \return the number of iterations
-  int reduce_residuals(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
-                       const Components& components, Function_fit& result) const {
+  void reduce_residuals(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
+                        const Components& components, Function_fit& result,
+                        std::vector<int>& iterations) const {
     double largest = 0;
     for(Eigen::Index k : components)
       largest = (std::max)(largest, result.relative_residuals[k]);
     if(!(largest > m_options.solver.relative_tolerance))
-      return 0;
+      return;
     const Eigen::MatrixXd residual =
         columns(loads, components) - solver.upper_half().template selfadjointView<Eigen::Upper>() *
                                          columns(result.coefficients, components);
     Eigen::MatrixXd correction;
     const Solve_report report =
         solver.solve(residual, correction, m_options.solver.relative_tolerance / largest);
+    result.converged = result.converged && report.converged;
     for(std::size_t i = 0; i < components.size(); ++i) {
       result.coefficients.col(components[i]) += correction.col(static_cast<Eigen::Index>(i));
       result.relative_residuals[components[i]] *= report.relative_residuals[i];
+      iterations[components[i]] += report.iterations;
     }
-    return report.iterations;
   }
 
-  /// Compares the energy of the stabilisation, \f$\eta^T A \eta - \int u^2 + w \lvert \nabla u
-  /// \rvert^2\f$, with \f$\int (u - f)^2 + w \lvert \nabla u \rvert^2\f$. The mean of \f$u\f$ is
+  /// The energy of the stabilisation, \f$\eta^T A \eta - \int u^2 + w \lvert \nabla u \rvert^2\f$,
+  /// over \f$\int (u - f)^2 + w \lvert \nabla u \rvert^2\f$; 0 if both are. The mean of \f$u\f$ is
   /// taken off first, to which the stabilisation is blind.
-  bool is_stabilization_small(const Poisson_solver& solver, Eigen::Index k, const Residual& of_zero,
-                              const Residual& left, const Function_fit& fit) const {
+  double relative_stabilization_energy(const Poisson_solver& solver, Eigen::Index k,
+                                       const Residual& of_zero, const Residual& left,
+                                       const Function_fit& fit) const {
     const auto eta_k = fit.coefficients.col(k);
     const double mean = m_space->is_paper_space() ? 0 : m_integrals.dot(eta_k) / m_integrals.sum();
     const Eigen::VectorXd eta = eta_k.array() - mean;
@@ -343,7 +353,7 @@ private:
         solver.upper_half().template selfadjointView<Eigen::Upper>() * eta;
     const double smoothing = m_options.smoothing_weight / unit() * left.gradient_squares[k];
     const double stabilization = eta.dot(a_eta - mass_eta) - smoothing;
-    return stabilization <= internal::largest_stabilization_energy * (left.squares[k] + smoothing);
+    return stabilization > 0 ? stabilization / (left.squares[k] + smoothing) : 0;
   }
 
   /// fits what is left, each component with its stabilisation
