@@ -175,7 +175,7 @@ constexpr double curvature_stabilization = 0.01;
 /// waves are as long as some edges, but not more than what is about as long as cells are wide.
 /// Nothing near boundaries, where the natural condition would bend the normals.
 inline double curvature_smoothing_weight(const Spline_space_3& space) {
-  constexpr double in_face_areas = 10, in_squared_cell_widths = 4;
+  constexpr double in_face_areas = 10, in_squared_cell_widths = 1;
   const Triangulated_surface_3& surface = space.surface();
   const std::size_t faces = surface.number_of_faces() - surface.number_of_degenerate_faces();
   if(faces == 0 || !boundary_sides(space).empty())
@@ -258,7 +258,7 @@ Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
 /// \param np optional named parameters: those of `fit_function()`, with other defaults:
 /// - `normal_stabilization`: default 0.01
 /// - `smoothing_weight`: \f$w\f$ in units of length^2. By default 10 times the mean area of the
-///   faces, but at most \f$4 h^2\f$; 0 on a surface with a boundary, or without faces
+///   faces, but at most \f$h^2\f$; 0 on a surface with a boundary, or without faces
 /// - `refinement_steps`: default 1 if there is smoothing, else 0
 /// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
 template <class SurfaceIntegration, class Normals,
