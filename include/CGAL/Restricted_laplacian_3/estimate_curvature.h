@@ -178,7 +178,7 @@ namespace internal {
 /// Nothing near boundaries, where the natural condition would bend the normals, nor for points,
 /// whose normals come from no triangulation.
 inline double curvature_smoothing_weight(const Spline_space_3& space) {
-  constexpr double in_face_areas = 10, in_squared_cell_widths = 4;
+  constexpr double in_face_areas = 10, in_squared_cell_widths = 1;
   const Triangulated_surface_3& surface = space.surface();
   const std::size_t faces = surface.number_of_faces() - surface.number_of_degenerate_faces();
   if(surface.is_point_set() || faces == 0 || !boundary_sides(space).empty())
@@ -261,7 +261,7 @@ Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
 /// \param np optional named parameters: those of `fit_function()`, with other defaults:
 /// - `normal_stabilization`: default 0.01
 /// - `smoothing_weight`: \f$w\f$ in units of length^2. By default 10 times the mean area of the
-///   faces, but at most \f$4 h^2\f$; 0 on a surface with a boundary, and on points
+///   faces, but at most \f$h^2\f$; 0 on a surface with a boundary, and on points
 /// - `refinement_steps`: default 1 if there is smoothing, else 0
 /// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
 template <class SurfaceIntegration, class Normals,
