@@ -147,6 +147,8 @@ TEST_CASE("smoothing_leads_from_the_function_to_its_mean", "[fit]") {
   }
   CHECK(amplitude(1e4, 0) == Approx(1 / (1 + 2e4)).epsilon(1e-2));
   CHECK(amplitude(1e8, 0) < 1e-6);
+  CHECK(RL::fit_function(space, x, params::smoothing_weight(1e8)).root_mean_square_error() ==
+        Approx(std::sqrt(1. / 3)).epsilon(1e-2));
 }
 
 TEST_CASE("fits_of_normals_take_few_iterations", "[fit][slow]") {
