@@ -44,7 +44,8 @@ const char* const usage =
 
 struct Options : Common_options, Point_options {
   std::string method = "normals", show = "mean";
-  double smoothing = -1, stabilization = -1; // the defaults
+  double smoothing = -1; // the default
+  double stabilization = 0.01;
   double tolerance = RL::Function_fit_options().solver.relative_tolerance, clip = 95;
 };
 
@@ -62,8 +63,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add = solver.add_options();
   add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
       "norm of the residual, relative to that of the right-hand side");
-  add("stabilization", po::value(&o.stabilization)->value_name("C"),
-      "factor of the stabilization by normal derivatives; default 0.01");
+  add("stabilization", po::value(&o.stabilization)->value_name("C")->default_value(o.stabilization),
+      "factor of the stabilization by normal derivatives");
   po::options_description colors("Colors", help_width);
   add = colors.add_options();
   add("show", po::value(&o.show)->value_name("mean|gaussian")->default_value(o.show),
@@ -113,8 +114,12 @@ bool estimate(const RL::Triangulated_surface_3& surface, const Options& o,
   const auto np = params::curvature_method(
       method(o), params::relative_tolerance(
                      o.tolerance, params::normal_stabilization(
+<<<<<<< HEAD
                                       o.stabilization < 0 ? RL::default_curvature_stabilization
                                                           : o.stabilization,
+=======
+                                      o.stabilization,
+>>>>>>> fit
                                       params::concurrency_tag(CGAL::Parallel_if_available_tag()))));
   const RL::Curvature_field field = assemble_with(space, o, [&](const auto& integration) {
     return o.smoothing < 0

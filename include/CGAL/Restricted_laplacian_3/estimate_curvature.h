@@ -173,19 +173,15 @@ private:
 
 namespace internal {
 
-/// The smoothing weight: what is smoothed away should be the noise of the triangulation, whose
-/// waves are as long as some edges, but not more than what is about as long as cells are wide.
-/// Nothing near boundaries, where the natural condition would bend the normals, nor for points,
-/// whose normals come from no triangulation.
+/// The smoothing weight: waves about as long as cells are wide are smoothed away, among them most of
+/// the noise of a triangulation. It follows from the space alone: a weight that followed from the
+/// faces would make the result depend on them. Nothing near boundaries, where the natural condition
+/// would bend the normals, nor for points, whose normals come from no triangulation.
 inline double curvature_smoothing_weight(const Spline_space_3& space) {
-  constexpr double in_face_areas = 10, in_squared_cell_widths = 1;
-  const Triangulated_surface_3& surface = space.surface();
-  const std::size_t faces = surface.number_of_faces() - surface.number_of_degenerate_faces();
-  if(surface.is_point_set() || faces == 0 || !boundary_sides(space).empty())
+  if(space.surface().is_point_set() || !boundary_sides(space).empty())
     return 0;
   const double h = space.octree().cell_width(space.depth());
-  return (std::min)(in_face_areas * surface.area() / static_cast<double>(faces),
-                    in_squared_cell_widths * h * h);
+  return h * h;
 }
 
 template <class NamedParameters>
@@ -260,8 +256,8 @@ Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
 /// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
 /// \param np optional named parameters: those of `fit_function()`, with other defaults:
 /// - `normal_stabilization`: default 0.01
-/// - `smoothing_weight`: \f$w\f$ in units of length^2. By default 10 times the mean area of the
-///   faces, but at most \f$h^2\f$; 0 on a surface with a boundary, and on points
+/// - `smoothing_weight`: \f$w\f$ in units of length^2; default \f$h^2\f$, or 0 on a surface with a
+///   boundary and on points
 /// - `refinement_steps`: default 1 if there is smoothing, else 0
 /// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
 template <class SurfaceIntegration, class Normals,
