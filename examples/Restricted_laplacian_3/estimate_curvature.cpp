@@ -45,7 +45,7 @@ const char* const usage =
 struct Options : Common_options, Point_options {
   std::string method = "normals", show = "mean";
   double smoothing = -1; // the default
-  double stabilization = 0.01;
+  double stabilization = RL::default_curvature_stabilization;
   double tolerance = RL::Function_fit_options().solver.relative_tolerance, clip = 95;
 };
 
@@ -58,7 +58,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "how curvature is estimated");
   add("smoothing", po::value(&o.smoothing)->value_name("W"),
       "weight of the squared gradient of the normals, in units of the squared width of a cell; by "
-      "default it follows from the mean area of the faces, and is 0 on surfaces with a boundary");
+      "default 1, and 0 on surfaces with a boundary and on points");
   po::options_description solver("Solver", help_width);
   add = solver.add_options();
   add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
@@ -114,12 +114,7 @@ bool estimate(const RL::Triangulated_surface_3& surface, const Options& o,
   const auto np = params::curvature_method(
       method(o), params::relative_tolerance(
                      o.tolerance, params::normal_stabilization(
-<<<<<<< HEAD
-                                      o.stabilization < 0 ? RL::default_curvature_stabilization
-                                                          : o.stabilization,
-=======
                                       o.stabilization,
->>>>>>> fit
                                       params::concurrency_tag(CGAL::Parallel_if_available_tag()))));
   const RL::Curvature_field field = assemble_with(space, o, [&](const auto& integration) {
     return o.smoothing < 0

@@ -173,10 +173,10 @@ private:
 
 namespace internal {
 
-/// The smoothing weight: waves about as long as cells are wide are smoothed away, among them most of
-/// the noise of a triangulation. It follows from the space alone: a weight that followed from the
-/// faces would make the result depend on them. Nothing near boundaries, where the natural condition
-/// would bend the normals, nor for points, whose normals come from no triangulation.
+/// The smoothing weight: waves about as long as cells are wide are smoothed away, and with them
+/// most of the noise of a triangulation. It follows from the space alone: a weight that followed
+/// from the faces would make the result depend on them. Nothing near boundaries, where the natural
+/// condition would bend the normals, nor for points, whose normals come from no triangulation.
 inline double curvature_smoothing_weight(const Spline_space_3& space) {
   if(space.surface().is_point_set() || !boundary_sides(space).empty())
     return 0;
