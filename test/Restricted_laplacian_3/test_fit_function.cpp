@@ -8,6 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/vertex_normals.h>
 
 #include <Eigen/Core>
 
@@ -167,6 +168,23 @@ TEST_CASE("fits_of_normals_take_few_iterations", "[fit][slow]") {
     CHECK(fit.relative_residual <= 1e-8);
     CHECK(fit.iterations <= 15);
   }
+}
+
+TEST_CASE("fits_that_resist_get_more_stabilization", "[fit][slow]") {
+  // one component of the normals is constant on large plane faces
+  const std::string path = shared_mesh("wingnut_6k.ply");
+  if(path.empty())
+    SKIP_TEST("wingnut_6k.ply");
+  const RL::Triangulated_surface_3 wingnut = RL::read_surface(shapes::read(path));
+  const RL::Linear_surface_function<RL::Vector_3> normals(RL::vertex_normals(wingnut));
+  RL::Spline_space_options options;
+  options.octree_depth = 6;
+  const RL::Spline_space_3 space(wingnut, options);
+  const RL::Function_fit fit = RL::fit_function(space, normals);
+  CHECK(fit.converged);
+  CHECK(fit.relative_residual <= 1e-8);
+  CHECK(fit.iterations <= 150);
+  CHECK(fit.normal_stabilizations == std::vector<double>{1e-4, 1e-5, 1e-5});
 }
 
 TEST_CASE("property_maps_are_fitted_on_meshes_and_soups", "[fit]") {
