@@ -81,7 +81,7 @@ namespace internal {
 constexpr std::array<double, 3> fit_stabilizations = {1e-4, 1e-5, 1e-14};
 /// The energy of the stabilisation may be up to the first fraction of what is minimized; above the
 /// second one, the smallest factor is tried next.
-constexpr double small_stabilization_energy = 0.1, large_stabilization_energy = 1;
+constexpr double small_stabilization_energy = 0.5, large_stabilization_energy = 1;
 /// of one solve with the smallest factor; what does not converge then gets the factor before it
 constexpr int maximum_iterations_of_smallest = 60;
 
@@ -127,13 +127,13 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// of elements that vary along the normal only nearly vanish on the surface. The term \f$c\, h N\f$
 /// is added to \f$M\f$, and \f$\frac{c}{h} N\f$ to \f$S\f$. Unless \f$c\f$ is given, it is the
 /// first of 1e-4, 1e-5 and 1e-14, for each component, with which the energy of the stabilisation is
-/// at most a tenth of what \f$u\f$ minimizes; 1e-5 is left out where it is larger than that. A
+/// at most half of what \f$u\f$ minimizes; 1e-5 is left out where it is larger than all of that. A
 /// rough function, for example the normals of the faces, is far from the space: 1e-4 adds little to
 /// its error, and the number of iterations does not depend on the depth. The error of a smooth
 /// function would be that of the stabilisation. A smaller one takes more iterations, but then the
 /// error is of the order \f$h^3\f$, and a function in the space is fitted up to about 1e-7 of its
-/// size. Where it does not converge within 60 iterations, as for functions that are linear on each
-/// of few large faces, 1e-5 is taken.
+/// size. Where 1e-14 does not converge within 60 iterations, as may happen on few large plane faces,
+/// 1e-5 is taken.
 ///
 /// The systems are solved by conjugate gradients with a multigrid preconditioner, a
 /// `Poisson_solver`, for up to eight components at a time.
