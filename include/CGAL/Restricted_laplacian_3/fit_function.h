@@ -132,7 +132,7 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// its error, and the number of iterations does not depend on the depth. The error of a smooth
 /// function would be that of the stabilisation. A smaller one takes more iterations, but then the
 /// error is of the order \f$h^3\f$, and a function in the space is fitted up to about 1e-7 of its
-/// size. Where 1e-14 does not converge within 60 iterations, as may happen on few large plane faces,
+/// size. Where 1e-14 does not converge within 60 iterations, as may happen on large plane faces,
 /// 1e-5 is taken.
 ///
 /// The systems are solved by conjugate gradients with a multigrid preconditioner, a
