@@ -79,9 +79,12 @@ namespace internal {
 /// The factors of the stabilisation that are tried. With the first one the number of iterations
 /// does not depend on the depth; the last one is as small as rounding permits.
 constexpr std::array<double, 3> fit_stabilizations = {1e-4, 1e-5, 1e-14};
-/// The energy of the stabilisation may be up to the first fraction of what is minimized; above the
-/// second one, the smallest factor is tried next.
-constexpr double small_stabilization_energy = 0.5, large_stabilization_energy = 1;
+/// The energy of the stabilisation may be up to this fraction of what is minimized. Rough functions
+/// are those whose root mean square error is above 1 % of their own root mean square.
+constexpr double small_energy_of_smooth = 0.1, small_energy_of_rough = 0.5;
+constexpr double squared_error_of_rough = 1e-4;
+/// above this fraction the smallest factor is tried next
+constexpr double large_stabilization_energy = 1;
 /// of one solve with the smallest factor; what does not converge then gets the factor before it
 constexpr int maximum_iterations_of_smallest = 60;
 
@@ -127,7 +130,8 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// of elements that vary along the normal only nearly vanish on the surface. The term \f$c\, h N\f$
 /// is added to \f$M\f$, and \f$\frac{c}{h} N\f$ to \f$S\f$. Unless \f$c\f$ is given, it is the
 /// first of 1e-4, 1e-5 and 1e-14, for each component, with which the energy of the stabilisation is
-/// at most half of what \f$u\f$ minimizes; 1e-5 is left out where it is larger than all of that. A
+/// at most a tenth of what \f$u\f$ minimizes, or half of it if the error of \f$u\f$ is above 1 % of
+/// \f$f\f$ (root mean squares); 1e-5 is left out where it is larger than all of that. A
 /// rough function, for example the normals of the faces, is far from the space: 1e-4 adds little to
 /// its error, and the number of iterations does not depend on the depth. The error of a smooth
 /// function would be that of the stabilisation. A smaller one takes more iterations, but then the
@@ -291,7 +295,7 @@ private:
       for(Eigen::Index k : to_be_fitted[i]) {
         const double energy =
             i < last ? relative_stabilization_energy(solver, k, of_zero, left, result) : 0;
-        if(energy <= internal::small_stabilization_energy)
+        if(i == last || energy <= small_energy(of_zero.squares[k], left.squares[k]))
           accepted.push_back(k);
         else
           to_be_fitted[energy > internal::large_stabilization_energy ? last : i + 1].push_back(k);
@@ -384,6 +388,13 @@ private:
     const double smoothing = m_options.smoothing_weight / unit() * left.gradient_squares[k];
     const double stabilization = eta.dot(a_eta - mass_eta) - smoothing;
     return stabilization > 0 ? stabilization / (left.squares[k] + smoothing) : 0;
+  }
+
+  /// \param function_square,error_square integrals of the squares of a function and of its error
+  static double small_energy(double function_square, double error_square) {
+    return error_square > internal::squared_error_of_rough * function_square
+               ? internal::small_energy_of_rough
+               : internal::small_energy_of_smooth;
   }
 
   /// fits what is left, each component with its stabilisation
