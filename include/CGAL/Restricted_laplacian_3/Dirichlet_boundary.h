@@ -43,8 +43,6 @@ struct Face_side {
 inline std::vector<Face_side> boundary_sides(const Spline_space_3& space) {
   const Triangulated_surface_3& surface = space.surface();
   std::vector<Face_side> result;
-  if(surface.number_of_faces() == 0)
-    return result;
   const double h = space.octree().cell_width(space.depth());
   const Surface_seams seams(surface, Octree_3::thin_face_height * h,
                             space.options().joining_tolerance);

@@ -291,7 +291,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
       parameters::get_parameter(np, internal_np::curvature_method), Curvature_method::normals);
   if(method == Curvature_method::coordinates)
     return Curvature_field(space, internal::fit_coordinate_laplacian(space, integration, np));
-  if(method == Curvature_method::face_normals || space.surface().number_of_faces() == 0)
+  if(method == Curvature_method::face_normals)
     return estimate_curvature(
         space, integration, function_of_degree([](const Surface_point& p) { return p.normal; }, 0),
         np);
