@@ -34,10 +34,17 @@ inline Color oklab_to_linear(const Oklab& lab) {
   return {std::clamp(color[0], 0., 1.), std::clamp(color[1], 0., 1.), std::clamp(color[2], 0., 1.)};
 }
 
-// The sRGB byte of one component (IEC 61966-2-1).
+// One component from linear light to sRGB, and back (IEC 61966-2-1).
+inline double linear_to_srgb_value(double x) {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+}
+inline double srgb_to_linear(double y) {
+  return y <= 0.04045 ? y / 12.92 : std::pow((y + 0.055) / 1.055, 2.4);
+}
+
+// the sRGB byte of one component
 inline std::uint8_t linear_to_srgb(double x) {
-  const double y = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(y, 0., 1.)));
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(linear_to_srgb_value(x), 0., 1.)));
 }
 
 // the color at `t` in [0, 1] between evenly spaced `anchors`

@@ -17,6 +17,7 @@
 #include <iostream>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace examples {
 
@@ -115,25 +116,45 @@ const char* const about_meshes =
     "them different edges, unless --join is given. Faces that are not triangles are triangulated,\n"
     "and faces without area are left out of all integrals.\n";
 
-// Reads the command line; the remaining argument without a name is the mesh. Returns false if
-// --help was given: the usage and all options have been printed then.
-inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
-                               const po::options_description& visible, Common_options& o,
-                               po::variables_map& given) {
+// Reads a command line. Arguments without a name fill the options of `arguments`, which --help does
+// not list, in the order of `positional`. Returns false if --help was given: the usage and the
+// options of `visible` have been printed then.
+inline bool parse_arguments(int argc, char* argv[], const std::string& usage,
+                            const po::options_description& visible,
+                            const po::options_description& arguments,
+                            const po::positional_options_description& positional,
+                            po::variables_map& given) {
   po::options_description all;
-  all.add(visible).add_options()("mesh", po::value(&o.mesh));
-  po::positional_options_description positional;
-  positional.add("mesh", 1);
+  all.add(visible).add(arguments);
   // no guessing: a mistyped option is an error, not another option
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
   po::store(
       po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
       given);
   if(given.count("help")) {
-    std::cout << usage << '\n' << about_meshes << '\n' << visible;
+    std::cout << usage << '\n' << visible;
     return false;
   }
   po::notify(given);
+  return true;
+}
+
+// Reads the command line of a program that works on one mesh, the first argument without a name.
+// The others are `rest`, if the program takes any. Returns false if --help was given, see above.
+inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
+                               const po::options_description& visible, Common_options& o,
+                               po::variables_map& given, std::vector<std::string>* rest = nullptr) {
+  po::options_description arguments;
+  arguments.add_options()("mesh", po::value(&o.mesh));
+  po::positional_options_description positional;
+  positional.add("mesh", 1);
+  if(rest) {
+    arguments.add_options()("rest", po::value(rest));
+    positional.add("rest", -1);
+  }
+  if(!parse_arguments(argc, argv, usage + "\n" + about_meshes, visible, arguments, positional,
+                      given))
+    return false;
 
   require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
   require_positive(given, "cube-scale", o.space.cube_scale);

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
@@ -30,12 +31,15 @@ template <typename Number> void write_bytes(std::ostream& out, Number number) {
 
 } // namespace internal
 
+// red, green and blue as files hold them
+using Color_bytes = std::array<std::uint8_t, 3>;
+
 // Writes a binary PLY file of a surface with a color and some named values for each vertex: columns
 // of a matrix; of points without faces, but with their normals. Like the writers of CGAL it is for
 // machines that store the lowest byte of a number first.
 inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3& surface,
-                       const std::vector<Color>& colors, const std::vector<std::string>& names,
-                       const Eigen::MatrixXd& values) {
+                       const std::vector<Color_bytes>& colors,
+                       const std::vector<std::string>& names, const Eigen::MatrixXd& values) {
   using internal::write_bytes;
   write_file(file, [&](std::ostream& out) {
     out << "ply\nformat binary_little_endian 1.0\n"
@@ -53,10 +57,10 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
     for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
       for(int axis = 0; axis < 3; ++axis)
         write_bytes(out, surface.point(v)[axis]);
-      for(const double component : colors[v])
-        write_bytes(out, linear_to_srgb(component));
-      for(const double value : values.row(static_cast<Eigen::Index>(v)))
-        write_bytes(out, value);
+      for(const std::uint8_t component : colors[v])
+        write_bytes(out, component);
+      for(std::size_t k = 0; k < names.size(); ++k)
+        write_bytes(out, values(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)));
       for(int axis = 0; axis < 3 && surface.is_point_set(); ++axis)
         write_bytes(out, surface.normal(v)[axis]);
     }
@@ -66,6 +70,16 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
         write_bytes(out, vertex);
     }
   });
+}
+
+// The same with colors in linear light.
+inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3& surface,
+                       const std::vector<Color>& colors, const std::vector<std::string>& names,
+                       const Eigen::MatrixXd& values) {
+  std::vector<Color_bytes> bytes;
+  for(const Color& c : colors)
+    bytes.push_back({linear_to_srgb(c[0]), linear_to_srgb(c[1]), linear_to_srgb(c[2])});
+  write_mesh(file, surface, bytes, names, values);
 }
 
 // The same with one value, and colors that show it.
