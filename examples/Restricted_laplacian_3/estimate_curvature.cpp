@@ -4,14 +4,13 @@
 // Estimates mean and Gaussian curvature of a mesh, and writes them at its vertices.
 
 #include "support/command_line.h"
-#include "support/mesh_input.h"
-#include "support/mesh_output.h"
 #include "support/picture.h"
 #include "support/point_input.h"
 #include "support/program.h"
+#include "support/solver_options.h"
 #include "support/space.h"
+#include "support/surface_program.h"
 #include "support/table.h"
-#include "support/threads.h"
 
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 
@@ -42,11 +41,12 @@ const char* const usage =
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "the output was written.\n";
 
-struct Options : Common_options, Point_options {
+struct Options : Common_options, Point_options, Solver_options {
+  Options() : Solver_options(RL::Function_fit_options().solver.relative_tolerance) {}
+
   std::string method = "normals", show = "mean";
   double smoothing = -1; // the default
-  double stabilization = RL::default_curvature_stabilization;
-  double tolerance = RL::Function_fit_options().solver.relative_tolerance, clip = 95;
+  double clip = 95;
 };
 
 // returns false if there is nothing more to do
@@ -59,12 +59,6 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("smoothing", po::value(&o.smoothing)->value_name("W"),
       "weight of the squared gradient of the normals, in units of the squared width of a cell; by "
       "default 1, and 0 on surfaces with a boundary and on points");
-  po::options_description solver("Solver", help_width);
-  add = solver.add_options();
-  add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
-      "norm of the residual, relative to that of the right-hand side");
-  add("stabilization", po::value(&o.stabilization)->value_name("C")->default_value(o.stabilization),
-      "factor of the stabilization by normal derivatives");
   po::options_description colors("Colors", help_width);
   add = colors.add_options();
   add("show", po::value(&o.show)->value_name("mean|gaussian")->default_value(o.show),
@@ -75,7 +69,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   all.add(problem)
       .add(space_options(o))
       .add(point_options(o, o))
-      .add(solver)
+      .add(solver_options(o, "default 0.01"))
       .add(colors)
       .add(output_options(o));
 
@@ -85,12 +79,9 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require_choice("show", o.show, {"mean", "gaussian"});
   require(o.show == "mean" || o.method != "coordinates",
           "--show gaussian needs another --method than coordinates");
-  require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
   require(o.clip > 0 && o.clip <= 100, "the argument of --clip must be in (0, 100]");
-  for(const char* option : {"smoothing", "stabilization"})
-    require(given.count(option) == 0 ||
-                (given[option].as<double>() >= 0 && std::isfinite(given[option].as<double>())),
-            std::string("the argument of --") + option + " must be a number that is not negative");
+  require_not_negative(given, "smoothing");
+  check_solver_options(o, given);
   return true;
 }
 
@@ -100,9 +91,8 @@ RL::Curvature_method method(const Options& o) {
                                       : RL::Curvature_method::coordinates;
 }
 
-// Estimates the curvatures at the vertices, and describes what was done.
-bool estimate(const RL::Triangulated_surface_3& surface, const Options& o,
-              Eigen::MatrixXd& curvatures, Summary& summary, const Progress& progress) {
+Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
+                 const Progress& progress) {
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
@@ -111,10 +101,12 @@ bool estimate(const RL::Triangulated_surface_3& surface, const Options& o,
 
   progress.show("fitting by " + std::to_string(space.dimension()) + " unknowns");
   const double h = space.octree().cell_width(space.depth());
+  const double stabilization =
+      o.stabilization < 0 ? RL::default_curvature_stabilization : o.stabilization;
   const auto np = params::curvature_method(
       method(o), params::relative_tolerance(
                      o.tolerance, params::normal_stabilization(
-                                      o.stabilization,
+                                      stabilization,
                                       params::concurrency_tag(CGAL::Parallel_if_available_tag()))));
   const RL::Curvature_field field = assemble_with(space, o, [&](const auto& integration) {
     return o.smoothing < 0
@@ -122,21 +114,27 @@ bool estimate(const RL::Triangulated_surface_3& surface, const Options& o,
                : RL::estimate_curvature(space, integration,
                                         params::smoothing_weight(o.smoothing * h * h, np));
   });
-  const std::vector<RL::Surface_curvature> values = field.at_vertices();
-  curvatures.resize(static_cast<Eigen::Index>(values.size()), 2);
-  for(std::size_t v = 0; v < values.size(); ++v)
-    curvatures.row(static_cast<Eigen::Index>(v)) << values[v].mean, values[v].gaussian;
+  const std::vector<RL::Surface_curvature> curvatures = field.at_vertices();
 
   const RL::Fit_report& report = field.report();
   add_space(summary, space);
-  summary.add("setup_seconds", space_seconds + report.setup_seconds);
-  summary.add("assembly_seconds", report.assembly_seconds);
-  summary.add("solve_seconds", report.solve_seconds);
-  summary.add("iterations", report.iterations);
-  summary.add("relative_residual", report.relative_residual);
+  add_solve(summary, report, space_seconds, report.assembly_seconds);
   if(!report.root_mean_square_errors.empty())
     summary.add("rms_error_of_normals", report.root_mean_square_error());
-  return report.converged;
+
+  Outcome result;
+  result.names = {"mean", "gaussian"};
+  result.values.resize(static_cast<Eigen::Index>(curvatures.size()), 2);
+  std::vector<double> shown;
+  for(const RL::Surface_curvature& c : curvatures) {
+    result.values.row(static_cast<Eigen::Index>(shown.size())) << c.mean, c.gaussian;
+    shown.push_back(o.show == "mean" ? c.mean : c.gaussian);
+  }
+  result.shown = o.show == "mean" ? 0 : 1;
+  result.colors = clipped_colors(shown, o.clip / 100);
+  if(!report.converged)
+    result.failure = ": the residual is " + std::to_string(report.relative_residual);
+  return result;
 }
 
 int main(int argc, char* argv[]) {
@@ -145,34 +143,10 @@ int main(int argc, char* argv[]) {
     po::variables_map given;
     if(!read_options(argc, argv, o, given))
       return success;
-    const Progress progress(o.quiet);
-
-    progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh_or_points(o, o, given);
-    Summary summary(input);
-    const Thread_limit threads(o.threads);
-    summary.add("threads", threads.number());
-    Eigen::MatrixXd curvatures;
-    const bool has_converged = estimate(input.surface, o, curvatures, summary, progress);
-
-    progress.show("writing the results");
-    const Eigen::VectorXd column = curvatures.col(o.show == "mean" ? 0 : 1);
-    const std::vector<double> shown(column.begin(), column.end());
-    const std::vector<Color> colors = clipped_colors(shown, o.clip / 100);
-    const std::vector<std::string> names = {"mean", "gaussian"};
-    if(!o.csv.empty())
-      write_csv(o.csv, summary, "vertex", names, curvatures);
-    if(!o.output.empty())
-      write_mesh(o.output, input.surface, colors, names, curvatures);
-    if(!o.picture.empty())
-      write_picture(o.picture, input.surface, colors, shown, {o.up == "z", o.isolines});
-    progress.show("");
-    if(!o.quiet)
-      summary.print(std::cout);
-    if(!has_converged) {
-      print_error("estimate_curvature", "the solver did not converge");
-      return not_converged;
-    }
-    return success;
+    return run_on_surface(
+        "estimate_curvature", o, [&] { return read_mesh_or_points(o, o, given); },
+        [&](const auto& surface, Summary& summary, const Progress& progress) {
+          return estimate(surface, o, summary, progress);
+        });
   });
 }

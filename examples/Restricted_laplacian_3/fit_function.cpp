@@ -5,15 +5,14 @@
 // vertices.
 
 #include "support/command_line.h"
-#include "support/mesh_input.h"
-#include "support/mesh_output.h"
 #include "support/picture.h"
 #include "support/ply_property.h"
 #include "support/point_input.h"
 #include "support/program.h"
+#include "support/solver_options.h"
 #include "support/space.h"
+#include "support/surface_program.h"
 #include "support/table.h"
-#include "support/threads.h"
 
 #include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
@@ -50,11 +49,12 @@ const char* const usage =
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "the output was written.\n";
 
-struct Options : Common_options, Point_options {
+struct Options : Common_options, Point_options, Solver_options {
+  Options() : Solver_options(RL::Function_fit_options().solver.relative_tolerance) {}
+
   std::string property;
   bool normals = false;
-  double smoothing = 0, tolerance = RL::Function_fit_options().solver.relative_tolerance;
-  double stabilization = -1; // chosen
+  double smoothing = 0;
   int refinements = 0;
 };
 
@@ -69,31 +69,20 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "weight of the squared gradient, in units of the squared width of a cell");
   add("refinements", po::value(&o.refinements)->value_name("N")->default_value(o.refinements),
       "how often what the fit leaves is fitted and added");
-  po::options_description solver("Solver", help_width);
-  add = solver.add_options();
-  add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
-      "norm of the residual, relative to that of the right-hand side");
-  add("stabilization", po::value(&o.stabilization)->value_name("C"),
-      "factor of the stabilization by normal derivatives; by default it is chosen for each "
-      "function: small for smooth ones");
   po::options_description all(help_width);
   all.add(problem)
       .add(space_options(o))
       .add(point_options(o, o))
-      .add(solver)
+      .add(solver_options(o, "by default it is chosen for each function: small for smooth ones"))
       .add(output_options(o));
 
   if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
     return false;
   require(o.normals || given.count("property") == 1, "give --property or --normals");
   require(!o.normals || given.count("property") == 0, "give --property or --normals, not both");
-  require(o.smoothing >= 0 && std::isfinite(o.smoothing),
-          "the argument of --smoothing must be a number that is not negative");
+  require_not_negative(given, "smoothing");
+  check_solver_options(o, given);
   require(o.refinements >= 0, "the argument of --refinements must not be negative");
-  require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
-  require(given.count("stabilization") == 0 ||
-              (o.stabilization >= 0 && std::isfinite(o.stabilization)),
-          "the argument of --stabilization must be a number that is not negative");
   return true;
 }
 
@@ -164,9 +153,23 @@ RL::Function_fit fit_all(const RL::Spline_space_3& space, const Integration& int
   return result;
 }
 
-// Fits the functions, with the results at the vertices in `u`, and describes what was done.
-bool fit(const RL::Triangulated_surface_3& surface, const Options& o, const Functions& functions,
-         Eigen::MatrixXd& u, Summary& summary, const Progress& progress) {
+// Normals as red, green and blue; of other functions the first one.
+std::vector<Color> colors(const Options& o, const Eigen::MatrixXd& u) {
+  if(!o.normals)
+    return value_colors(u.col(0));
+  std::vector<Color> result;
+  for(Eigen::Index v = 0; v < u.rows(); ++v) {
+    Color color = {0.5, 0.5, 0.5};
+    for(int axis = 0; axis < 3 && std::isfinite(u(v, axis)); ++axis)
+      color[axis] = std::clamp(0.5 + 0.5 * u(v, axis), 0., 1.);
+    result.push_back(color);
+  }
+  return result;
+}
+
+Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
+            const Progress& progress) {
+  const Functions functions = o.normals ? normals(surface) : properties(surface, o);
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
@@ -185,31 +188,21 @@ bool fit(const RL::Triangulated_surface_3& surface, const Options& o, const Func
   const RL::Function_fit fit = assemble_with(space, o, [&](const auto& integration) {
     return fit_all(space, integration, options, functions);
   });
-  u = RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
 
   add_space(summary, space);
-  summary.add("setup_seconds", space_seconds + fit.setup_seconds);
-  summary.add("assembly_seconds", fit.assembly_seconds);
-  summary.add("solve_seconds", fit.solve_seconds);
-  summary.add("iterations", fit.iterations);
-  summary.add("relative_residual", fit.relative_residual);
+  add_solve(summary, fit, space_seconds, fit.assembly_seconds);
   for(std::size_t k = 0; k < functions.names.size(); ++k)
     summary.add("stabilization_" + functions.names[k], fit.normal_stabilizations[k]);
   summary.add("rms_error", fit.root_mean_square_error());
-  return fit.converged;
-}
 
-// Normals as red, green and blue; of other functions the first one.
-std::vector<Color> colors(const Options& o, const Eigen::MatrixXd& u) {
-  if(!o.normals)
-    return value_colors(u.col(0));
-  std::vector<Color> result;
-  for(Eigen::Index v = 0; v < u.rows(); ++v) {
-    Color color = {0.5, 0.5, 0.5};
-    for(int axis = 0; axis < 3 && std::isfinite(u(v, axis)); ++axis)
-      color[axis] = std::clamp(0.5 + 0.5 * u(v, axis), 0., 1.);
-    result.push_back(color);
-  }
+  Outcome result;
+  result.names = functions.names;
+  if(result.names.size() == 1)
+    result.names[0] = "value";
+  result.values = RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
+  result.colors = colors(o, result.values);
+  if(!fit.converged)
+    result.failure = ": the residual is " + std::to_string(fit.relative_residual);
   return result;
 }
 
@@ -219,35 +212,10 @@ int main(int argc, char* argv[]) {
     po::variables_map given;
     if(!read_options(argc, argv, o, given))
       return success;
-    const Progress progress(o.quiet);
-
-    progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh_or_points(o, o, given);
-    Summary summary(input);
-    const Thread_limit threads(o.threads);
-    summary.add("threads", threads.number());
-    const Functions functions = o.normals ? normals(input.surface) : properties(input.surface, o);
-    Eigen::MatrixXd u;
-    const bool has_converged = fit(input.surface, o, functions, u, summary, progress);
-
-    progress.show("writing the results");
-    std::vector<std::string> names = functions.names;
-    if(names.size() == 1)
-      names[0] = "value";
-    if(!o.csv.empty())
-      write_csv(o.csv, summary, "vertex", names, u);
-    if(!o.output.empty())
-      write_mesh(o.output, input.surface, colors(o, u), names, u);
-    if(!o.picture.empty())
-      write_picture(o.picture, input.surface, colors(o, u), {u.data(), u.data() + u.rows()},
-                    {o.up == "z", o.isolines});
-    progress.show("");
-    if(!o.quiet)
-      summary.print(std::cout);
-    if(!has_converged) {
-      print_error("fit_function", "the solver did not converge");
-      return not_converged;
-    }
-    return success;
+    return run_on_surface(
+        "fit_function", o, [&] { return read_mesh_or_points(o, o, given); },
+        [&](const auto& surface, Summary& summary, const Progress& progress) {
+          return fit(surface, o, summary, progress);
+        });
   });
 }

@@ -4,15 +4,13 @@
 // Computes the smallest eigenvalues of the Laplacian on a mesh, and writes one eigenfunction.
 
 #include "support/command_line.h"
-#include "support/mesh_input.h"
-#include "support/mesh_output.h"
 #include "support/picture.h"
 #include "support/point_input.h"
 #include "support/program.h"
 #include "support/space.h"
 #include "support/spectrum.h"
+#include "support/surface_program.h"
 #include "support/table.h"
-#include "support/threads.h"
 
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/assemble.h>
@@ -128,12 +126,30 @@ RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const 
   return pairs;
 }
 
-void print_eigenvalues(const std::vector<double>& values) {
+void print_eigenvalues(std::ostream& out, const std::vector<double>& values) {
   constexpr std::size_t largest_number = 20;
   for(std::size_t i = 0; i < std::min(values.size(), largest_number); ++i)
-    std::cout << (i == 0 ? "eigenvalues" : "           ") << "         " << values[i] << '\n';
+    out << (i == 0 ? "eigenvalues" : "           ") << "         " << values[i] << '\n';
   if(values.size() > largest_number)
-    std::cout << "                    ... (--csv writes all)\n";
+    out << "                    ... (--csv writes all)\n";
+}
+
+Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
+              const Progress& progress) {
+  std::vector<double> u(surface.number_of_vertices(), std::nan(""));
+  const RL::Eigenpairs pairs = o.operator_name == "restricted"
+                                   ? solve_restricted(surface, o, u, summary, progress)
+                                   : solve_cotangent(surface, o, u, summary, progress);
+  const std::vector<double> eigenvalues(pairs.values.begin(), pairs.values.end());
+  Outcome result = outcome(u);
+  result.write_table = [=](const std::string& file, const Summary& lines) {
+    write_csv(file, lines, "index,eigenvalue", eigenvalues);
+  };
+  result.print = [=](std::ostream& out) { print_eigenvalues(out, eigenvalues); };
+  if(!pairs.converged)
+    result.failure = ": it found " + std::to_string(eigenvalues.size()) + " of " +
+                     std::to_string(o.count) + " eigenvalues";
+  return result;
 }
 
 int main(int argc, char* argv[]) {
@@ -142,38 +158,10 @@ int main(int argc, char* argv[]) {
     po::variables_map given;
     if(!read_options(argc, argv, o, given))
       return success;
-    const Progress progress(o.quiet);
-
-    progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh_or_points(o, o, given);
-    std::vector<double> u(input.surface.number_of_vertices(), std::nan(""));
-
-    Summary summary(input);
-    const Thread_limit threads(o.threads);
-    summary.add("threads", threads.number());
-    const RL::Eigenpairs pairs = o.operator_name == "restricted"
-                                     ? solve_restricted(input.surface, o, u, summary, progress)
-                                     : solve_cotangent(input.surface, o, u, summary, progress);
-    const std::vector<double> eigenvalues(pairs.values.begin(), pairs.values.end());
-
-    progress.show("writing the results");
-    if(!o.csv.empty())
-      write_csv(o.csv, summary, "index,eigenvalue", eigenvalues);
-    if(!o.output.empty())
-      write_mesh(o.output, input.surface, u);
-    if(!o.picture.empty())
-      write_picture(o.picture, input.surface, value_colors(u), u, {o.up == "z", o.isolines});
-    progress.show("");
-    if(!o.quiet) {
-      summary.print(std::cout);
-      print_eigenvalues(eigenvalues);
-    }
-    if(!pairs.converged) {
-      print_error("laplace_spectrum", "the solver did not converge: it found " +
-                                          std::to_string(eigenvalues.size()) + " of " +
-                                          std::to_string(o.count) + " eigenvalues");
-      return not_converged;
-    }
-    return success;
+    return run_on_surface(
+        "laplace_spectrum", o, [&] { return read_mesh_or_points(o, o, given); },
+        [&](const auto& surface, Summary& summary, const Progress& progress) {
+          return solve(surface, o, summary, progress);
+        });
   });
 }

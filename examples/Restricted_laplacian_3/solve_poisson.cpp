@@ -4,15 +4,14 @@
 // Solves a Poisson problem on a mesh, and writes the solution at its vertices.
 
 #include "support/command_line.h"
-#include "support/mesh_input.h"
-#include "support/mesh_output.h"
 #include "support/picture.h"
 #include "support/ply_property.h"
 #include "support/point_input.h"
 #include "support/program.h"
+#include "support/solver_options.h"
 #include "support/space.h"
+#include "support/surface_program.h"
 #include "support/table.h"
-#include "support/threads.h"
 
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/assemble.h>
@@ -52,10 +51,11 @@ const char* const usage =
     "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
     "the output was written.\n";
 
-struct Options : Common_options, Point_options {
+struct Options : Common_options, Point_options, Solver_options {
+  Options() : Solver_options(RL::Poisson_solver_options().relative_tolerance) {}
+
   std::string rhs = "z", rhs_property;
-  double alpha = 0, tolerance = RL::Poisson_solver_options().relative_tolerance;
-  double stabilization = -1; // the default
+  double alpha = 0;
   std::string cycle = "v", smoother = "patch";
 };
 
@@ -69,15 +69,11 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "f: a vertex property of MESH, a PLY file");
   add("alpha", po::value(&o.alpha)->value_name("A")->default_value(o.alpha),
       "screening weight, in units of 1 / area");
-  po::options_description solver("Solver", help_width);
+  po::options_description solver = solver_options(o, "default 0.001, or 0 with --paper");
   add = solver.add_options();
-  add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
-      "norm of the residual, relative to that of the right-hand side");
   add("cycle", po::value(&o.cycle)->value_name("v|w")->default_value(o.cycle), "multigrid cycle");
   add("smoother", po::value(&o.smoother)->value_name("point|patch")->default_value(o.smoother),
       "smoother of the multigrid cycle");
-  add("stabilization", po::value(&o.stabilization)->value_name("C"),
-      "factor of the stabilization by normal derivatives; default 0.001, or 0 with --paper");
   po::options_description all(help_width);
   all.add(problem)
       .add(space_options(o))
@@ -91,12 +87,9 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(given["rhs"].defaulted() || given.count("rhs-property") == 0,
           "give --rhs or --rhs-property, not both");
   require(o.alpha >= 0 && std::isfinite(o.alpha), "the argument of --alpha must not be negative");
-  require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
+  check_solver_options(o, given);
   require_choice("cycle", o.cycle, {"v", "w"});
   require_choice("smoother", o.smoother, {"point", "patch"});
-  require(given.count("stabilization") == 0 ||
-              (o.stabilization >= 0 && std::isfinite(o.stabilization)),
-          "the argument of --stabilization must be a number that is not negative");
   return true;
 }
 
@@ -143,10 +136,9 @@ double surface_mean(const RL::Triangulated_surface_3& surface, const std::vector
   return sum / surface.area();
 }
 
-// Solves the problem, with the results at the vertices in `u`, and describes what was done.
-RL::Solve_report solve(const RL::Triangulated_surface_3& surface, const Options& o,
-                       std::vector<double> f, std::vector<double>& u, Summary& summary,
-                       const Progress& progress) {
+Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
+              const Progress& progress) {
+  std::vector<double> f = right_hand_side(surface, o);
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
@@ -180,17 +172,17 @@ RL::Solve_report solve(const RL::Triangulated_surface_3& surface, const Options&
     load = -load;
   Eigen::VectorXd coefficients;
   const RL::Solve_report report = solver.solve(load, coefficients);
-  u = RL::Spline_function_3(space, std::move(coefficients)).values_at_vertices();
 
   add_space(summary, space);
   if(o.alpha == 0 && !space.is_paper_space())
     summary.add("kernel_dimension", solver.kernel_dimension());
-  summary.add("setup_seconds", space_seconds + report.setup_seconds);
-  summary.add("assembly_seconds", assembly_seconds);
-  summary.add("solve_seconds", report.solve_seconds);
-  summary.add("iterations", report.iterations);
-  summary.add("relative_residual", report.relative_residual);
-  return report;
+  add_solve(summary, report, space_seconds, assembly_seconds);
+  Outcome result =
+      outcome(RL::Spline_function_3(space, std::move(coefficients)).values_at_vertices());
+  if(!report.converged)
+    result.failure = ": " + std::to_string(report.iterations) +
+                     " iterations left the relative residual above the tolerance";
+  return result;
 }
 
 int main(int argc, char* argv[]) {
@@ -199,33 +191,10 @@ int main(int argc, char* argv[]) {
     po::variables_map given;
     if(!read_options(argc, argv, o, given))
       return success;
-    const Progress progress(o.quiet);
-
-    progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh_or_points(o, o, given);
-    Summary summary(input);
-    const Thread_limit threads(o.threads);
-    summary.add("threads", threads.number());
-    std::vector<double> u;
-    const RL::Solve_report report =
-        solve(input.surface, o, right_hand_side(input.surface, o), u, summary, progress);
-
-    progress.show("writing the results");
-    if(!o.csv.empty())
-      write_csv(o.csv, summary, "vertex,value", u);
-    if(!o.output.empty())
-      write_mesh(o.output, input.surface, u);
-    if(!o.picture.empty())
-      write_picture(o.picture, input.surface, value_colors(u), u, {o.up == "z", o.isolines});
-    progress.show("");
-    if(!o.quiet)
-      summary.print(std::cout);
-    if(!report.converged) {
-      print_error("solve_poisson",
-                  "the solver did not converge: " + std::to_string(report.iterations) +
-                      " iterations left the relative residual above the tolerance");
-      return not_converged;
-    }
-    return success;
+    return run_on_surface(
+        "solve_poisson", o, [&] { return read_mesh_or_points(o, o, given); },
+        [&](const auto& surface, Summary& summary, const Progress& progress) {
+          return solve(surface, o, summary, progress);
+        });
   });
 }

@@ -109,6 +109,13 @@ inline void require_positive(const po::variables_map& given, const std::string& 
           "the argument of --" + option + " must be a positive number");
 }
 
+// requires that an option, if it is given, is a number that is not negative
+inline void require_not_negative(const po::variables_map& given, const std::string& option) {
+  require(given.count(option) == 0 ||
+              (given[option].as<double>() >= 0 && std::isfinite(given[option].as<double>())),
+          "the argument of --" + option + " must be a number that is not negative");
+}
+
 const char* const about_meshes =
     "The surface is taken as it is in the file: nothing is merged, cut or turned. It continues\n"
     "across an edge from each of its faces to each other one, any number of them, whatever their\n"

@@ -41,9 +41,7 @@ inline void check_eigensolver_options(const Eigensolver_options& o, const po::va
   require_choice("eigensolver", o.eigensolver, {"auto", "multigrid", "shift-invert"});
   require(o.eigensolver != "multigrid" || !is_paper, "--eigensolver multigrid excludes --paper");
   require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
-  require(given.count("stabilization") == 0 ||
-              (o.stabilization >= 0 && std::isfinite(o.stabilization)),
-          "the argument of --stabilization must be a number that is not negative");
+  require_not_negative(given, "stabilization");
 }
 
 // The smallest eigenpairs on a space, without values at the vertices.

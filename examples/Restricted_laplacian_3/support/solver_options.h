@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_SOLVER_OPTIONS_H
+#define RESTRICTED_LAPLACIAN_3_EXAMPLES_SOLVER_OPTIONS_H
+
+// The options of linear solvers.
+
+#include "command_line.h"
+#include "program.h"
+#include "table.h"
+
+#include <CGAL/Restricted_laplacian_3/Solve_report.h>
+
+#include <string>
+
+namespace examples {
+
+struct Solver_options {
+  explicit Solver_options(double tolerance) : tolerance(tolerance) {}
+
+  double tolerance;
+  double stabilization = -1; // the default
+};
+
+// `default_stabilization` is what the text of --help says about it.
+inline po::options_description solver_options(Solver_options& o,
+                                              const std::string& default_stabilization) {
+  po::options_description solver("Solver", help_width);
+  auto add = solver.add_options();
+  add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
+      "norm of the residual, relative to that of the right-hand side");
+  add("stabilization", po::value(&o.stabilization)->value_name("C"),
+      ("factor of the stabilization by normal derivatives; " + default_stabilization).c_str());
+  return solver;
+}
+
+inline void check_solver_options(const Solver_options& o, const po::variables_map& given) {
+  require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
+  require_not_negative(given, "stabilization");
+}
+
+// \param space_seconds for the spline space, which count as setup
+inline void add_solve(Summary& summary, const RL::Solve_report& report, double space_seconds,
+                      double assembly_seconds) {
+  summary.add("setup_seconds", space_seconds + report.setup_seconds);
+  summary.add("assembly_seconds", assembly_seconds);
+  summary.add("solve_seconds", report.solve_seconds);
+  summary.add("iterations", report.iterations);
+  summary.add("relative_residual", report.relative_residual);
+}
+
+} // namespace examples
+
+#endif // RESTRICTED_LAPLACIAN_3_EXAMPLES_SOLVER_OPTIONS_H
