@@ -230,7 +230,7 @@ int main(int argc, char* argv[]) {
     const std::vector<RL::Vector_3> directions = spread_directions(o.views);
     const double r = radius(surface);
     std::vector<Virtual_scan> scans;
-    std::vector<std::pair<std::string, Pose>> poses;
+    std::vector<std::pair<std::string, RL::Scan_pose>> poses;
     for(int i = 0; i < o.views; ++i) {
       progress.show("scan " + std::to_string(i + 1) + " of " + std::to_string(o.views));
       const Camera camera = camera_around(surface.center(), r, directions[i],

@@ -94,21 +94,24 @@ inline Oriented_points read_xyz(const std::string& file) {
   return result;
 }
 
-inline Oriented_points read_ply_points(const std::string& file) {
+// `with_normals`: else there are none
+inline Oriented_points read_ply_points(const std::string& file, bool with_normals = true) {
   for(const char* name : {"x", "y", "z"})
     require(!ply_property_type(file, name).empty(),
             "'" + file + "' has no points: no vertex property '" + name + "'");
+  const auto read = [&](const char* name) { return read_ply_property(file, name); };
+  Oriented_points result;
+  const std::vector<double> x = read("x"), y = read("y"), z = read("z");
+  for(std::size_t i = 0; i < x.size(); ++i)
+    result.points.emplace_back(x[i], y[i], z[i]);
+  if(!with_normals)
+    return result;
   for(const char* name : {"nx", "ny", "nz"})
     require(!ply_property_type(file, name).empty(),
             "'" + file + "' has neither faces nor normals: no vertex property '" + name + "'");
-  std::vector<std::vector<double>> columns;
-  for(const char* name : {"x", "y", "z", "nx", "ny", "nz"})
-    columns.push_back(read_ply_property(file, name));
-  Oriented_points result;
-  for(std::size_t i = 0; i < columns[0].size(); ++i) {
-    result.points.emplace_back(columns[0][i], columns[1][i], columns[2][i]);
-    result.normals.emplace_back(columns[3][i], columns[4][i], columns[5][i]);
-  }
+  const std::vector<double> nx = read("nx"), ny = read("ny"), nz = read("nz");
+  for(std::size_t i = 0; i < nx.size(); ++i)
+    result.normals.emplace_back(nx[i], ny[i], nz[i]);
   return result;
 }
 

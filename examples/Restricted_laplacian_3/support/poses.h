@@ -10,12 +10,10 @@
 
 #include "program.h"
 
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
-
-#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Restricted_laplacian_3/Colored_scan.h>
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -28,48 +26,31 @@
 
 namespace examples {
 
-using Pose = CGAL::Aff_transformation_3<RL::Kernel>;
-
 namespace internal {
 
-// The pose of one line. A rotation and a translation, and perhaps a change of unit: what else an
-// affine map may do is taken for a mistake, and the last row must be 0 0 0 1.
-inline Pose read_pose(std::istream& numbers, const std::string& where) {
-  constexpr double tolerance = 1e-3;
-  std::array<double, 16> m;
-  for(std::size_t i = 0; i < 16; ++i) {
-    require(static_cast<bool>(numbers >> m[i]),
+// the pose of one line
+inline RL::Scan_pose read_pose(std::istream& numbers, const std::string& where) {
+  std::array<double, 16> rows;
+  for(std::size_t i = 0; i < rows.size(); ++i)
+    require(static_cast<bool>(numbers >> rows[i]),
             where + ": a name and 16 numbers are needed, but number " + std::to_string(i + 1) +
                 " is missing or not a number");
-    require(std::isfinite(m[i]), where + ": number " + std::to_string(i + 1) + " is not finite");
-  }
   std::string more;
   require(!(numbers >> more), where + ": there is more than a name and 16 numbers");
-  require(m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1,
-          where + ": the last row of the matrix is not 0 0 0 1" +
-              (m[3] == 0 && m[7] == 0 && m[11] == 0 ? ": is it written by columns?" : ""));
-  const std::array<RL::Vector_3, 3> rows = {RL::Vector_3(m[0], m[1], m[2]),
-                                            RL::Vector_3(m[4], m[5], m[6]),
-                                            RL::Vector_3(m[8], m[9], m[10])};
-  const double determinant = CGAL::cross_product(rows[0], rows[1]) * rows[2];
-  require(determinant > 0, where + (determinant < 0 ? ": the matrix is a mirror image"
-                                                    : ": the matrix has the determinant 0"));
-  const double squared_scale = std::cbrt(determinant * determinant);
-  for(std::size_t i = 0; i < 3; ++i)
-    for(std::size_t j = 0; j <= i; ++j)
-      require(std::abs(rows[i] * rows[j] - (i == j ? squared_scale : 0)) <=
-                  tolerance * squared_scale,
-              where + ": the matrix is not a rotation with a translation");
-  return Pose(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11]);
+  try {
+    return RL::scan_pose(rows);
+  } catch(const RL::Parameter_error& e) {
+    throw Error(where + ": " + e.what());
+  }
 }
 
 } // namespace internal
 
 // The poses of a file by the names of the scans.
-inline std::map<std::string, Pose> read_poses(const std::string& file) {
+inline std::map<std::string, RL::Scan_pose> read_poses(const std::string& file) {
   std::ifstream in(file);
   require(in.good(), "cannot open '" + file + "'");
-  std::map<std::string, Pose> poses;
+  std::map<std::string, RL::Scan_pose> poses;
   std::size_t number = 0;
   for(std::string line; std::getline(in, line);) {
     ++number;
@@ -78,7 +59,7 @@ inline std::map<std::string, Pose> read_poses(const std::string& file) {
     if(!(words >> name) || name[0] == '#')
       continue;
     const std::string where = "'" + file + "': line " + std::to_string(number);
-    const Pose pose = internal::read_pose(words, where);
+    const RL::Scan_pose pose = internal::read_pose(words, where);
     require(poses.emplace(name, pose).second, where + ": '" + name + "' has a pose already");
   }
   require(!poses.empty(), "'" + file + "' holds no pose");
@@ -86,8 +67,8 @@ inline std::map<std::string, Pose> read_poses(const std::string& file) {
 }
 
 // The pose of the file of a scan: that of its path as given, else that of its name without folders.
-inline const Pose& pose_of(const std::map<std::string, Pose>& poses, const std::string& scan,
-                           const std::string& file) {
+inline const RL::Scan_pose& pose_of(const std::map<std::string, RL::Scan_pose>& poses,
+                                    const std::string& scan, const std::string& file) {
   for(const std::string& name : {scan, std::filesystem::path(scan).filename().string()}) {
     const auto pose = poses.find(name);
     if(pose != poses.end())
@@ -97,7 +78,7 @@ inline const Pose& pose_of(const std::map<std::string, Pose>& poses, const std::
 }
 
 inline void write_poses(const std::string& file,
-                        const std::vector<std::pair<std::string, Pose>>& poses) {
+                        const std::vector<std::pair<std::string, RL::Scan_pose>>& poses) {
   write_file(file, [&](std::ostream& out) {
     out << "# file, then the 4x4 matrix, row by row, that takes its coordinates to the world\n";
     for(const auto& [name, pose] : poses) {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iomanip>
@@ -21,6 +22,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace CGAL::Restricted_laplacian_3 {} // namespace CGAL::Restricted_laplacian_3
 
@@ -67,14 +69,17 @@ template <typename Body> int run_program(const std::string& program, Body body) 
   return failure;
 }
 
-// Opens `file`, lets `write` fill it, and throws unless everything arrived there. Numbers are
-// written so that reading them gives the same number again.
+// Opens `file`, lets `write` fill it, and throws unless everything arrived there; then no part of
+// the file is left. Numbers are written so that reading them gives the same number again.
 inline void write_file(const std::string& file, const std::function<void(std::ostream&)>& write) {
   std::ofstream out(file, std::ios::binary);
   require(out.good(), "cannot open '" + file + "' for writing");
   out << std::setprecision(std::numeric_limits<double>::max_digits10);
   write(out);
   out.close();
+  std::error_code ignored;
+  if(!out.good() && std::filesystem::is_regular_file(file, ignored))
+    std::filesystem::remove(file, ignored);
   require(out.good(), "cannot write '" + file + "'");
 }
 

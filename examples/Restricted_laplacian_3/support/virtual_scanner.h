@@ -32,7 +32,7 @@ namespace examples {
 // A camera with a square picture. In its frame the eye is at the origin, x points to the right of
 // the picture, y downward and z forward.
 struct Camera {
-  Pose to_world;
+  RL::Scan_pose to_world;
   double tangent;       // of half the field of view
   int resolution = 512; // pixels along each side
 };
@@ -75,8 +75,8 @@ inline Camera camera_around(const RL::Point_3& center, double radius, RL::Vector
   const RL::Vector_3 z = -direction;
   const RL::Vector_3 up = std::abs(z.y()) < 0.99 ? RL::Vector_3(0, 1, 0) : RL::Vector_3(0, 0, 1);
   const RL::Vector_3 x = unit(CGAL::cross_product(z, up)), y = CGAL::cross_product(z, x);
-  return {Pose(x.x(), y.x(), z.x(), eye.x(), x.y(), y.y(), z.y(), eye.y(), x.z(), y.z(), z.z(),
-               eye.z()),
+  return {RL::Scan_pose(x.x(), y.x(), z.x(), eye.x(), x.y(), y.y(), z.y(), eye.y(), x.z(), y.z(),
+                        z.z(), eye.z()),
           std::tan(half_angle), resolution};
 }
 

@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Colors a mesh from several colored scans, without visible seams.
+
+#include "support/color_error.h"
+#include "support/colored_mesh.h"
+#include "support/command_line.h"
+#include "support/picture.h"
+#include "support/poses.h"
+#include "support/program.h"
+#include "support/scan_input.h"
+#include "support/solver_options.h"
+#include "support/space.h"
+#include "support/surface_program.h"
+#include "support/table.h"
+
+#include <CGAL/Restricted_laplacian_3/Colored_scan.h>
+#include <CGAL/Restricted_laplacian_3/stitch_colors.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace examples;
+
+const char* const usage =
+    "usage: stitch_colors MESH SCAN... --poses FILE [OPTION]...\n"
+    "\n"
+    "Colors the vertices of MESH (off, obj, ply, stl, ts) from scans: PLY files with the vertex\n"
+    "properties red, green and blue, meshes or points, each in a frame of its own with the eye of\n"
+    "the camera at the origin. For each triangle a scan is chosen that sees it well; the colors\n"
+    "are those whose gradients are nearest to those of the chosen scans. Steps of the exposure or\n"
+    "the light between scans vanish. Parts of MESH that no scan covers are filled smoothly.\n"
+    "\n"
+    "FILE of --poses has a line for each scan: the name of its file, and 16 numbers, row by row,\n"
+    "of the matrix that takes its coordinates to those of MESH.\n"
+    "\n"
+    "Example: stitch_colors head.ply scan_*.ply --poses poses.conf --depth 8 --output colored.ply\n"
+    "\n"
+    "Exit status: 0 if all went well; 1 on an error, and then nothing is written; 2 if the solver\n"
+    "did not converge, after the output was written.\n";
+
+struct Options : Common_options, Solver_options {
+  Options() : Solver_options(RL::Poisson_solver_options().relative_tolerance) {
+    space.octree_depth = 8;
+  }
+
+  std::vector<std::string> scans;
+  std::string poses, method = "gradients", gradients = "back-projection", truth;
+  double alpha = RL::Color_stitching_options::default_screening;
+  double maximum_distance = 0; // chosen
+  bool keep_exposures = false, linear_light = false, no_details = false;
+};
+
+// returns false if there is nothing more to do
+bool read_options(int argc, char* argv[], Options& o) {
+  po::options_description problem("Problem", help_width);
+  auto add = problem.add_options();
+  add("poses", po::value(&o.poses)->value_name("FILE"), "where the scans were taken from");
+  add("method",
+      po::value(&o.method)->value_name("gradients|chosen|nearest")->default_value(o.method),
+      "gradients: as above; for comparison, chosen: the colors of the chosen scans as they are; "
+      "nearest: those of the scan that is nearest to each vertex");
+  add("gradients",
+      po::value(&o.gradients)->value_name("back-projection|scans")->default_value(o.gradients),
+      "gradients of the colors that a scan gives to the vertices, or its own gradients there");
+  add("alpha", po::value(&o.alpha)->value_name("A")->default_value(o.alpha),
+      "how strongly the result is drawn to the colors of the chosen scans, in units of 1 / area");
+  add("maximum-distance", po::value(&o.maximum_distance)->value_name("D"),
+      "of a vertex to a scan that covers it, in the unit of the coordinates; by default it follows "
+      "from the distances of points");
+  add("keep-exposures", po::bool_switch(&o.keep_exposures),
+      "do not multiply the colors of each scan by factors that make overlapping scans agree");
+  add("linear-light", po::bool_switch(&o.linear_light),
+      "colors are sRGB: stitch them in linear light");
+  add("no-details", po::bool_switch(&o.no_details),
+      "do not add at the vertices what the finite elements do not resolve");
+  add("truth", po::value(&o.truth)->value_name("FILE"),
+      "a PLY file with the vertices of MESH and their true colors: errors are printed");
+  po::options_description all(help_width);
+  all.add(problem)
+      .add(space_options(o))
+      .add(solver_options(o, "default 0.001, or 0 with --paper"))
+      .add(output_options(o));
+
+  po::variables_map given;
+  if(!parse_command_line(argc, argv, usage, all, o, given, &o.scans))
+    return false;
+  require(!o.scans.empty(), "no scan is given; --help shows the options");
+  require(!o.poses.empty(), "no poses of the scans are given: --poses FILE");
+  require_choice("method", o.method, {"gradients", "chosen", "nearest"});
+  require_choice("gradients", o.gradients, {"back-projection", "scans"});
+  require_positive(given, "alpha", o.alpha);
+  require_positive(given, "maximum-distance", o.maximum_distance);
+  require(o.assembly == "cubature", "--assembly monte-carlo is not for colors");
+  check_solver_options(o, given);
+  return true;
+}
+
+RL::Color_stitching_options stitching_options(const Options& o, double area) {
+  RL::Color_stitching_options options;
+  if(o.maximum_distance > 0)
+    options.back_projection.maximum_distance = o.maximum_distance;
+  options.gradient_source =
+      o.gradients == "scans" ? RL::Gradient_source::scans : RL::Gradient_source::back_projection;
+  options.match_exposures = !o.keep_exposures;
+  options.linear_light = o.linear_light;
+  options.screening_weight = o.alpha / area;
+  options.vertex_details = !o.no_details;
+  if(o.stabilization >= 0)
+    options.normal_stabilization = o.stabilization;
+  options.solver.relative_tolerance = o.tolerance;
+  options.solver.is_parallel = o.space.is_parallel;
+  return options;
+}
+
+void add_scans(RL::Color_stitcher& stitcher, const Options& o,
+               const std::vector<RL::Scan_pose>& poses, const Progress& progress) {
+  for(std::size_t i = 0; i < o.scans.size(); ++i) {
+    progress.show("scan " + std::to_string(i + 1) + " of " + std::to_string(o.scans.size()) + ": " +
+                  o.scans[i]);
+    const RL::Scan_usage& usage =
+        stitcher.add(read_scan(o.scans[i], poses[i], o.space.is_parallel));
+    if(usage.covered_vertices > 0)
+      continue;
+    std::ostringstream reason;
+    reason << "'" << o.scans[i] << "' misses the mesh: ";
+    if(std::isfinite(usage.smallest_distance))
+      reason << "it comes as near as " << usage.smallest_distance << " to a vertex, and "
+             << usage.maximum_distance << " is near enough, but covers none";
+    else
+      reason << "no vertex is within reach, or none faces its camera";
+    throw Error(reason.str() + "; is its pose in '" + o.poses + "' right?");
+  }
+}
+
+void print_scans(std::ostream& out, const Options& o, const std::vector<RL::Scan_usage>& usages) {
+  std::ostringstream lines;
+  lines << "scan   covered    chosen      factors of red, green, blue\n" << std::fixed;
+  for(std::size_t i = 0; i < usages.size(); ++i) {
+    lines << std::left << std::setw(4) << i << std::right << std::setprecision(1) << std::setw(8)
+          << 100 * usages[i].covered_area << " %" << std::setw(8) << 100 * usages[i].chosen_area
+          << " %" << std::setprecision(3) << "    ";
+    for(const double gain : usages[i].gains)
+      lines << std::setw(7) << gain;
+    lines << "    " << o.scans[i] << '\n';
+  }
+  out << lines.str();
+}
+
+void add_stitching(Summary& summary, const RL::Stitched_colors& stitched, double space_seconds) {
+  summary.add("back_projection_seconds", stitched.back_projection_seconds);
+  summary.add("choice_seconds", stitched.choice_seconds);
+  add_solve(summary, stitched, space_seconds, stitched.assembly_seconds);
+  summary.add("uncovered_area", stitched.uncovered_area);
+  summary.add("uncovered_vertices", stitched.uncovered_vertices);
+  if(stitched.uncovered_components > 0)
+    summary.add("uncovered_components", stitched.uncovered_components);
+  summary.add("seam_length", stitched.seam_length);
+  summary.add("jump_before", stitched.jump_before);
+  summary.add("jump_after", stitched.jump_after);
+  summary.add("clamped_values", stitched.clamped_values);
+}
+
+void add_error(Summary& summary, const RL::Color_stitcher& stitcher,
+               const std::vector<Color>& colors, const std::vector<Color>& truth) {
+  const RL::Triangulated_surface_3& surface = stitcher.space().surface();
+  const Color_error error = color_error(
+      surface, colors, truth, RL::scan_transitions(surface, stitcher.scans_of_vertices()));
+  summary.add("gain", error.gain);
+  summary.add("rms_error", error.root_mean_square);
+  summary.add("jump", error.jump);
+  summary.add("true_jump", error.true_jump);
+}
+
+Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
+               const std::vector<RL::Scan_pose>& poses, Summary& summary,
+               const Progress& progress) {
+  std::vector<Color> truth;
+  if(!o.truth.empty())
+    truth = read_colors(o.truth);
+  require(o.truth.empty() || truth.size() == surface.number_of_vertices(),
+          "'" + o.truth + "' has another number of vertices than the mesh");
+  CGAL::Real_timer timer;
+  timer.start();
+  progress.show("building the spline space");
+  const RL::Spline_space_3 space(surface, o.space);
+  const double space_seconds = timer.time();
+  add_space(summary, space);
+
+  RL::Color_stitcher stitcher(space, stitching_options(o, surface.area()));
+  add_scans(stitcher, o, poses, progress);
+  progress.show("choosing a scan for each triangle");
+  stitcher.choose();
+  RL::Vertex_colors found =
+      o.method == "nearest" ? stitcher.nearest_colors() : stitcher.chosen_colors();
+  Outcome result;
+  if(o.method == "gradients") {
+    progress.show("stitching with " + std::to_string(space.dimension()) + " unknowns");
+    RL::Stitched_colors stitched = stitcher.stitch();
+    found.colors = std::move(stitched.colors);
+    add_stitching(summary, stitched, space_seconds);
+    if(!stitched.converged)
+      result.failure = ": the residual is " + std::to_string(stitched.relative_residual);
+  }
+  summary.add("seconds", timer.time());
+  if(!truth.empty())
+    add_error(summary, stitcher, found.colors, truth);
+
+  result.names = {"scan"};
+  result.values.resize(static_cast<Eigen::Index>(found.scans.size()), 1);
+  for(std::size_t v = 0; v < found.scans.size(); ++v)
+    result.values(static_cast<Eigen::Index>(v), 0) =
+        found.scans[v] == RL::no_scan ? -1. : static_cast<double>(found.scans[v]);
+  Eigen::MatrixXd table(static_cast<Eigen::Index>(found.colors.size()), 3);
+  for(std::size_t v = 0; v < found.colors.size(); ++v) {
+    Color light;
+    for(std::size_t k = 0; k < 3; ++k) {
+      table(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) = found.colors[v][k];
+      light[k] = srgb_to_linear(found.colors[v][k]);
+    }
+    result.colors.push_back(light);
+  }
+  result.write_table = [table](const std::string& file, const Summary& lines) {
+    write_csv(file, lines, "vertex", {"red", "green", "blue"}, table);
+  };
+  const std::vector<RL::Scan_usage> usages = stitcher.usages();
+  result.print = [usages, &o](std::ostream& out) { print_scans(out, o, usages); };
+  return result;
+}
+
+int main(int argc, char* argv[]) {
+  return run_program("stitch_colors", [&]() -> int {
+    Options o;
+    if(!read_options(argc, argv, o))
+      return success;
+    const std::map<std::string, RL::Scan_pose> known_poses = read_poses(o.poses);
+    std::vector<RL::Scan_pose> poses;
+    for(const std::string& scan : o.scans)
+      poses.push_back(pose_of(known_poses, scan, o.poses));
+    return run_on_surface(
+        "stitch_colors", o, [&] { return read_mesh(o.mesh); },
+        [&](const auto& surface, Summary& summary, const Progress& progress) {
+          return stitch(surface, o, poses, summary, progress);
+        });
+  });
+}
