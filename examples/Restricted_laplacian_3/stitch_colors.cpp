@@ -175,11 +175,10 @@ void add_stitching(Summary& summary, const RL::Stitched_colors& stitched, double
   summary.add("clamped_values", stitched.clamped_values);
 }
 
-void add_error(Summary& summary, const RL::Color_stitcher& stitcher,
-               const std::vector<Color>& colors, const std::vector<Color>& truth) {
-  const RL::Triangulated_surface_3& surface = stitcher.space().surface();
-  const Color_error error = color_error(
-      surface, colors, truth, RL::scan_transitions(surface, stitcher.scans_of_vertices()));
+void add_error(Summary& summary, const RL::Triangulated_surface_3& surface,
+               const RL::Vertex_colors& found, const std::vector<Color>& truth) {
+  const Color_error error =
+      color_error(surface, found.colors, truth, RL::scan_transitions(surface, found.scans));
   summary.add("gain", error.gain);
   summary.add("rms_error", error.root_mean_square);
   summary.add("jump", error.jump);
@@ -218,7 +217,7 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
   }
   summary.add("seconds", timer.time());
   if(!truth.empty())
-    add_error(summary, stitcher, found.colors, truth);
+    add_error(summary, surface, found, truth);
 
   result.names = {"scan"};
   result.values.resize(static_cast<Eigen::Index>(found.scans.size()), 1);

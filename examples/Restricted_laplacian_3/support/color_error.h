@@ -7,6 +7,7 @@
 // How far colors of a surface are from the truth.
 
 #include "color_map.h"
+#include "program.h"
 
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
