@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/heat_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/shape_dna.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>

@@ -53,71 +53,97 @@ struct Poisson_solver_options {
 namespace internal {
 
 /// The functions that are constant on one connected component of the graph of a matrix \f$A\f$ and
-/// 0 on the others, as far as \f$A 1_c = \alpha m_c\f$ with the integrals \f$m_c\f$ of the elements
-/// of the component. This holds for \f$A = S + \alpha M\f$ if constants are in the space. For
-/// \f$\alpha = 0\f$ they are the kernel; otherwise the mean of a solution on the component is known
-/// beforehand, \f$1_c^T b / (\alpha\, 1_c^T m_c)\f$, and both are split off in the same way.
+/// 0 on the others, as far as \f$A 1_c = w_c\f$ with given loads \f$w_c\f$. This holds for
+/// \f$A = S + M_w\f$, \f$w\f$ the integrals of the elements with the weight of the mass matrix, if
+/// constants are in the space. Where \f$w_c = 0\f$ they are in the kernel. Otherwise the weighted
+/// mean of a solution on the component is known beforehand, \f$1_c^T b / 1_c^T w_c\f$, and both are
+/// split off in the same way.
 class Constants {
 public:
-  Constants(const Eigen::SparseMatrix<double>& a, Eigen::VectorXd integrals, double alpha)
-    : m_integrals(std::move(integrals)), m_alpha(alpha) {
+  /// \param constant_loads \f$w\f$, not negative
+  Constants(const Eigen::SparseMatrix<double>& a, Eigen::VectorXd integrals,
+            const Eigen::VectorXd& constant_loads)
+    : m_measures(std::move(integrals)) {
     int number = 0;
     std::tie(m_component, number) = connected_components(a);
-    m_areas.assign(number, 0.);
+    m_is_screened.assign(number, 0);
     for(std::size_t i = 0; i < m_component.size(); ++i)
-      m_areas[m_component[i]] += m_integrals[i];
-    m_is_split_off = maps_constants_to(alpha * m_integrals, a, m_component, number);
+      if(constant_loads[i] > 0)
+        m_is_screened[m_component[i]] = 1;
+    m_sums.assign(number, 0.);
+    for(std::size_t i = 0; i < m_component.size(); ++i) {
+      if(m_is_screened[m_component[i]])
+        m_measures[i] = constant_loads[i];
+      m_sums[m_component[i]] += m_measures[i];
+    }
+    m_is_split_off = maps_constants_to(constant_loads, a, m_component, number);
     for(int c = 0; c < number; ++c) {
-      m_is_split_off[c] = m_is_split_off[c] && m_areas[c] > 0;
+      m_is_split_off[c] = m_is_split_off[c] && m_sums[c] > 0;
       m_number += m_is_split_off[c];
     }
   }
 
+  int number_of_components() const { return static_cast<int>(m_sums.size()); }
+  /// number of the component of each unknown
+  const std::vector<int>& components() const { return m_component; }
+  /// whether \f$A 1_c = w_c\f$ holds on a component
+  bool is_split_off(int component) const { return m_is_split_off[component]; }
+  /// whether \f$w_c \ne 0\f$
+  bool is_screened(int component) const { return m_is_screened[component]; }
+  /// The weights of the unknowns in the means on their components: \f$w_c\f$, or the integrals of
+  /// the elements where it is 0.
+  const Eigen::VectorXd& measures() const { return m_measures; }
+  /// their sum on a component
+  double sum_of_measures(int component) const { return m_sums[component]; }
+
   /// number of components whose constants are in the kernel
-  int kernel_dimension() const { return m_alpha == 0 ? m_number : 0; }
+  int kernel_dimension() const {
+    int result = 0;
+    for(int c = 0; c < number_of_components(); ++c)
+      result += m_is_split_off[c] && !m_is_screened[c];
+    return result;
+  }
 
   /// Subtracts the load of a constant on each component, so that the loads of the component sum to
   /// 0: the right-hand side of \f$f\f$ becomes that of \f$f\f$ minus its mean.
   template <int K> void project_load(Block_vector<K>& b) const {
     const auto means = this->means<K>(b, [](double) { return 1.; });
     for(std::size_t i = 0; i < m_component.size() && m_number > 0; ++i)
-      row<K>(b, i) -= m_integrals[i] * means[m_component[i]];
+      row<K>(b, i) -= m_measures[i] * means[m_component[i]];
   }
 
-  /// Shifts a solution on each component by a constant: to mean 0 if \f$\alpha = 0\f$, else to the
+  /// Shifts a solution on each component by a constant: to mean 0 if \f$w_c = 0\f$, else to the
   /// mean that solves the equation with the right-hand side \f$b\f$ before its projection.
   template <int K> void shift_solution(const Block_vector<K>& b, Block_vector<K>& x) const {
     if(m_number == 0)
       return;
-    auto shifts = this->means<K>(x, [](double integral) { return -integral; });
-    if(m_alpha > 0) {
-      const auto loads = this->means<K>(b, [this](double) { return 1 / m_alpha; });
-      for(std::size_t c = 0; c < shifts.size(); ++c)
+    auto shifts = this->means<K>(x, [](double measure) { return -measure; });
+    const auto loads = this->means<K>(b, [](double) { return 1.; });
+    for(std::size_t c = 0; c < shifts.size(); ++c)
+      if(m_is_screened[c])
         shifts[c] += loads[c];
-    }
     for(std::size_t i = 0; i < m_component.size(); ++i)
       row<K>(x, i) += shifts[m_component[i]];
   }
 
 private:
-  /// weighted sums over each component that is split off, over its area; 0 for the others
+  /// weighted sums over each component that is split off, over that of the measures; 0 for others
   template <int K, class Weight>
   std::vector<Block_row<K>, Eigen::aligned_allocator<Block_row<K>>> means(const Block_vector<K>& v,
                                                                           Weight&& weight) const {
-    std::vector<Block_row<K>, Eigen::aligned_allocator<Block_row<K>>> result(m_areas.size(),
+    std::vector<Block_row<K>, Eigen::aligned_allocator<Block_row<K>>> result(m_sums.size(),
                                                                              Block_row<K>::Zero());
     for(std::size_t i = 0; i < m_component.size() && m_number > 0; ++i)
-      result[m_component[i]] += weight(m_integrals[i]) * row<K>(v, i);
+      result[m_component[i]] += weight(m_measures[i]) * row<K>(v, i);
     for(std::size_t c = 0; c < result.size(); ++c)
-      result[c] *= m_is_split_off[c] ? 1 / m_areas[c] : 0.;
+      result[c] *= m_is_split_off[c] ? 1 / m_sums[c] : 0.;
     return result;
   }
 
-  Eigen::VectorXd m_integrals;
-  double m_alpha;
+  Eigen::VectorXd m_measures;
   std::vector<int> m_component;
-  std::vector<double> m_areas;
-  std::vector<char> m_is_split_off;
+  std::vector<double> m_sums;
+  std::vector<char> m_is_screened, m_is_split_off;
   int m_number = 0;
 };
 
@@ -137,8 +163,9 @@ private:
 /// whose entries sum to 0 on the component. The load of a constant is subtracted from \f$b\f$ to
 /// achieve this, which turns the load of \f$f\f$ into that of \f$f\f$ minus its mean on the
 /// component, and of all solutions the one with mean 0 on the component is returned. With
-/// screening, \f$A\f$ maps the constant 1 to \f$\alpha\f$ times its load, and the mean of the
-/// solution is computed exactly, however small \f$\alpha\f$ is. Near-kernel (combinations of
+/// screening, \f$A\f$ maps the constant 1 to its load with the screening weight, \f$\alpha\f$ or a
+/// function, and the weighted mean of the solution is computed exactly, however small the weight
+/// is. Near-kernel (combinations of
 /// elements that nearly vanish on the surface) is left alone: its coefficients carry no
 /// information, and do not change the function on the surface.
 class Poisson_solver {
@@ -168,7 +195,19 @@ public:
                  const Eigen::VectorXd& element_integrals, double alpha = 0,
                  const Options& options = Options(), std::vector<Smoothing_patches> patches = {},
                  std::vector<Sparse_matrix> coarse_matrices = {})
-    : m_options(checked(a, element_integrals, options)), m_constants(a, element_integrals, alpha) {
+    : Poisson_solver(std::move(a), std::move(prolongations), element_integrals,
+                     Eigen::VectorXd(alpha * element_integrals), options, std::move(patches),
+                     std::move(coarse_matrices)) {}
+
+  /// The same with a screening weight that varies over the surface.
+  /// \param constant_loads \f$w_i = \int \alpha\, b_i\f$ for each unknown, not negative: what `a`
+  /// maps the constant 1 to. On components where all of them are 0, constants are in the kernel.
+  Poisson_solver(Sparse_matrix&& a, std::vector<Sparse_matrix> prolongations,
+                 const Eigen::VectorXd& element_integrals, const Eigen::VectorXd& constant_loads,
+                 const Options& options = Options(), std::vector<Smoothing_patches> patches = {},
+                 std::vector<Sparse_matrix> coarse_matrices = {})
+    : m_options(checked(a, element_integrals, constant_loads, options)),
+      m_constants(a, element_integrals, constant_loads) {
     CGAL::Real_timer timer;
     timer.start();
     if(patches.empty())
@@ -192,6 +231,8 @@ public:
   const Sparse_matrix& upper_half() const { return m_matrix.upper_half(); }
   /// number of connected components whose constants are in the kernel of the matrix
   int kernel_dimension() const { return m_constants.kernel_dimension(); }
+  /// the connected components of the graph of the matrix, and the constants on them
+  const internal::Constants& constants() const { return m_constants; }
   /// wall-clock seconds that the hierarchy took
   double setup_seconds() const { return m_setup_seconds; }
 
@@ -246,9 +287,11 @@ private:
   }
 
   static Options checked(const Sparse_matrix& a, const Eigen::VectorXd& integrals,
-                         const Options& options) {
+                         const Eigen::VectorXd& constant_loads, const Options& options) {
     if(integrals.size() != a.cols())
       throw Parameter_error("element_integrals", "does not fit the size of the matrix");
+    if(constant_loads.size() != a.cols())
+      throw Parameter_error("constant_loads", "does not fit the size of the matrix");
     check_entries(a);
     check_tolerance(options.relative_tolerance);
     if(options.maximum_iterations < 0)

@@ -14,6 +14,7 @@
 #include <CGAL/Restricted_laplacian_3/internal/function_components.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/vector_fields.h>
 
 #include <Eigen/SparseCore>
 
@@ -414,34 +415,66 @@ Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space, const Func
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// \f$ \gamma_i = \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i \rangle \f$,
-/// `dimension(level)` entries.
+/// The loads of all channels of a vector field in one pass over the surface: \f$ \gamma_{ik} =
+/// \int_{\mathcal M} \langle v_k, \nabla_{\mathcal M} b_i \rangle \f$ (paper, equation 6), a row
+/// for each element of `level`, a column for each channel. In units of \f$v\f$ times length.
 ///
-/// The function whose gradient is closest to \f$v\f$ solves \f$S \eta = \gamma\f$.
-/// \param v a function object that takes a `const Surface_point&` and returns a `Vector_3`; only
-/// its part tangential to the face counts
+/// The functions whose gradients are closest to \f$v_k\f$ solve \f$S \eta_k = \gamma_k\f$.
+/// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal,
+/// a `std::array` of such vectors, or a matrix of Eigen of three rows and a fixed number of
+/// columns; only the parts tangential to the face count. Exact up to rounding if it is a polynomial
+/// of degree at most 6 on each triangle, or of the degree that `function_of_degree()` says. It is
+/// called by several threads at once if `Spline_space_options::is_parallel` is set.
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
+/// \throws Parameter_error if the level is not in 0 .. depth, or if a value of `v` is not finite
 template <class VectorField, class SurfaceIntegration>
-Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v, int level,
-                                       const SurfaceIntegration& integration) {
+Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const VectorField& v,
+                                        int level, const SurfaceIntegration& integration) {
+  using Channels = internal::Channels_of<VectorField>;
+  constexpr int number = Channels::number;
   space.checked_level(level);
   const double h = space.octree().cell_width(space.depth());
   const double coarse_h = space.octree().cell_width(level);
-  return internal::sum_loads(space, level, h * h / coarse_h, [&](std::size_t sheet) {
-    std::array<internal::Cell_load, 3> components;
+  return internal::sum_loads<number>(space, level, h * h / coarse_h, [&](std::size_t sheet) {
+    std::array<std::array<internal::Cell_load, 3>, number> moments;
+    // Derivatives of elements are of degree 5 on a plane.
     internal::for_each_node_of_level(
-        space, level, sheet, integration, 6 + internal::degree_on_triangles(v),
+        space, level, sheet, integration, 5 + internal::degree_on_triangles(v),
         [&](const std::array<double, 3>& t, const Surface_point& p, double weight) {
-          const Vector_3 value = v(p);
-          const Vector_3 tangential = value - (value * p.normal) * p.normal;
-          for(int axis = 0; axis < 3; ++axis)
-            components[axis].add(t, weight * tangential[axis]);
+          Eigen::Matrix<double, 3, number> value = Channels::read(v(p));
+          if(!value.allFinite())
+            throw Parameter_error("v", "has a value that is not a finite number in face " +
+                                           std::to_string(p.face));
+          const Eigen::Vector3d normal(p.normal.x(), p.normal.y(), p.normal.z());
+          value -= normal * (normal.transpose() * value).eval();
+          for(int k = 0; k < number; ++k)
+            for(int axis = 0; axis < 3; ++axis)
+              moments[k][axis].add(t, weight * value(axis, k));
         });
-    internal::Cell_load::Load values = {};
-    for(int axis = 0; axis < 3; ++axis)
-      components[axis].add_derivatives_to(axis, values);
-    return values;
+    std::array<internal::Cell_load::Load, number> loads = {};
+    for(int k = 0; k < number; ++k)
+      for(int axis = 0; axis < 3; ++axis)
+        moments[k][axis].add_derivatives_to(axis, loads[k]);
+    return loads;
   });
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// \overload
+template <class VectorField>
+Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const VectorField& v) {
+  return assemble_gradient_loads(space, v, space.depth(), Cubature(space));
+}
+
+/// \ingroup PkgRestrictedLaplacian3Ref
+/// The same for one channel: \f$ \gamma_i = \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i
+/// \rangle \f$, `dimension(level)` entries.
+/// \param v a function object that takes a `const Surface_point&` and returns a 3D vector
+template <class VectorField, class SurfaceIntegration>
+Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v, int level,
+                                       const SurfaceIntegration& integration) {
+  static_assert(internal::Channels_of<VectorField>::number == 1, "the field has several channels");
+  return assemble_gradient_loads(space, v, level, integration);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref

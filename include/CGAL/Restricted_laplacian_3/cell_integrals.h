@@ -263,6 +263,20 @@ inline void add_sample(const std::array<double, 3>& t, const Vector_3& normal, d
 
 namespace internal {
 
+inline double sum(const Cell_moments::Moments& moments) {
+  double result = 0;
+  for(double value : moments)
+    result += value;
+  return result;
+}
+
+/// The area of the surface in a cell, in units of the squared cell width: half the trace of
+/// \f$\int I - n n^T\f$. The moments of the mass may have a weight, which those of the tensor have
+/// not.
+inline double surface_area(const Cell_moments& moments) {
+  return (sum(moments.tensor[0]) + sum(moments.tensor[1]) + sum(moments.tensor[2])) / 2;
+}
+
 /// The moments of the stabilisation of a finest cell. It adds to the stiffness block the integral
 /// over the *volume* of the cell of \f$c\, \nabla b_i^T A\, \nabla b_j\f$, \f$A\f$ the average of
 /// \f$n n^T\f$ over the surface in the cell: the block of the tensor moments
@@ -273,23 +287,16 @@ namespace internal {
 /// \tau_{xx}) / 2\f$: the identity does not enter, whose part would cancel.
 inline std::array<double, 6> stabilization_moments(const Cell_moments& moments,
                                                    double normal_stabilization) {
-  const auto sum = [](const Cell_moments::Moments& m) {
-    double result = 0;
-    for(double value : m)
-      result += value;
-    return result;
-  };
-  const double area = sum(moments.mass);
-  if(!(area > 0)) // no sample in the cell
-    return {0, 0, 0, 0, 0, 0};
   std::array<double, 6> tau;
   for(int k = 0; k < 6; ++k)
     tau[k] = sum(moments.tensor[k]);
-  const double trace = (tau[0] + tau[1] + tau[2]) / 2;
+  const double area = (tau[0] + tau[1] + tau[2]) / 2;
+  if(!(area > 0)) // no sample in the cell
+    return {0, 0, 0, 0, 0, 0};
   const double factor = normal_stabilization / (Cell_moments::size * area);
   std::array<double, 6> result;
   for(int k = 0; k < 3; ++k)
-    result[k] = factor * (std::max)(trace - tau[k], 0.);
+    result[k] = factor * (std::max)(area - tau[k], 0.);
   for(int k = 3; k < 6; ++k)
     result[k] = -factor * tau[k];
   return result;

@@ -238,12 +238,9 @@ private:
         return solver;
     CGAL::Real_timer timer;
     timer.start();
-    // Coarse matrices of the space of the paper are not the Galerkin products.
-    const int coarsest =
-        m_space->is_paper_space() ? m_space->depth() : internal::coarsest_multigrid_level(*m_space);
-    internal::System_matrices system =
-        internal::assemble_system(*m_space, coarsest, *m_integration, 1 / unit(),
-                                  normal_stabilization, m_options.smoothing_weight / unit());
+    internal::System_matrices system = internal::assemble_system(
+        *m_space, internal::coarsest_assembled_level(*m_space), *m_integration, 1 / unit(),
+        normal_stabilization, m_options.smoothing_weight / unit());
     Sparse_matrix finest;
     finest.swap(system.matrices.back());
     system.matrices.pop_back();
@@ -475,18 +472,12 @@ namespace internal {
 template <class Source, class PropertyMap>
 void put_at_vertices(const Source& source, const Spline_space_3& space,
                      const Eigen::MatrixXd& coefficients, PropertyMap map) {
-  using Value = typename boost::property_traits<PropertyMap>::value_type;
-  using Components = Function_components<Value>;
-  const Eigen::MatrixXd values = Spline_functions_3(space, coefficients).values_at_vertices();
+  using Components = Function_components<typename boost::property_traits<PropertyMap>::value_type>;
   if(coefficients.cols() != Components::number)
     throw Parameter_error("u", "has " + std::to_string(Components::number) +
                                    " components, but the function has " +
                                    std::to_string(coefficients.cols()));
-  source.for_each_vertex([&](std::size_t i, const auto& v) {
-    const Eigen::Matrix<double, Components::number, 1> components =
-        values.row(static_cast<Eigen::Index>(i)).transpose();
-    put_value_at(map, v, Components::make(components));
-  });
+  put_rows(source, Spline_functions_3(space, coefficients).values_at_vertices(), map);
 }
 
 template <class Source, class Function, class PropertyMap, class NamedParameters>

@@ -83,14 +83,22 @@ inline void check_alpha(double alpha) {
 }
 
 /// \param coarse_matrices of the levels above the coarsest one of the hierarchy; may be empty
-inline Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
-                                     std::vector<Sparse_matrix> coarse_matrices,
-                                     const Eigen::VectorXd& integrals, double alpha,
-                                     const Poisson_solver_options& options) {
+/// \param screening the number \f$\alpha\f$, or the loads of constants
+template <class Screening>
+Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
+                              std::vector<Sparse_matrix> coarse_matrices,
+                              const Eigen::VectorXd& integrals, const Screening& screening,
+                              const Poisson_solver_options& options) {
   const int coarsest = coarsest_multigrid_level(space);
-  return Poisson_solver(std::move(a), prolongation_matrices(space, coarsest), integrals, alpha,
+  return Poisson_solver(std::move(a), prolongation_matrices(space, coarsest), integrals, screening,
                         options, smoothing_patches_of_levels(space, coarsest),
                         std::move(coarse_matrices));
+}
+
+/// The coarsest level whose matrices are assembled for the solver. Those of the space of the paper
+/// are not the Galerkin products, which are computed then.
+inline int coarsest_assembled_level(const Spline_space_3& space) {
+  return space.is_paper_space() ? space.depth() : coarsest_multigrid_level(space);
 }
 
 /// with the matrices of all levels from one pass over the surface
@@ -98,10 +106,8 @@ template <class SurfaceIntegration>
 Poisson_solver poisson_solver(const Spline_space_3& space, const SurfaceIntegration& integration,
                               double alpha, double normal_stabilization,
                               const Poisson_solver_options& options) {
-  // Coarse matrices of the space of the paper are not the Galerkin products: those are computed.
-  const int coarsest = space.is_paper_space() ? space.depth() : coarsest_multigrid_level(space);
-  System_matrices system =
-      assemble_system(space, coarsest, integration, alpha, normal_stabilization);
+  System_matrices system = assemble_system(space, coarsest_assembled_level(space), integration,
+                                           alpha, normal_stabilization);
   if(space.is_paper_space())
     system.integrals = assemble_element_integrals(space);
   Sparse_matrix finest;
@@ -111,9 +117,13 @@ Poisson_solver poisson_solver(const Spline_space_3& space, const SurfaceIntegrat
                         alpha, options);
 }
 
-/// A mesh as the source of a surface: `Vertex` is the key of property maps of its vertices.
+/// a mesh as the source of a surface
 template <class FaceGraph> class Mesh_source {
 public:
+  using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
+  using Halfedge = typename boost::graph_traits<FaceGraph>::halfedge_descriptor;
+  using Face = typename boost::graph_traits<FaceGraph>::face_descriptor;
+
   explicit Mesh_source(const FaceGraph& tm) : m_mesh(tm) {}
 
   template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
@@ -127,6 +137,21 @@ public:
     std::size_t i = 0;
     for(auto v : vertices(m_mesh))
       visit(i++, v);
+  }
+  /// the same for the faces
+  template <class Visitor> void for_each_face(Visitor&& visit) const {
+    std::size_t i = 0;
+    for(auto f : faces(m_mesh))
+      visit(i++, f);
+  }
+  /// calls `visit(i, h)` for the corners of the faces, each given by the halfedge of the face that
+  /// points to it; corner `k` of face `f` has the number `3 * f + k`
+  template <class Visitor> void for_each_corner(Visitor&& visit) const {
+    for_each_face([&](std::size_t i, const auto& f) {
+      auto h = prev(halfedge(f, m_mesh), m_mesh);
+      for(std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner, h = next(h, m_mesh))
+        visit(corner, h);
+    });
   }
 
 private:

@@ -54,6 +54,12 @@ public:
       nearest.push_back(neighbor.second);
   }
 
+  /// the point nearest to any location
+  std::size_t nearest_to(const Point_3& location) const {
+    const Search search(m_tree, location, 1, 0, true, typename Search::Distance(m_map));
+    return search.begin()->first;
+  }
+
 private:
   using Counter = boost::counting_iterator<std::size_t>;
 

@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -168,8 +167,9 @@ private:
         continue;
       const Cell_moments of_sheet = m.cell_moments();
       const bool is_in_wall = lies_in_wall(sheets.begin + i);
-      const double area = std::accumulate(of_sheet.mass.begin(), of_sheet.mass.end(), 0.);
-      const double factor = area > 0 ? m_normal_stabilization / area : 0; // no sample in the cell
+      const double area = surface_area(of_sheet);
+      const double factor = area > 0 ? m_normal_stabilization / area : 0;  // no sample in the cell
+      const double mass_weight = area > 0 ? sum(of_sheet.mass) / area : 0; // the mean in the sheet
       const auto in_volume = stabilization_moments(of_sheet, m_normal_stabilization);
       for(int j = 0; j < Cell_moments::size; ++j) {
         const auto added =
@@ -177,7 +177,7 @@ private:
         for(int k = 0; k < 6; ++k) {
           m.values[j][k] += added[k];
           if(m_keeps_stabilization)
-            moments.stabilization[i].values[j][k] = added[k];
+            moments.stabilization[i].values[j][k] = mass_weight * added[k];
         }
       }
     }

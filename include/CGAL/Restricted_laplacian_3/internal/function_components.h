@@ -95,6 +95,17 @@ template <class Function> auto components_at(const Function& f, const Surface_po
   return Components_of<Function>::read(f(p));
 }
 
+/// writes the rows of a matrix, one for each vertex, into a property map of numbers or vectors
+template <class Source, class PropertyMap>
+void put_rows(const Source& source, const Eigen::MatrixXd& values, const PropertyMap& map) {
+  using Components = Function_components<typename boost::property_traits<PropertyMap>::value_type>;
+  source.for_each_vertex([&](std::size_t i, const auto& v) {
+    const Eigen::Matrix<double, Components::number, 1> components =
+        values.row(static_cast<Eigen::Index>(i)).transpose();
+    put_value_at(map, v, Components::make(components));
+  });
+}
+
 /// The function that interpolates a property map linearly in each triangle, by components: a vector
 /// of Eigen at each point.
 /// \param source such as `Mesh_source`

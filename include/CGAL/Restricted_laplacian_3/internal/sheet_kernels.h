@@ -94,7 +94,7 @@ struct Packed_entry {
 namespace plain {
 
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
-                         const Vector_3& normal, Sheet_moments& moments) {
+                         const Vector_3& normal, Sheet_moments& moments, double mass_weight = 1) {
   Cell_moments::Moments own;
   own.fill(0);
   for_each_node(fragment, cell, triangle_quadrature(12),
@@ -104,7 +104,7 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
   for(int i = 0; i < Cell_moments::size; ++i) {
     for(int k = 0; k < 6; ++k)
       moments.values[i][k] += p[k] * own[i];
-    moments.values[i][6] += own[i];
+    moments.values[i][6] += mass_weight * own[i];
   }
 }
 
@@ -269,10 +269,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_triangle(const std::a
     }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_fragment(const Fragment& fragment,
-                                                                    const std::array<int, 3>& cell,
-                                                                    const Vector_3& normal,
-                                                                    Sheet_moments& moments) {
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
+add_fragment(const Fragment& fragment, const std::array<int, 3>& cell, const Vector_3& normal,
+             Sheet_moments& moments, double mass_weight = 1) {
   // padded to whole groups of four
   Lanes sums[Cell_moments::size + 3] = {};
   std::array<std::array<double, 3>, 3> t;
@@ -288,7 +287,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_fragment(const Fragme
       add_triangle(t[0], t[1], t[2], area, sums);
   }
   const auto p = tangent_projector(normal);
-  const Lanes low = {p[0], p[1], p[2], p[3]}, high = {p[4], p[5], 1, 0};
+  const Lanes low = {p[0], p[1], p[2], p[3]}, high = {p[4], p[5], mass_weight, 0};
   for(int i = 0; i < Cell_moments::size; i += 4) {
     Lanes four;
     sum_components(sums[i], sums[i + 1], sums[i + 2], sums[i + 3], four);
@@ -407,9 +406,10 @@ mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& bl
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
 
 /// adds the moments of a fragment of a triangle, as `Restricted_laplacian_3::add_fragment()`
+/// \param mass_weight factor of the moments of the mass; those of the tensor do not have it
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
-                         const Vector_3& normal, Sheet_moments& moments) {
-  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_fragment(fragment, cell, normal, moments));
+                         const Vector_3& normal, Sheet_moments& moments, double mass_weight = 1) {
+  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_fragment(fragment, cell, normal, moments, mass_weight));
 }
 
 /// adds the moments of a child to those of its parent, as
