@@ -229,7 +229,7 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
     Color light;
     for(std::size_t k = 0; k < 3; ++k) {
       table(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) = found.colors[v][k];
-      light[k] = srgb_to_linear(found.colors[v][k]);
+      light[k] = RL::srgb_to_linear(found.colors[v][k]);
     }
     result.colors.push_back(light);
   }

@@ -8,6 +8,10 @@
 // distances look equally large: Bjorn Ottosson, "A perceptual color space for image processing",
 // 2020, https://bottosson.github.io/posts/oklab/ (public domain).
 
+#include "program.h"
+
+#include <CGAL/Restricted_laplacian_3/srgb.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +22,7 @@
 namespace examples {
 
 // Red, green and blue in [0, 1], in linear light: such colors may be averaged.
-using Color = std::array<double, 3>;
+using Color = RL::Rgb_color;
 
 // lightness, green to red, blue to yellow
 using Oklab = std::array<double, 3>;
@@ -34,17 +38,9 @@ inline Color oklab_to_linear(const Oklab& lab) {
   return {std::clamp(color[0], 0., 1.), std::clamp(color[1], 0., 1.), std::clamp(color[2], 0., 1.)};
 }
 
-// One component from linear light to sRGB, and back (IEC 61966-2-1).
-inline double linear_to_srgb_value(double x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-}
-inline double srgb_to_linear(double y) {
-  return y <= 0.04045 ? y / 12.92 : std::pow((y + 0.055) / 1.055, 2.4);
-}
-
-// the sRGB byte of one component
-inline std::uint8_t linear_to_srgb(double x) {
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(linear_to_srgb_value(x), 0., 1.)));
+// the sRGB byte of one component in linear light
+inline std::uint8_t srgb_byte(double x) {
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(RL::linear_to_srgb(x), 0., 1.)));
 }
 
 // the color at `t` in [0, 1] between evenly spaced `anchors`

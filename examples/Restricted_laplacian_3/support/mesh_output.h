@@ -78,7 +78,7 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
                        const Eigen::MatrixXd& values) {
   std::vector<Color_bytes> bytes;
   for(const Color& c : colors)
-    bytes.push_back({linear_to_srgb(c[0]), linear_to_srgb(c[1]), linear_to_srgb(c[2])});
+    bytes.push_back({srgb_byte(c[0]), srgb_byte(c[1]), srgb_byte(c[2])});
   write_mesh(file, surface, bytes, names, values);
 }
 

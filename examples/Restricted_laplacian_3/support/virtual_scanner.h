@@ -204,7 +204,7 @@ private:
     for(std::size_t k = 0; k < 3; ++k) {
       const double factor = light * lighting.gain[k];
       double value = lighting.in_linear_light
-                         ? linear_to_srgb_value(factor * srgb_to_linear(color[k]))
+                         ? RL::linear_to_srgb(factor * RL::srgb_to_linear(color[k]))
                          : factor * color[k];
       clamped += value > 1;
       color[k] = std::min(value, 1.);

@@ -153,7 +153,7 @@ common_options="depth cube-scale unsplit join paper assembly sampling samples se
 test_help() {
   local program option
   for program in solve_poisson laplace_spectrum spectral_descriptors fit_function \
-    estimate_curvature; do
+    estimate_curvature stitch_colors; do
     succeeds "$program" --help
     for option in $common_options picture help; do
       check "$program --help explains --$option" grep -q -e "--$option" out
@@ -174,6 +174,16 @@ test_help() {
   run estimate_curvature --help
   for option in method smoothing tolerance stabilization show clip; do
     check "estimate_curvature --help explains --$option" grep -q -e "--$option" out
+  done
+  run stitch_colors --help
+  for option in poses method gradients alpha maximum-distance keep-exposures linear-light \
+    no-details truth tolerance stabilization; do
+    check "stitch_colors --help explains --$option" grep -q -e "--$option" out
+  done
+  succeeds bake_scans --help
+  for option in views resolution field-of-view points noise exposure-range exposures tint light \
+    linear-light pattern seed quiet; do
+    check "bake_scans --help explains --$option" grep -q -e "--$option" out
   done
   run spectral_descriptors --help
   for option in descriptor count columns time energy scaled normalization compare column; do
@@ -660,6 +670,138 @@ test_curvature() {
   fails "stabilization" estimate_curvature sphere.off --stabilization x
   fails "tolerance" estimate_curvature sphere.off --tolerance 1
   fails "open" estimate_curvature missing.off
+}
+
+# entry NAME: a number of the summary that the last program printed
+entry() { awk -v name="$1" '$1 == name { print $2 }' out; }
+
+# bake FOLDER OPTION...: scans of the sphere with a pattern
+bake() {
+  succeeds bake_scans sphere.off "$1" --quiet --views 6 --resolution 96 "${@:2}"
+}
+
+test_scans() {
+  bake scans
+  check "six scans" [ "$(ls scans/scan_*.ply | wc -l)" -eq 6 ]
+  check "six poses" [ "$(grep -vc '^#' scans/poses.conf)" -eq 6 ]
+  check "the truth has the vertices of the mesh" grep -q "element vertex 1026" scans/truth.ply
+  check "the truth has colors" grep -q "property uchar red" scans/truth.ply
+  # exposures from 1 / 1.3 to 1
+  run bake_scans sphere.off printed --views 6 --resolution 32 --exposure-range 0.3
+  check "the largest exposure" is_near "$(awk 'NR > 1 { print $4 }' out | sort -n | tail -n 1)" 1 0
+  check "the smallest one" \
+    is_near "$(awk 'NR > 1 { print $4 }' out | sort -n | head -n 1)" 0.769 0.0005
+  check "no color is clamped" [ "$(awk 'NR > 1 { s += $7 } END { print s }' out)" -eq 0 ]
+  run bake_scans sphere.off printed --views 2 --resolution 32 --exposures 3,1
+  check "clamped colors are counted" [ "$(awk 'NR == 2 { print $7 }' out)" -gt 0 ]
+  bake again
+  check "the same again" cmp scans/scan_03.ply again/scan_03.ply
+  bake other --seed 1
+  check "another seed, other exposures" [ "$(cmp scans/scan_03.ply other/scan_03.ply | wc -l)" -eq 1 ]
+  bake points --points
+  check "points have normals" grep -q "property double nx" points/scan_00.ply
+  check "points have no faces" [ "$(grep -c 'element face' points/scan_00.ply)" -eq 0 ]
+  succeeds bake_scans scans/truth.ply from_colors --views 2 --resolution 32 --quiet
+  check "colors of a file are kept" cmp scans/truth.ply from_colors/truth.ply
+
+  fails "no mesh" bake_scans
+  fails "no folder" bake_scans sphere.off
+  fails "missing.off" bake_scans missing.off x
+  fails "views" bake_scans sphere.off x --views 0
+  fails "resolution" bake_scans sphere.off x --resolution 1
+  fails "light" bake_scans sphere.off x --light 2
+  fails "not both" bake_scans sphere.off x --exposures 1,1 --exposure-range 0.1
+  fails "2 numbers for 6 views" bake_scans sphere.off x --views 6 --exposures 1,1
+  fails "positive number" bake_scans sphere.off x --views 2 --exposures 1,zero
+  : > occupied
+  fails "cannot make the folder" bake_scans sphere.off occupied/x --views 2 --resolution 16
+  check "nothing is written on an error" [ ! -e x ]
+}
+
+test_stitching() {
+  local columns
+  bake scans
+  succeeds stitch_colors sphere.off scans/scan_*.ply --poses scans/poses.conf --depth 5 \
+    --truth scans/truth.ply --csv stitched.csv --output stitched.ply --picture stitched.png
+  check "all is covered" is_near "$(entry uncovered_area)" 0 0.001
+  check "the error is small" is_below "$(entry rms_error)" 0.01
+  check "seams are gone" is_near "$(entry jump)" "$(entry true_jump)" 0.002
+  columns=$(grep -v '^#' stitched.csv | head -n 1)
+  check "columns of the table: $columns" [ "$columns" = vertex,red,green,blue ]
+  check "a line for each vertex" [ "$(numbers stitched.csv | wc -l)" -eq 1026 ]
+  check "the mesh has colors" grep -q "property uchar red" stitched.ply
+  check "the mesh names the scans" grep -q "property double scan" stitched.ply
+  check "a picture" [ -s stitched.png ]
+  local stitched_error
+  stitched_error=$(entry rms_error)
+
+  succeeds stitch_colors sphere.off scans/scan_*.ply --poses scans/poses.conf --depth 5 \
+    --truth scans/truth.ply --method nearest
+  check "the nearest scans have seams" \
+    is_below 0.02 "$(awk -v a="$(entry jump)" -v b="$(entry true_jump)" 'BEGIN { print a - b }')"
+  check "stitching is better than the nearest scan" \
+    is_below "$(awk -v x="$stitched_error" 'BEGIN { print 3 * x }')" "$(entry rms_error)"
+
+  bake points --points
+  succeeds stitch_colors sphere.off points/scan_*.ply --poses points/poses.conf --depth 5 \
+    --truth points/truth.ply
+  check "points serve as well" is_below "$(entry rms_error)" 0.01
+
+  succeeds stitch_colors sphere.off scans/scan_*.ply --poses scans/poses.conf --depth 4 --quiet \
+    --gradients scans --keep-exposures --linear-light --no-details --csv other.csv
+  check "options change the result" [ "$(cmp stitched.csv other.csv | wc -l)" -eq 1 ]
+  succeeds stitch_colors sphere.off scans/scan_*.ply --poses scans/poses.conf --depth 4 --quiet \
+    --threads 1 --csv one.csv
+  succeeds stitch_colors sphere.off scans/scan_*.ply --poses scans/poses.conf --depth 4 --quiet \
+    --threads 2 --csv two.csv
+  check "the number of threads does not matter" \
+    [ "$(numbers one.csv | cksum)" = "$(numbers two.csv | cksum)" ]
+  # one scan sees half of the sphere
+  succeeds stitch_colors sphere.off scans/scan_02.ply --poses scans/poses.conf --depth 4
+  check "what is not covered is reported" is_below 0.4 "$(entry uncovered_area)"
+}
+
+test_stitching_errors() {
+  local scan=scans/scan_00.ply
+  bake scans
+  rm -f x.csv
+  fails_to_stitch() {
+    fails "$1" stitch_colors sphere.off "${@:2}" --depth 3 --csv x.csv
+  }
+  fails "no mesh" stitch_colors
+  fails "no scan" stitch_colors sphere.off --poses scans/poses.conf
+  fails_to_stitch "no poses" $scan
+  fails_to_stitch "missing.conf" $scan --poses missing.conf
+  fails_to_stitch "missing.ply" missing.ply --poses scans/poses.conf
+  cp $scan unknown.ply
+  fails_to_stitch "no pose for 'unknown.ply'" unknown.ply --poses scans/poses.conf
+  echo "# nothing" > bad.conf
+  fails_to_stitch "holds no pose" $scan --poses bad.conf
+  echo "scan_00.ply 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0" > bad.conf
+  fails_to_stitch "line 1.*number 16 is missing" $scan --poses bad.conf
+  echo "scan_00.ply 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 5" > bad.conf
+  fails_to_stitch "more than a name and 16" $scan --poses bad.conf
+  echo "scan_00.ply 1 0 0 0 0 1 0 0 0 0 1 0 7 8 9 1" > bad.conf
+  fails_to_stitch "last row" $scan --poses bad.conf
+  echo "scan_00.ply 1 0 0 0 0 1 0 0 0 0 -1 0 0 0 0 1" > bad.conf
+  fails_to_stitch "mirror" $scan --poses bad.conf
+  echo "scan_00.ply 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1" > bad.conf
+  fails_to_stitch "singular" $scan --poses bad.conf
+  echo "scan_00.ply 1 1 0 0 0 1 0 0 0 0 1 0 0 0 0 1" > bad.conf
+  fails_to_stitch "not a rotation" $scan --poses bad.conf
+  echo "scan_00.ply 1 0 0 nan 0 1 0 0 0 0 1 0 0 0 0 1" > bad.conf
+  fails_to_stitch "number 4" $scan --poses bad.conf
+  { cat scans/poses.conf; tail -n 1 scans/poses.conf; } > bad.conf
+  fails_to_stitch "has a pose already" $scan --poses bad.conf
+  echo "scan_00.ply 1 0 0 100 0 1 0 0 0 0 1 0 0 0 0 1" > bad.conf
+  fails_to_stitch "scan_00.ply' misses the mesh" $scan --poses bad.conf
+  cp sphere.off colorless.off
+  echo "colorless.off 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1" > bad.conf
+  fails_to_stitch "colorless.off' has no colors" colorless.off --poses bad.conf
+  fails_to_stitch "alpha" $scan --poses scans/poses.conf --alpha 0
+  fails_to_stitch "method" $scan --poses scans/poses.conf --method best
+  fails_to_stitch "another number of vertices" $scan --poses scans/poses.conf --truth $scan
+  check "nothing is written on an error" [ ! -e x.csv ]
 }
 
 test_unusual_meshes() {
