@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/parameters.h>
 #include <CGAL/Restricted_laplacian_3/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/srgb.h>
+#include <CGAL/Restricted_laplacian_3/vector_fields.h>
 #include <CGAL/Restricted_laplacian_3/vertex_normals.h>
 
 #include <CGAL/Aff_transformation_3.h>
@@ -273,21 +274,14 @@ private:
         sample.color[k] = std::clamp(color[k], 0., 1.);
     }
 
-    /// of the linear interpolant of the colours in a triangle: the sum over its corners of the
-    /// colour times \f$n \times e / (2 A)\f$, where \f$e\f$ is the opposite side
+    /// of the linear interpolant of the colours in a triangle
     Eigen::Matrix3d gradient_in_face(std::size_t face) const {
-      Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-      // lengths relative to the extent, so that the area does not vanish
-      const double scale = 1 / surface.extent();
-      const double relative_area = surface.area(face) * scale * scale;
-      for(int i = 0; i < 3; ++i) {
-        const Vector_3 side =
-            (surface.point(face, (i + 2) % 3) - surface.point(face, (i + 1) % 3)) * scale;
-        const Vector_3 direction = CGAL::cross_product(surface.normal(face), side);
-        gradient += internal::eigen_vector(direction) *
-                    internal::eigen_vector(colors[surface.triangle(face)[i]]).transpose();
-      }
-      return gradient * (scale / (2 * relative_area));
+      const Eigen::Matrix3d of_hats = internal::hat_gradients(surface, face);
+      const auto color = [&](int corner) {
+        return internal::eigen_vector(colors[surface.triangle(face)[corner]]);
+      };
+      return of_hats.col(1) * (color(1) - color(0)).transpose() +
+             of_hats.col(2) * (color(2) - color(0)).transpose();
     }
 
     Triangulated_surface_3 surface;

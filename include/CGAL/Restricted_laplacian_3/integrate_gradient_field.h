@@ -66,6 +66,22 @@ namespace internal {
 /// the tolerance of `integrate_gradient_field()`
 constexpr double default_gradient_tolerance = 1e-5;
 
+/// Which system is solved, and how.
+struct Gradient_options {
+  Poisson_solver_options solver;
+  double normal_stabilization = 0;
+};
+
+template <class NamedParameters>
+Gradient_options gradient_options(const Spline_space_3& space, const NamedParameters& np) {
+  Gradient_options options;
+  options.solver = poisson_solver_options(np);
+  options.solver.relative_tolerance = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
+  options.normal_stabilization = internal::normal_stabilization(space, np);
+  return options;
+}
+
 /// What pulls the solution to given values: `K` targets \f$g\f$, a weight, and the mean where there
 /// are none. A function object on `Surface_point`, or `Param_not_found` in its place.
 template <int K, class Target, class Weight> class Screening {
@@ -291,28 +307,26 @@ template <int K> struct Gradient_solution {
   std::vector<char> is_screened;
 };
 
-template <int K, class SurfaceIntegration, class Field, class ScreeningType, class NamedParameters>
-Gradient_solution<K>
-integrate_gradients(const Spline_space_3& space, const SurfaceIntegration& integration,
-                    const Field& v, const ScreeningType& screening, const NamedParameters& np) {
+template <int K, class SurfaceIntegration, class Field, class ScreeningType>
+Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
+                                         const SurfaceIntegration& integration, const Field& v,
+                                         const ScreeningType& screening,
+                                         const Gradient_options& options) {
   CGAL::Real_timer timer;
   timer.start();
-  Poisson_solver_options options = poisson_solver_options(np);
-  options.relative_tolerance = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
   Eigen::MatrixXd loads = assemble_gradient_loads(space, v, space.depth(), integration);
   Eigen::MatrixXd target_loads;
   if constexpr(ScreeningType::has_target)
     target_loads =
         assemble_component_loads(space, screening.weighted_target(), space.depth(), integration);
-  Screened_system a = assemble_screened_system(space, integration, screening,
-                                               internal::normal_stabilization(space, np));
+  Screened_system a =
+      assemble_screened_system(space, integration, screening, options.normal_stabilization);
   Sparse_matrix finest;
   finest.swap(a.system.matrices.back());
   a.system.matrices.pop_back();
   const Poisson_solver solver =
       poisson_solver(space, std::move(finest), std::move(a.system.matrices), a.system.integrals,
-                     a.constant_loads, options);
+                     a.constant_loads, options.solver);
   const Constants& constants = solver.constants();
 
   // The means are known beforehand. They are subtracted and added again, because beside the loads
@@ -372,9 +386,9 @@ inline std::vector<int> components_of_vertices(const Spline_space_3& space,
 }
 
 /// corrects the values of a solution at the vertices
-template <int K, class Field, class ScreeningType, class NamedParameters>
+template <int K, class Field, class ScreeningType>
 void add_details(const Spline_space_3& space, const Field& v, const ScreeningType& screening,
-                 const NamedParameters& np, Gradient_solution<K>& solution,
+                 const Gradient_options& options, Gradient_solution<K>& solution,
                  Eigen::MatrixXd& values) {
   CGAL::Real_timer timer;
   timer.start();
@@ -387,11 +401,8 @@ void add_details(const Spline_space_3& space, const Field& v, const ScreeningTyp
   const Vertex_system<K> system = vertex_system<K>(
       space.surface(), v, [&](const Surface_point& p) { return screening.weight(p); },
       [&](const Surface_point& p) { return screening.target(p); }, (std::min)(degree, 12));
-  const Poisson_solver_options options = poisson_solver_options(np);
-  const double tolerance = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
-  const Vertex_details_report report =
-      add_vertex_details(system, tolerance, options.maximum_iterations, values);
+  const Vertex_details_report report = add_vertex_details(
+      system, options.solver.relative_tolerance, options.solver.maximum_iterations, values);
   const std::vector<int> components = components_of_vertices(space, solution.components);
   Eigen::VectorXd measures = system.integrals;
   for(std::size_t i = 0; i < components.size(); ++i)
@@ -433,13 +444,14 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
       target, weight, np);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
+  const Gradient_options options = gradient_options(space, np);
   Gradient_solution<K> solution =
-      integrate_gradients<K>(space, Cubature(space), field, screening, np);
+      integrate_gradients<K>(space, Cubature(space), field, screening, options);
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_details),
                                   false))
-    add_details(space, field, screening, np, solution, values);
+    add_details(space, field, screening, options, solution, values);
   put_rows(source, values, u);
   solution.fit.space_seconds = space_seconds;
   return static_cast<const Gradient_report&>(solution.fit);
@@ -507,7 +519,9 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space,
   const auto weight = parameters::get_parameter(np, internal_np::screening_weight);
   const internal::Screening<K, std::decay_t<decltype(target)>, std::decay_t<decltype(weight)>>
       screening(target, weight, np);
-  return internal::integrate_gradients<K>(space, integration, v, screening, np).fit;
+  return internal::integrate_gradients<K>(space, integration, v, screening,
+                                          internal::gradient_options(space, np))
+      .fit;
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref

@@ -7,15 +7,21 @@
 #include <CGAL/Restricted_laplacian_3/Colored_scan.h>
 #include <CGAL/Restricted_laplacian_3/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/Solve_report.h>
+#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/back_project_colors.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/internal/Scan_choice.h>
 #include <CGAL/Restricted_laplacian_3/internal/color_values.h>
 #include <CGAL/Restricted_laplacian_3/internal/exposure_gains.h>
+#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/internal/scan_properties.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/srgb.h>
+#include <CGAL/Restricted_laplacian_3/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/vector_fields.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -54,6 +60,8 @@ enum class Gradient_source {
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// What a `Color_stitcher` does unless told otherwise.
 struct Color_stitching_options {
+  Color_stitching_options() { solver.relative_tolerance = internal::default_gradient_tolerance; }
+
   /// which vertices a scan covers
   Back_projection_options back_projection;
   Gradient_source gradient_source = Gradient_source::back_projection;
@@ -107,19 +115,18 @@ struct Vertex_colors {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Ref
-/// What `stitch_colors()` did: the solver's report, and what follows. Areas are fractions of the
-/// area of the surface, 0 .. 1.
-struct Stitching_report : Solve_report {
+/// What `stitch_colors()` did: the report of the integration, where `components_without_weight` is
+/// the number of connected components without any scan, and what follows. Areas are fractions of
+/// the area of the surface, 0 .. 1.
+struct Stitching_report : Gradient_report {
   std::vector<Scan_usage> scans;
   /// triangles without a scan: filled smoothly
   double uncovered_area = 0;
   /// vertices of which no triangle has a scan
   std::size_t uncovered_vertices = 0;
-  /// connected components of the surface of which no triangle has a scan
-  std::size_t uncovered_components = 0;
   /// length of the sides across which the scan changes, in units of length
   double seam_length = 0;
-  /// components of colours that were outside of 0 .. 1 and are cut off
+  /// components of colours that were outside of 0 .. 1 by more than 0.001 and are cut off
   std::size_t clamped_values = 0;
   /// `mean_color_jump()` of the colours of the chosen scans across their transitions
   double jump_before = 0;
@@ -189,9 +196,9 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 /// -# The function \f$u\f$ is found that minimizes, for each channel,
 ///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal C} (u - g)^2, \f]
 ///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`,
-///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. In the others \f$v = 0\f$:
-///    they are filled by a harmonic function. So the colours of a scan are changed by a smooth
-///    function, and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
+///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. Elsewhere
+///    \f$v = 0\f$: they are filled by a harmonic function. So the colours of a scan are changed by a
+///    smooth function, and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
 public:
@@ -200,7 +207,9 @@ public:
   /// \param space of a mesh or soup, has to outlive this object
   /// \throws Input_error the surface is a point set
   /// \throws Parameter_error an option is outside its domain
-  explicit Color_stitcher(const Spline_space_3& space, const Options& options = Options());
+  explicit Color_stitcher(const Spline_space_3& space, const Options& options = Options())
+    : m_space(&space), m_options(checked(options)),
+      m_projector(space.surface(), back_projection_options(options), space.options().is_parallel) {}
 
   const Spline_space_3& space() const { return *m_space; }
   const Options& options() const { return m_options; }
@@ -208,17 +217,59 @@ public:
   /// Takes the colours of a scan to the surface. The scan is not needed any more then.
   /// \return what the scan gives, as far as it is known by then: `Scan_usage::covered_vertices` may
   /// be 0
-  const Scan_usage& add(const Colored_scan& scan);
+  Scan_usage add(const Colored_scan& scan) {
+    CGAL::Real_timer timer;
+    timer.start();
+    Back_projection projection = m_projector(scan);
+    if(m_options.linear_light)
+      take_to_linear_light(projection);
+    Scan_usage usage;
+    usage.covered_vertices = projection.vertices.size();
+    usage.covered_area = covered_area(projection);
+    usage.maximum_distance = projection.maximum_distance;
+    usage.facing_vertices = projection.number_of_facing_vertices;
+    usage.smallest_distance =
+        projection.vertices.empty()
+            ? m_projector.smallest_distance(scan)
+            : *std::min_element(projection.distances.begin(), projection.distances.end());
+    m_projections.push_back(std::move(projection));
+    m_usages.push_back(usage);
+    m_scans_of_faces.clear();
+    m_scans_of_vertices.clear();
+    m_back_projection_seconds += timer.time();
+    return usage;
+  }
 
   std::size_t number_of_scans() const { return m_projections.size(); }
   /// The colours of a scan on the surface, in linear light if that is asked for.
   const Back_projection& back_projection(std::size_t scan) const { return m_projections[scan]; }
+  /// what the scans give; all that it holds is known after `choose()`
   const std::vector<Scan_usage>& usages() const { return m_usages; }
 
   /// Chooses a scan for each triangle, and matches exposures.
   /// \throws Input_error there is no scan, or no scan covers a triangle; the message says how near
   /// they come
-  void choose();
+  void choose() {
+    CGAL::Real_timer timer;
+    timer.start();
+    const internal::Scan_choice choice(surface(), m_projections, m_options.quality_smoothing_steps,
+                                       m_options.seam_weight, is_parallel());
+    check_coverage(choice.scans_of_faces());
+    m_scans_of_faces = choice.scans_of_faces();
+    m_scans_of_vertices = choice.scans_of_vertices();
+    m_seam_length = choice.seam_length();
+    for(Scan_usage& usage : m_usages)
+      usage.chosen_area = 0;
+    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
+      if(m_scans_of_faces[f] != no_scan)
+        m_usages[m_scans_of_faces[f]].chosen_area += surface().area(f) / surface().area();
+    if(m_options.match_exposures) {
+      const std::vector<Rgb_color> gains = internal::exposure_gains(m_projections);
+      for(std::size_t s = 0; s < gains.size(); ++s)
+        m_usages[s].gains = gains[s];
+    }
+    m_choice_seconds = timer.time();
+  }
 
   /// the scan of each face, or `no_scan`; empty before `choose()`
   const std::vector<std::uint32_t>& scans_of_faces() const { return m_scans_of_faces; }
@@ -227,17 +278,262 @@ public:
 
   /// The colour of the nearest one of the scans that cover a vertex, as it is in the scan: the
   /// usual way, for comparison (paper, Figure 1, left). Needs no `choose()`.
-  Vertex_colors nearest_colors() const;
+  Vertex_colors nearest_colors() const {
+    std::vector<double> distances(surface().number_of_vertices(),
+                                  std::numeric_limits<double>::infinity());
+    Vertex_colors result = black();
+    for(std::uint32_t s = 0; s < m_projections.size(); ++s) {
+      const Back_projection& projection = m_projections[s];
+      for(std::size_t i = 0; i < projection.vertices.size(); ++i) {
+        const std::uint32_t v = projection.vertices[i];
+        if(projection.distances[i] < distances[v]) {
+          distances[v] = projection.distances[i];
+          result.scans[v] = s;
+          result.colors[v] = encoded(projection.colors[i]);
+        }
+      }
+    }
+    return result;
+  }
 
   /// The colour of the chosen scan of each vertex, as it is in the scan: what is stitched, for
   /// comparison. Calls for `choose()` before.
-  Vertex_colors chosen_colors() const;
+  Vertex_colors chosen_colors() const {
+    Vertex_colors result = black();
+    if(m_scans_of_vertices.empty())
+      return result;
+    result.scans = m_scans_of_vertices;
+    for(std::uint32_t s = 0; s < m_projections.size(); ++s)
+      for(std::size_t i = 0; i < m_projections[s].vertices.size(); ++i) {
+        const std::uint32_t v = m_projections[s].vertices[i];
+        if(result.scans[v] == s)
+          result.colors[v] = encoded(m_projections[s].colors[i]);
+      }
+    return result;
+  }
 
   /// Stitches the colours; calls `choose()` unless that was done.
   /// \throws Input_error as `choose()`
-  Stitched_colors stitch();
+  Stitched_colors stitch() {
+    if(m_scans_of_faces.empty())
+      choose();
+    const Corner_vector_field<Eigen::Vector3d> target(
+        corner_values<Eigen::Vector3d>([&](const Back_projection& projection, std::size_t i) {
+          return internal::eigen_vector(projection.colors[i]);
+        }));
+    Stitched_colors result;
+    Eigen::MatrixXd values;
+    if(m_options.gradient_source == Gradient_source::scans)
+      values = integrate(scan_gradients(), target, result);
+    else
+      values = integrate(back_projected_gradients(target), target, result);
+    finish(values, result);
+    return result;
+  }
 
 private:
+  using Corner_colors = Corner_vector_field<Eigen::Vector3d>;
+
+  static Options checked(const Options& options) {
+    const auto check = [](bool is_good, const char* name, double value, const char* domain) {
+      if(!is_good)
+        throw Parameter_error(name, "is " + std::to_string(value) + ", but must be " + domain);
+    };
+    const double weight = options.seam_weight, alpha = options.screening_weight.value_or(1);
+    check(weight >= 0 && std::isfinite(weight), "seam_weight", weight,
+          "a finite number that is not negative");
+    check(alpha > 0 && std::isfinite(alpha), "screening_weight", alpha, "a positive finite number");
+    check(options.quality_smoothing_steps >= 0, "quality_smoothing_steps",
+          options.quality_smoothing_steps, "0 or more");
+    return options;
+  }
+
+  static Back_projection_options back_projection_options(const Options& options) {
+    Back_projection_options result = options.back_projection;
+    result.with_gradients = options.gradient_source == Gradient_source::scans;
+    return result;
+  }
+
+  const Triangulated_surface_3& surface() const { return m_space->surface(); }
+  bool is_parallel() const { return m_space->options().is_parallel; }
+
+  static void take_to_linear_light(Back_projection& projection) {
+    for(std::size_t i = 0; i < projection.colors.size(); ++i)
+      for(int k = 0; k < 3; ++k) {
+        double& x = projection.colors[i][k];
+        if(!projection.gradients.empty())
+          projection.gradients[i].col(k) *= internal::srgb_to_linear_derivative(x);
+        x = srgb_to_linear(x);
+      }
+  }
+
+  /// as colours are given and returned
+  Rgb_color encoded(const Rgb_color& color) const {
+    if(!m_options.linear_light)
+      return color;
+    return {linear_to_srgb(color[0]), linear_to_srgb(color[1]), linear_to_srgb(color[2])};
+  }
+
+  Vertex_colors black() const {
+    const std::size_t n = surface().number_of_vertices();
+    return {std::vector<Rgb_color>(n, Rgb_color{0, 0, 0}), std::vector<std::uint32_t>(n, no_scan)};
+  }
+
+  double covered_area(const Back_projection& projection) const {
+    std::vector<char> is_covered(surface().number_of_vertices(), 0);
+    for(std::uint32_t v : projection.vertices)
+      is_covered[v] = 1;
+    double area = 0;
+    for(std::size_t f = 0; f < surface().number_of_faces(); ++f) {
+      const Triangulated_surface_3::Triangle& t = surface().triangle(f);
+      if(is_covered[t[0]] && is_covered[t[1]] && is_covered[t[2]])
+        area += surface().area(f);
+    }
+    return area / surface().area();
+  }
+
+  void check_coverage(const std::vector<std::uint32_t>& scans_of_faces) const {
+    if(m_projections.empty())
+      throw Input_error("there is no scan to take colors from");
+    for(std::size_t f = 0; f < scans_of_faces.size(); ++f)
+      if(scans_of_faces[f] != no_scan && !surface().is_degenerate(f))
+        return;
+    std::size_t nearest = 0, covered = 0, facing = 0;
+    for(std::size_t s = 0; s < m_usages.size(); ++s) {
+      if(m_usages[s].smallest_distance < m_usages[nearest].smallest_distance)
+        nearest = s;
+      covered += m_usages[s].covered_vertices;
+      facing += m_usages[s].facing_vertices;
+    }
+    const Scan_usage& usage = m_usages[nearest];
+    if(facing == 0)
+      throw Input_error(
+          "the surface faces the viewpoint of no scan: viewpoints are on its back, or "
+          "it is oriented the other way round");
+    if(usage.smallest_distance > usage.maximum_distance)
+      throw Input_error("no scan comes near the surface: the smallest distance, of scan " +
+                        std::to_string(nearest) + ", is " +
+                        std::to_string(usage.smallest_distance) + ", and up to " +
+                        std::to_string(usage.maximum_distance) + " counts as near");
+    throw Input_error(
+        "no scan covers a triangle of the surface: " + std::to_string(covered) +
+        " vertices are covered, others face away from the viewpoints, are not near, or "
+        "differ from the scans in their normals");
+  }
+
+  /// Three values for each face, at its corners, from the back-projection of its scan; 0 for faces
+  /// without one. The channels, in the last dimension of `T`, are multiplied by the gains.
+  /// \param value_of `Back_projection` and a position in it &rarr; `T`
+  template <class T, class ValueOf> std::vector<T> corner_values(ValueOf&& value_of) const {
+    std::vector<T> result(3 * surface().number_of_faces(), T(T::Zero()));
+    std::vector<std::vector<std::uint32_t>> faces_of_scans(m_projections.size());
+    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
+      if(m_scans_of_faces[f] != no_scan)
+        faces_of_scans[m_scans_of_faces[f]].push_back(static_cast<std::uint32_t>(f));
+    std::vector<std::uint32_t> positions(surface().number_of_vertices());
+    for(std::size_t s = 0; s < m_projections.size(); ++s) {
+      const Back_projection& projection = m_projections[s];
+      for(std::size_t i = 0; i < projection.vertices.size(); ++i)
+        positions[projection.vertices[i]] = static_cast<std::uint32_t>(i);
+      const Eigen::Vector3d gains = internal::eigen_vector(m_usages[s].gains);
+      for(std::uint32_t f : faces_of_scans[s])
+        for(std::size_t corner = 0; corner < 3; ++corner) {
+          T value = value_of(projection, positions[surface().triangle(f)[corner]]);
+          if constexpr(T::ColsAtCompileTime == 1)
+            value = value.cwiseProduct(gains).eval();
+          else
+            value = (value * gains.asDiagonal()).eval();
+          result[3 * f + corner] = value;
+        }
+    }
+    return result;
+  }
+
+  /// Tangential parts are taken where the field is integrated.
+  Corner_vector_field<Eigen::Matrix3d> scan_gradients() const {
+    return Corner_vector_field<Eigen::Matrix3d>(corner_values<Eigen::Matrix3d>(
+        [](const Back_projection& projection, std::size_t i) { return projection.gradients[i]; }));
+  }
+
+  Face_function<Eigen::Matrix3d> back_projected_gradients(const Corner_colors& colors) const {
+    std::vector<Eigen::Matrix3d> gradients(surface().number_of_faces(), Eigen::Matrix3d::Zero());
+    internal::parallel_for(
+        is_parallel(), 0, gradients.size(), 1 << 12, [&](std::size_t begin, std::size_t end) {
+          for(std::size_t f = begin; f < end; ++f) {
+            if(m_scans_of_faces[f] == no_scan || surface().is_degenerate(f))
+              continue;
+            const Eigen::Matrix3d of_hats = internal::hat_gradients(surface(), f);
+            const Eigen::Vector3d* const c = colors.values().data() + 3 * f;
+            for(int i = 1; i < 3; ++i)
+              gradients[f] += of_hats.col(i) * (c[i] - c[0]).transpose();
+          }
+        });
+    return Face_function<Eigen::Matrix3d>(std::move(gradients));
+  }
+
+  /// the solution at the vertices
+  template <class Field>
+  Eigen::MatrixXd integrate(const Field& field, const Corner_colors& target,
+                            Stitched_colors& result) const {
+    const double alpha =
+        m_options.screening_weight.value_or(Options::default_screening / surface().area());
+    std::vector<double> weights(surface().number_of_faces(), 0);
+    for(std::size_t f = 0; f < weights.size(); ++f)
+      if(m_scans_of_faces[f] != no_scan)
+        weights[f] = alpha;
+    // by reference: the values are three for each face
+    const auto target_function =
+        function_of_degree([&](const Surface_point& p) -> Eigen::Vector3d { return target(p); }, 1);
+    const Face_function<double> weight(std::move(weights));
+    const internal::Screening<3, std::decay_t<decltype(target_function)>, Face_function<double>>
+        screening(target_function, weight, parameters::default_values());
+    internal::Gradient_options options;
+    options.solver = m_options.solver;
+    options.solver.is_parallel = is_parallel();
+    options.normal_stabilization =
+        m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space));
+    internal::Gradient_solution<3> solution =
+        internal::integrate_gradients<3>(*m_space, Cubature(*m_space), field, screening, options);
+    Eigen::MatrixXd values =
+        Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
+    if(m_options.vertex_details)
+      internal::add_details(*m_space, field, screening, options, solution, values);
+    static_cast<Gradient_report&>(result) = solution.fit;
+    return values;
+  }
+
+  /// colours from the values of the solution, and what is to be reported
+  void finish(const Eigen::MatrixXd& values, Stitched_colors& result) const {
+    constexpr double clamping_tolerance = 1e-3; // a quarter of a step of bytes
+    const std::size_t n = surface().number_of_vertices();
+    result.colors.assign(n, Rgb_color{0, 0, 0});
+    for(std::size_t v = 0; v < n; ++v) {
+      const auto row = values.row(static_cast<Eigen::Index>(v));
+      if(!row.allFinite())
+        continue; // no face
+      Rgb_color color;
+      for(int k = 0; k < 3; ++k) {
+        if(row[k] < -clamping_tolerance || row[k] > 1 + clamping_tolerance)
+          ++result.clamped_values;
+        color[k] = std::clamp(row[k], 0., 1.);
+      }
+      result.colors[v] = encoded(color);
+    }
+    result.scans = m_usages;
+    result.uncovered_area = 1;
+    for(const Scan_usage& usage : m_usages)
+      result.uncovered_area -= usage.chosen_area;
+    result.uncovered_area = (std::max)(result.uncovered_area, 0.);
+    result.uncovered_vertices = static_cast<std::size_t>(
+        std::count(m_scans_of_vertices.begin(), m_scans_of_vertices.end(), no_scan));
+    result.seam_length = m_seam_length;
+    const auto transitions = scan_transitions(surface(), m_scans_of_vertices);
+    result.jump_before = mean_color_jump(transitions, chosen_colors().colors);
+    result.jump_after = mean_color_jump(transitions, result.colors);
+    result.back_projection_seconds = m_back_projection_seconds;
+    result.choice_seconds = m_choice_seconds;
+  }
+
   const Spline_space_3* m_space;
   Options m_options;
   Color_back_projector m_projector;
@@ -248,6 +544,74 @@ private:
   double m_back_projection_seconds = 0;
   double m_choice_seconds = 0;
 };
+
+namespace internal {
+
+template <class NamedParameters>
+Back_projection_options back_projection_options(const NamedParameters& np) {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Back_projection_options options;
+  if constexpr(is_given_v<NamedParameters, internal_np::maximum_distance_t>)
+    options.maximum_distance = get_parameter(np, internal_np::maximum_distance);
+  if constexpr(is_given_v<NamedParameters, internal_np::boundary_width_t>)
+    options.boundary_width = get_parameter(np, internal_np::boundary_width);
+  options.minimum_facing_cosine = choose_parameter(
+      get_parameter(np, internal_np::minimum_facing_cosine), options.minimum_facing_cosine);
+  options.minimum_normal_cosine = choose_parameter(
+      get_parameter(np, internal_np::minimum_normal_cosine), options.minimum_normal_cosine);
+  options.oriented_surface =
+      choose_parameter(get_parameter(np, internal_np::oriented_surface), options.oriented_surface);
+  return options;
+}
+
+template <class NamedParameters>
+Color_stitching_options color_stitching_options(const Spline_space_3& space,
+                                                const NamedParameters& np) {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const Gradient_options gradients = gradient_options(space, np);
+  Color_stitching_options options;
+  options.back_projection = back_projection_options(np);
+  options.gradient_source =
+      choose_parameter(get_parameter(np, internal_np::gradient_source), options.gradient_source);
+  options.seam_weight =
+      choose_parameter(get_parameter(np, internal_np::seam_weight), options.seam_weight);
+  options.quality_smoothing_steps = choose_parameter(
+      get_parameter(np, internal_np::quality_smoothing_steps), options.quality_smoothing_steps);
+  options.match_exposures =
+      choose_parameter(get_parameter(np, internal_np::match_exposures), options.match_exposures);
+  options.linear_light =
+      choose_parameter(get_parameter(np, internal_np::linear_light), options.linear_light);
+  if constexpr(is_given_v<NamedParameters, internal_np::screening_weight_t>)
+    options.screening_weight = get_parameter(np, internal_np::screening_weight);
+  options.vertex_details =
+      choose_parameter(get_parameter(np, internal_np::vertex_details), options.vertex_details);
+  options.normal_stabilization = gradients.normal_stabilization;
+  options.solver = gradients.solver;
+  return options;
+}
+
+template <class Source, class PropertyMap, class NamedParameters>
+Stitching_report stitch_colors(const Source& source, const std::vector<Colored_scan>& scans,
+                               PropertyMap colors, const NamedParameters& np) {
+  using Value = typename boost::property_traits<PropertyMap>::value_type;
+  CGAL::Real_timer timer;
+  timer.start();
+  const Spline_space_3 space = source.space(np);
+  const double space_seconds = timer.time();
+  Color_stitcher stitcher(space, color_stitching_options(space, np));
+  for(const Colored_scan& scan : scans)
+    stitcher.add(scan);
+  Stitched_colors result = stitcher.stitch();
+  result.space_seconds = space_seconds;
+  source.for_each_vertex([&](std::size_t i, const auto& v) {
+    put_value_at(colors, v, make_color<Value>(result.colors[i]));
+  });
+  return static_cast<const Stitching_report&>(result);
+}
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Colours a mesh from several scans without visible seams, see `Color_stitcher`.
@@ -276,7 +640,9 @@ template <class FaceGraph, class VertexMap,
           internal::Require_named_parameters<NamedParameters> = 0>
 Stitching_report stitch_colors(const FaceGraph& tm, const std::vector<Colored_scan>& scans,
                                VertexMap colors,
-                               const NamedParameters& np = parameters::default_values());
+                               const NamedParameters& np = parameters::default_values()) {
+  return internal::stitch_colors(internal::Mesh_source<FaceGraph>(tm), scans, colors, np);
+}
 
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// The same on a triangle soup, which need not be a manifold.
@@ -289,7 +655,10 @@ template <class PointRange, class TriangleRange, class IndexMap,
           internal::Require_named_parameters<NamedParameters> = 0>
 Stitching_report stitch_colors(const PointRange& points, const TriangleRange& triangles,
                                const std::vector<Colored_scan>& scans, IndexMap colors,
-                               const NamedParameters& np = parameters::default_values());
+                               const NamedParameters& np = parameters::default_values()) {
+  return internal::stitch_colors(
+      internal::Soup_source<PointRange, TriangleRange>(points, triangles), scans, colors, np);
+}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

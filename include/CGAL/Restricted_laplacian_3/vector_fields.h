@@ -56,6 +56,7 @@ public:
     return corners[0] * p.barycentric[0] + corners[1] * p.barycentric[1] +
            corners[2] * p.barycentric[2];
   }
+  const std::vector<T>& values() const { return m_values; }
 
 private:
   std::vector<T> m_values;

@@ -46,7 +46,7 @@ inline std::vector<Shared_side> shared_sides(const Triangulated_surface_3& surfa
   };
   for_each_side([&](const Side& side) { ++first[side.a + 1]; });
   std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Side> sides(first.back());
+  std::vector<Side> sides(first.back(), Side{0, 0, 0});
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for_each_side([&](const Side& side) { sides[next[side.a]++] = side; });
   std::vector<Shared_side> result;
@@ -88,8 +88,21 @@ public:
       }
     });
     choose_best();
-    if(seam_weight > 0 && scans.size() > 1)
+    if(scans.size() > 1)
+      m_sides = shared_sides(surface);
+    if(seam_weight > 0 && !m_sides.empty())
       shorten_seams(seam_weight);
+  }
+
+  /// of the sides across which the scan changes
+  double seam_length() const {
+    double length = 0;
+    for(const Shared_side& side : m_sides) {
+      const std::uint32_t s = m_scans[side.face], t = m_scans[side.other];
+      if(s != t && s != no_scan_number && t != no_scan_number)
+        length += side.length;
+    }
+    return length;
   }
 
   /// the scan of each face, or `no_scan_number`
@@ -157,72 +170,89 @@ private:
     }
   }
 
-  void shorten_seams(double seam_weight) {
-    constexpr int largest_number_of_sweeps = 100;
-    const std::vector<Shared_side> sides = shared_sides(m_surface);
-    if(sides.empty())
-      return;
-    double length = 0;
-    for(const Shared_side& side : sides)
-      length += side.length;
-    const double area = m_surface.area() / static_cast<double>(m_surface.number_of_faces()),
-                 factor = seam_weight * static_cast<double>(sides.size()) / length;
-    // the sides of each face
+  /// The sides of the faces, and the factor by which their lengths are weights.
+  struct Neighbors {
     struct Neighbor {
       std::uint32_t face;
-      float weight;
+      double weight;
     };
-    std::vector<std::uint32_t> first(m_scans.size() + 1, 0);
-    for(const Shared_side& side : sides) {
-      ++first[side.face + 1];
-      ++first[side.other + 1];
+    std::vector<std::uint32_t> first; // those of face f: numbers first[f] .. first[f + 1] - 1
+    std::vector<Neighbor> neighbors;
+  };
+
+  Neighbors neighbors(double seam_weight) const {
+    double length = 0;
+    for(const Shared_side& side : m_sides)
+      length += side.length;
+    const double factor = seam_weight * static_cast<double>(m_sides.size()) / length;
+    Neighbors result;
+    result.first.assign(m_scans.size() + 1, 0);
+    for(const Shared_side& side : m_sides) {
+      ++result.first[side.face + 1];
+      ++result.first[side.other + 1];
     }
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<Neighbor> neighbors(first.back());
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for(const Shared_side& side : sides) {
-      const auto weight = static_cast<float>(factor * side.length);
-      neighbors[next[side.face]++] = {side.other, weight};
-      neighbors[next[side.other]++] = {side.face, weight};
+    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+    result.neighbors.resize(result.first.back());
+    std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
+    for(const Shared_side& side : m_sides) {
+      result.neighbors[next[side.face]++] = {side.other, factor * side.length};
+      result.neighbors[next[side.other]++] = {side.face, factor * side.length};
     }
-    // Only triangles with a neighbour of another scan may change.
-    for(int sweep = 0; sweep < largest_number_of_sweeps; ++sweep) {
-      bool is_changed = false;
+    return result;
+  }
+
+  void shorten_seams(double seam_weight) {
+    constexpr int largest_number_of_sweeps = 100;
+    const Neighbors all = neighbors(seam_weight);
+    bool is_changed = true;
+    for(int sweep = 0; is_changed && sweep < largest_number_of_sweeps; ++sweep) {
+      is_changed = false;
       for(std::size_t f = 0; f < m_scans.size(); ++f) {
-        if(m_scans[f] == no_scan_number)
-          continue;
-        std::uint32_t best = m_scans[f];
-        double smallest = std::numeric_limits<double>::infinity();
-        const auto energy = [&](std::uint32_t s) {
-          double sum = m_surface.area(f) / area * (1 - quality(s, f));
-          for(std::uint32_t i = first[f]; i < first[f + 1]; ++i)
-            if(m_scans[neighbors[i].face] != s)
-              sum += neighbors[i].weight;
-          return sum;
-        };
-        for(std::uint32_t i = first[f]; i < first[f + 1]; ++i) {
-          const std::uint32_t s = m_scans[neighbors[i].face];
-          if(s == no_scan_number || s == m_scans[f] || s == best || quality(s, f) < 0)
-            continue;
-          if(smallest == std::numeric_limits<double>::infinity())
-            smallest = energy(m_scans[f]);
-          const double e = energy(s);
-          if(e < smallest) {
-            smallest = e;
-            best = s;
-          }
-        }
+        const std::uint32_t best = best_scan(f, all);
         is_changed = is_changed || best != m_scans[f];
         m_scans[f] = best;
       }
-      if(!is_changed)
-        return;
     }
+  }
+
+  /// the scan among those of a face and of its neighbours that makes the sum smallest
+  std::uint32_t best_scan(std::size_t face, const Neighbors& all) const {
+    const std::uint32_t current = m_scans[face];
+    const std::size_t begin = all.first[face], end = all.first[face + 1];
+    const auto scan_of = [&](std::size_t i) { return m_scans[all.neighbors[i].face]; };
+    bool is_inside = true;
+    for(std::size_t i = begin; i < end; ++i)
+      is_inside = is_inside && scan_of(i) == current;
+    if(current == no_scan_number || is_inside)
+      return current;
+    const double relative_area =
+        m_surface.area(face) / m_surface.area() * static_cast<double>(m_scans.size());
+    const auto energy = [&](std::uint32_t s) {
+      double sum = relative_area * (1 - quality(s, face));
+      for(std::size_t i = begin; i < end; ++i)
+        if(scan_of(i) != s)
+          sum += all.neighbors[i].weight;
+      return sum;
+    };
+    std::uint32_t best = current;
+    double smallest = energy(current);
+    for(std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t s = scan_of(i);
+      if(s == no_scan_number || s == best || quality(s, face) < 0)
+        continue;
+      const double e = energy(s);
+      if(e < smallest) {
+        smallest = e;
+        best = s;
+      }
+    }
+    return best;
   }
 
   const Triangulated_surface_3& m_surface;
   std::vector<Qualities> m_qualities; // of each scan at the vertices
   std::vector<std::uint32_t> m_scans; // of the faces
+  std::vector<Shared_side> m_sides;   // if there are several scans
 };
 
 } // namespace internal
