@@ -4,6 +4,7 @@
 // Makes synthetic scans of a colored mesh, each with its own exposure and light: input for
 // stitch_colors of which the truth is known.
 
+#include "support/color_pattern.h"
 #include "support/colored_mesh.h"
 #include "support/command_line.h"
 #include "support/mesh_input.h"
@@ -14,10 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <boost/random/uniform_01.hpp>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +22,6 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -122,30 +118,9 @@ bool read_options(int argc, char* argv[], Options& o) {
   return true;
 }
 
-// Random numbers that do not depend on the standard library.
-class Random {
-public:
-  explicit Random(long long seed) : m_generator(static_cast<std::uint64_t>(seed)) {}
-  double uniform() { return m_distribution(m_generator); }
-  template <typename T> void shuffle(std::vector<T>& values) {
-    for(std::size_t i = values.size(); i > 1; --i)
-      std::swap(values[i - 1],
-                values[static_cast<std::size_t>(uniform() * static_cast<double>(i))]);
-  }
-
-private:
-  std::mt19937_64 m_generator;
-  boost::random::uniform_01<double> m_distribution;
-};
-
-std::vector<double> exposures(const Options& o, Random& random) {
+// the numbers of a list, one for each view
+std::vector<double> exposures(const Options& o) {
   std::vector<double> result;
-  if(o.exposures.empty()) {
-    for(int i = 0; i < o.views; ++i)
-      result.push_back(std::pow(1 + o.exposure_range, o.views > 1 ? i / (o.views - 1.) - 1 : 0.));
-    random.shuffle(result);
-    return result;
-  }
   std::istringstream list(o.exposures);
   for(std::string word; std::getline(list, word, ',');) {
     std::istringstream number(word);
@@ -161,47 +136,13 @@ std::vector<double> exposures(const Options& o, Random& random) {
 }
 
 std::vector<Lighting> lightings(const Options& o) {
-  constexpr double largest_lamp_angle = 0.6;
   Random random(o.seed);
-  std::vector<Lighting> result;
-  for(const double exposure : exposures(o, random)) {
-    Lighting lighting;
-    for(double& factor : lighting.gain)
-      factor = exposure * std::pow(1 + o.tint, random.uniform() - 0.5);
-    const double angle = largest_lamp_angle * random.uniform(),
-                 direction = 2 * CGAL_PI * random.uniform();
-    lighting.lamp = o.light;
-    lighting.lamp_direction = RL::Vector_3(std::sin(angle) * std::cos(direction),
-                                           std::sin(angle) * std::sin(direction), -std::cos(angle));
+  const std::vector<double> factors =
+      o.exposures.empty() ? spread_exposures(o.views, o.exposure_range, random) : exposures(o);
+  std::vector<Lighting> result = make_lightings(factors, o.tint, o.light, random);
+  for(Lighting& lighting : result)
     lighting.in_linear_light = o.in_linear_light;
-    result.push_back(lighting);
-  }
   return result;
-}
-
-// Waves of several lengths, in units of the longest side of the mesh, with soft stripes.
-std::vector<Color> pattern(const RL::Triangulated_surface_3& surface) {
-  std::vector<Color> colors;
-  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
-    const RL::Vector_3 p = 2 * CGAL_PI * (surface.point(v) - surface.center()) / surface.extent();
-    const double slow = std::sin(1.3 * p.x() + 0.7 * std::sin(2.1 * p.y()) + 0.5 * p.z()),
-                 stripes = std::tanh(3 * std::sin(5 * p.y() + 1.5 * std::sin(3 * p.x() + p.z()))),
-                 fine = std::sin(17 * p.x()) * std::sin(17 * p.y()) * std::sin(17 * p.z());
-    const auto level = [](double x) { return std::clamp(x, 0.05, 0.8); };
-    colors.push_back({level(0.45 + 0.15 * slow + 0.18 * stripes + 0.08 * fine),
-                      level(0.4 - 0.12 * slow + 0.15 * stripes + 0.08 * fine),
-                      level(0.35 + 0.05 * slow - 0.2 * stripes + 0.08 * fine)});
-  }
-  return colors;
-}
-
-// the ball around the centre of the bounding box in which the surface is
-double radius(const RL::Triangulated_surface_3& surface) {
-  double squared = 0;
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int i = 0; i < 3; ++i)
-      squared = std::max(squared, CGAL::squared_distance(surface.center(), surface.point(f, i)));
-  return std::sqrt(squared);
 }
 
 void print_line(const std::string& name, const Virtual_scan& scan, const Lighting& lighting) {
@@ -222,24 +163,22 @@ int main(int argc, char* argv[]) {
     progress.show("reading " + o.mesh);
     const RL::Triangulated_surface_3 surface = read_mesh(o.mesh).surface;
     const std::vector<Color> colors =
-        o.pattern || !has_colors(o.mesh) ? pattern(surface) : read_colors(o.mesh);
+        o.pattern || !has_colors(o.mesh) ? color_pattern(surface) : read_colors(o.mesh);
     require(colors.size() == surface.number_of_vertices(), "not every vertex has a color");
     const std::vector<Lighting> lighting = lightings(o);
 
     const Virtual_scanner scanner(surface, colors);
-    const std::vector<RL::Vector_3> directions = spread_directions(o.views);
-    const double r = radius(surface);
+    const std::vector<Camera> cameras =
+        cameras_around(surface, o.views, o.field_of_view * CGAL_PI / 180, o.resolution);
     std::vector<Virtual_scan> scans;
     std::vector<std::pair<std::string, RL::Scan_pose>> poses;
     for(int i = 0; i < o.views; ++i) {
       progress.show("scan " + std::to_string(i + 1) + " of " + std::to_string(o.views));
-      const Camera camera = camera_around(surface.center(), r, directions[i],
-                                          o.field_of_view * CGAL_PI / 180, o.resolution);
-      scans.push_back(scanner.scan(camera, lighting[i], o.points, o.noise,
+      scans.push_back(scanner.scan(cameras[i], lighting[i], o.points, o.noise,
                                    static_cast<std::uint64_t>(o.seed + i)));
       std::ostringstream name;
       name << "scan_" << std::setw(2) << std::setfill('0') << i << ".ply";
-      poses.emplace_back(name.str(), camera.to_world);
+      poses.emplace_back(name.str(), cameras[i].to_world);
     }
 
     progress.show("writing the scans");

@@ -167,8 +167,6 @@ void add_stitching(Summary& summary, const RL::Stitched_colors& stitched, double
   add_solve(summary, stitched, space_seconds, stitched.assembly_seconds);
   summary.add("uncovered_area", stitched.uncovered_area);
   summary.add("uncovered_vertices", stitched.uncovered_vertices);
-  if(stitched.uncovered_components > 0)
-    summary.add("uncovered_components", stitched.uncovered_components);
   summary.add("seam_length", stitched.seam_length);
   summary.add("jump_before", stitched.jump_before);
   summary.add("jump_after", stitched.jump_after);
@@ -177,8 +175,7 @@ void add_stitching(Summary& summary, const RL::Stitched_colors& stitched, double
 
 void add_error(Summary& summary, const RL::Triangulated_surface_3& surface,
                const RL::Vertex_colors& found, const std::vector<Color>& truth) {
-  const Color_error error =
-      color_error(surface, found.colors, truth, RL::scan_transitions(surface, found.scans));
+  const Color_error error = color_error(surface, found, truth);
   summary.add("gain", error.gain);
   summary.add("rms_error", error.root_mean_square);
   summary.add("jump", error.jump);

@@ -18,23 +18,28 @@ namespace benchmarks {
 
 namespace RL = CGAL::Restricted_laplacian_3;
 
-/// A mesh file, or the mesh of that name in the folder of shared meshes or among those of CGAL's
-/// data; nothing, and a message, if there is none.
-inline std::optional<CGAL::Surface_mesh<RL::Point_3>> find_mesh_file(const std::string& name) {
+/// A mesh file, or the one of that name in the folder of shared meshes or among those of CGAL's
+/// data; empty, and a message, if there is none.
+inline std::string find_path(const std::string& name) {
   for(const std::string& file :
       {name, std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + name + ".ply",
-       std::string(RESTRICTED_LAPLACIAN_3_DATA_DIR) + "/" + name + ".off"}) {
-    if(!std::ifstream(file).good())
-      continue;
-    CGAL::Surface_mesh<RL::Point_3> mesh;
-    if(CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
-      return mesh;
-  }
+       std::string(RESTRICTED_LAPLACIAN_3_DATA_DIR) + "/" + name + ".off"})
+    if(std::ifstream(file).good())
+      return file;
   std::fprintf(
       stderr,
       "SKIPPED: there is no mesh %s, nor %s.ply in the folder of shared meshes, nor %s.off "
       "in CGAL's data\n",
       name.c_str(), name.c_str(), name.c_str());
+  return {};
+}
+
+/// The mesh that `find_path()` finds, if it can be read.
+inline std::optional<CGAL::Surface_mesh<RL::Point_3>> find_mesh_file(const std::string& name) {
+  const std::string file = find_path(name);
+  CGAL::Surface_mesh<RL::Point_3> mesh;
+  if(!file.empty() && CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
+    return mesh;
   return std::nullopt;
 }
 

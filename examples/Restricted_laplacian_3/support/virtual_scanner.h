@@ -17,6 +17,7 @@
 #include <CGAL/number_utils.h>
 
 #include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_01.hpp>
 
 #include <algorithm>
 #include <array>
@@ -78,6 +79,67 @@ inline Camera camera_around(const RL::Point_3& center, double radius, RL::Vector
   return {RL::Scan_pose(x.x(), y.x(), z.x(), eye.x(), x.y(), y.y(), z.y(), eye.y(), x.z(), y.z(),
                         z.z(), eye.z()),
           std::tan(half_angle), resolution};
+}
+
+// Cameras around a surface that see all of it.
+inline std::vector<Camera> cameras_around(const RL::Triangulated_surface_3& surface, int number,
+                                          double field_of_view, int resolution) {
+  double squared_radius = 0; // around the centre of the bounding box
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(int i = 0; i < 3; ++i)
+      squared_radius =
+          std::max(squared_radius, CGAL::squared_distance(surface.center(), surface.point(f, i)));
+  std::vector<Camera> cameras;
+  for(const RL::Vector_3& direction : spread_directions(number))
+    cameras.push_back(camera_around(surface.center(), std::sqrt(squared_radius), direction,
+                                    field_of_view, resolution));
+  return cameras;
+}
+
+// Random numbers that do not depend on the standard library.
+class Random {
+public:
+  explicit Random(long long seed) : m_generator(static_cast<std::uint64_t>(seed)) {}
+
+  double uniform() { return m_distribution(m_generator); }
+  template <typename T> void shuffle(std::vector<T>& values) {
+    for(std::size_t i = values.size(); i > 1; --i)
+      std::swap(values[i - 1],
+                values[static_cast<std::size_t>(uniform() * static_cast<double>(i))]);
+  }
+
+private:
+  std::mt19937_64 m_generator;
+  boost::random::uniform_01<double> m_distribution;
+};
+
+// Exposures from 1 / (1 + range) to 1, of equal ratios, in random order.
+inline std::vector<double> spread_exposures(int number, double range, Random& random) {
+  std::vector<double> result;
+  for(int i = 0; i < number; ++i)
+    result.push_back(std::pow(1 + range, number > 1 ? i / (number - 1.) - 1 : 0.));
+  random.shuffle(result);
+  return result;
+}
+
+// For each exposure, factors of the components that differ by the factor 1 + `tint` at most, and a
+// lamp beside the camera at random that gives the part `lamp` of the light.
+inline std::vector<Lighting> make_lightings(const std::vector<double>& exposures, double tint,
+                                            double lamp, Random& random) {
+  constexpr double largest_angle = 0.6; // of the lamp from the camera
+  std::vector<Lighting> result;
+  for(const double exposure : exposures) {
+    Lighting lighting;
+    for(double& factor : lighting.gain)
+      factor = exposure * std::pow(1 + tint, random.uniform() - 0.5);
+    const double angle = largest_angle * random.uniform(),
+                 direction = 2 * CGAL_PI * random.uniform();
+    lighting.lamp = lamp;
+    lighting.lamp_direction = RL::Vector_3(std::sin(angle) * std::cos(direction),
+                                           std::sin(angle) * std::sin(direction), -std::cos(angle));
+    result.push_back(lighting);
+  }
+  return result;
 }
 
 class Virtual_scanner {
