@@ -59,7 +59,7 @@ struct Options : Common_options, Solver_options {
   }
 
   std::vector<std::string> scans;
-  std::string poses, method = "gradients", gradients = "back-projection", truth;
+  std::string poses, frame, method = "gradients", gradients = "back-projection", truth;
   double alpha = RL::Color_stitching_options::default_screening;
   double maximum_distance = 0; // chosen
   bool keep_exposures = false, linear_light = false, no_details = false;
@@ -70,6 +70,9 @@ bool read_options(int argc, char* argv[], Options& o) {
   po::options_description problem("Problem", help_width);
   auto add = problem.add_options();
   add("poses", po::value(&o.poses)->value_name("FILE"), "where the scans were taken from");
+  add("frame", po::value(&o.frame)->value_name("NAME"),
+      "MESH is in the coordinates of the scan of this name in --poses; by default it is in those "
+      "of the world");
   add("method",
       po::value(&o.method)->value_name("gradients|chosen|nearest")->default_value(o.method),
       "gradients: as above; for comparison, chosen: the colors of the chosen scans as they are; "
@@ -245,8 +248,11 @@ int main(int argc, char* argv[]) {
       return success;
     const std::map<std::string, RL::Scan_pose> known_poses = read_poses(o.poses);
     std::vector<RL::Scan_pose> poses;
+    const RL::Scan_pose to_mesh = o.frame.empty()
+                                      ? RL::Scan_pose(CGAL::IDENTITY)
+                                      : pose_of(known_poses, o.frame, o.poses).inverse();
     for(const std::string& scan : o.scans)
-      poses.push_back(pose_of(known_poses, scan, o.poses));
+      poses.push_back(to_mesh * pose_of(known_poses, scan, o.poses));
     return run_on_surface(
         "stitch_colors", o, [&] { return read_mesh(o.mesh); },
         [&](const auto& surface, Summary& summary, const Progress& progress) {

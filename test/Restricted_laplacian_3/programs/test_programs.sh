@@ -176,7 +176,7 @@ test_help() {
     check "estimate_curvature --help explains --$option" grep -q -e "--$option" out
   done
   run stitch_colors --help
-  for option in poses method gradients alpha maximum-distance keep-exposures linear-light \
+  for option in poses frame method gradients alpha maximum-distance keep-exposures linear-light \
     no-details truth tolerance stabilization; do
     check "stitch_colors --help explains --$option" grep -q -e "--$option" out
   done
@@ -758,6 +758,10 @@ test_stitching() {
     --threads 2 --csv two.csv
   check "the number of threads does not matter" \
     [ "$(numbers one.csv | cksum)" = "$(numbers two.csv | cksum)" ]
+  # a scan in its own coordinates is a mesh as well
+  succeeds stitch_colors scans/scan_02.ply scans/scan_0[23].ply \
+    --poses scans/poses.conf --frame scan_02.ply --depth 4
+  check "a scan covers itself" is_below "$(entry uncovered_area)" 0.05
   # one scan sees half of the sphere
   succeeds stitch_colors ball.off scans/scan_02.ply --poses scans/poses.conf --depth 4
   check "what is not covered is reported" is_below 0.4 "$(entry uncovered_area)"
@@ -777,6 +781,7 @@ test_stitching_errors() {
   fails_to_stitch "missing.ply" missing.ply --poses scans/poses.conf
   cp $scan unknown.ply
   fails_to_stitch "no pose for 'unknown.ply'" unknown.ply --poses scans/poses.conf
+  fails_to_stitch "no pose for 'other'" $scan --poses scans/poses.conf --frame other
   echo "# nothing" > bad.conf
   fails_to_stitch "holds no pose" $scan --poses bad.conf
   echo "scan_00.ply 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0" > bad.conf
