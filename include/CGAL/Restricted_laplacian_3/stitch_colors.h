@@ -197,8 +197,8 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 ///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal C} (u - g)^2, \f]
 ///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`,
 ///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. Elsewhere
-///    \f$v = 0\f$: they are filled by a harmonic function. So the colours of a scan are changed by a
-///    smooth function, and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
+///    \f$v = 0\f$: they are filled by a harmonic function. So the colours of a scan are changed
+///    by a smooth function, and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
 public:
