@@ -384,20 +384,26 @@ void add_details(const Spline_space_3& space, const Field& v, const ScreeningTyp
                  ScreeningType::has_weight
                      ? screening.weight_degree() + (std::max)(2, screening.target_degree() + 1)
                      : 0);
-  const Vertex_system<K> system = vertex_system<K>(
+  Vertex_system<K> system = vertex_system<K>(
       space.surface(), v, [&](const Surface_point& p) { return screening.weight(p); },
       [&](const Surface_point& p) { return screening.target(p); }, (std::min)(degree, 12));
   const Poisson_solver_options options = poisson_solver_options(np);
   const double tolerance = parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
-  const Vertex_details_report report =
-      add_vertex_details(system, tolerance, options.maximum_iterations, values);
+  // As for the splines, the means are subtracted and added again.
   const std::vector<int> components = components_of_vertices(space, solution.components);
   Eigen::VectorXd measures = system.integrals;
   for(std::size_t i = 0; i < components.size(); ++i)
-    if(components[i] >= 0 && solution.is_screened[components[i]])
-      measures[static_cast<Eigen::Index>(i)] =
-          system.weighted_integrals[static_cast<Eigen::Index>(i)];
+    if(components[i] >= 0) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const auto mean = solution.means.row(components[i]);
+      if(solution.is_screened[components[i]])
+        measures[row] = system.weighted_integrals[row];
+      system.loads.row(row) -= system.weighted_integrals[row] * mean;
+      values.row(row) -= mean;
+    }
+  const Vertex_details_report report =
+      add_vertex_details(system, tolerance, options.maximum_iterations, values);
   shift_to_means<K>(components, measures, solution.means, values);
   solution.fit.converged = solution.fit.converged && report.converged;
   solution.fit.details_iterations = report.iterations;
