@@ -10,9 +10,6 @@
 #include <CGAL/Restricted_laplacian_3/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
-
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -216,35 +213,19 @@ TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[
   CHECK(same_loads(RL::Corner_vector_field<RL::Vector_3>(corners),
                    vector_field_on_surface(source, by_halfedge)));
 
-  // the descriptors of another mesh type, to the end
-  CGAL::Polyhedron_3<RL::Kernel> polyhedron;
-  CGAL::copy_face_graph(mesh, polyhedron);
-  using Polyhedron = CGAL::Polyhedron_3<RL::Kernel>;
-  const auto field = get(CGAL::dynamic_halfedge_property_t<Jacobian>(), polyhedron);
-  const auto u = get(CGAL::dynamic_vertex_property_t<std::array<float, 3>>(), polyhedron);
-  const auto g = get(CGAL::dynamic_vertex_property_t<RL::Point_3>(), polyhedron);
-  for(const auto h : halfedges(polyhedron))
-    put(field, h, gradients_of_quadrics(target(h, polyhedron)->point()));
-  for(const auto v : vertices(polyhedron))
-    put(g, v, v->point());
-  const auto np =
-      params::octree_depth(3, exact(1e-9, params::mean_value(Eigen::Vector3d(1, 2, 3))));
-  static_assert(
-      RL::internal::Has_corner_keys<RL::internal::Mesh_source<Polyhedron>, decltype(field)>::value,
-      "halfedges are told from vertices");
-  CHECK(RL::integrate_gradient_field(polyhedron, field, u, np).converged);
-  const RL::Gradient_fit expected = RL::integrate_gradient_field(
-      space, quadric_field, exact(1e-9, params::mean_value(std::array<double, 3>{1, 2, 3})));
+  // to the end, with means
+  const auto u = mesh.add_property_map<Mesh::Vertex_index, std::array<float, 3>>("u").first;
+  const auto np = exact(1e-9, params::mean_value(Eigen::Vector3d(1, 2, 3)));
+  const RL::Gradient_fit expected = RL::integrate_gradient_field(space, quadric_field, np);
   CHECK(weighted_mean(space, expected.coefficients, [](const RL::Surface_point&) {
           return 1.;
         }).isApprox(Eigen::RowVector3d(1, 2, 3), 1e-10));
-  // vertices may be in another order
-  const auto constant = [&](Polyhedron::Vertex_handle v) -> Eigen::Vector3d {
-    const auto& values = get(u, v);
-    return Eigen::Vector3d(values[0], values[1], values[2]) - quadrics(v->point());
-  };
-  for(const auto v : vertices(polyhedron))
-    CHECK((constant(v) - constant(*vertices(polyhedron).begin())).norm() < 1e-4);
+  CHECK(RL::integrate_gradient_field(mesh, by_vertex, u, params::octree_depth(3, np)).converged);
+  const Eigen::MatrixXd values =
+      RL::Spline_functions_3(space, expected.coefficients).values_at_vertices();
+  for(const auto v : vertices(mesh))
+    for(std::size_t k = 0; k < 3; ++k)
+      CHECK(u[v][k] == Approx(values(v.idx(), static_cast<Eigen::Index>(k))).margin(1e-5));
 }
 
 TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {

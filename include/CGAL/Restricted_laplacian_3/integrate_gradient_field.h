@@ -30,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -65,6 +66,14 @@ namespace internal {
 
 /// the tolerance of `integrate_gradient_field()`
 constexpr double default_gradient_tolerance = 1e-5;
+
+/// A weight as the assembly takes it: a number, or a function with its degree on the triangles. The
+/// function is of one type for all weights, so that the assembly is compiled once.
+struct Screening_weight {
+  double constant = 0;
+  std::function<double(const Surface_point&)> function;
+  int degree = 0;
+};
 
 /// What pulls the solution to given values: `K` targets \f$g\f$, a weight, and the mean where there
 /// are none. A function object on `Surface_point`, or `Param_not_found` in its place.
@@ -110,6 +119,13 @@ public:
       return checked_screening_weight(static_cast<double>(m_weight(p)), p.face);
     else
       return 0;
+  }
+  /// refers to this object
+  Screening_weight weight() const {
+    if constexpr(has_weight && !has_constant_weight)
+      return {0, [this](const Surface_point& p) { return weight(p); }, weight_degree()};
+    else
+      return {weight(Surface_point()), nullptr, 0};
   }
   int weight_degree() const {
     if constexpr(has_weight && !has_constant_weight)
@@ -162,30 +178,29 @@ struct Screened_system {
   Eigen::VectorXd constant_loads;
 };
 
-template <class SurfaceIntegration, class ScreeningType>
+template <class SurfaceIntegration>
 Screened_system
 assemble_screened_system(const Spline_space_3& space, const SurfaceIntegration& integration,
-                         const ScreeningType& screening, double normal_stabilization) {
+                         const Screening_weight& weight, double normal_stabilization) {
   const int coarsest = coarsest_assembled_level(space);
   const auto plain_integrals = [&]() -> Eigen::VectorXd {
     return assemble_load(space, function_of_degree([](const Surface_point&) { return 1.; }, 0),
                          space.depth(), integration);
   };
   Screened_system result;
-  if constexpr(ScreeningType::has_weight && !ScreeningType::has_constant_weight) {
-    const auto weight = function_of_degree(
-        [&](const Surface_point& p) { return screening.weight(p); }, screening.weight_degree());
-    const Mass_weighted_integration<SurfaceIntegration, decltype(weight)> weighted(
-        space, integration, weight);
+  if(weight.function) {
+    const auto w = function_of_degree(weight.function, weight.degree);
+    const Mass_weighted_integration<SurfaceIntegration, decltype(w)> weighted(space, integration,
+                                                                              w);
     result.system = assemble_system(space, coarsest, weighted, 1, normal_stabilization);
     result.constant_loads.swap(result.system.integrals);
     result.system.integrals = plain_integrals();
   } else {
-    const double alpha = screening.weight(Surface_point());
-    result.system = assemble_system(space, coarsest, integration, alpha, normal_stabilization);
+    result.system =
+        assemble_system(space, coarsest, integration, weight.constant, normal_stabilization);
     if(space.is_paper_space())
       result.system.integrals = plain_integrals();
-    result.constant_loads = alpha * result.system.integrals;
+    result.constant_loads = weight.constant * result.system.integrals;
   }
   return result;
 }
@@ -291,28 +306,39 @@ template <int K> struct Gradient_solution {
   std::vector<char> is_screened;
 };
 
-template <int K, class SurfaceIntegration, class Field, class ScreeningType, class NamedParameters>
-Gradient_solution<K>
-integrate_gradients(const Spline_space_3& space, const SurfaceIntegration& integration,
-                    const Field& v, const ScreeningType& screening, const NamedParameters& np) {
+struct Gradient_options {
+  Poisson_solver_options solver;
+  double normal_stabilization;
+};
+
+template <class NamedParameters>
+Gradient_options gradient_options(const Spline_space_3& space, const NamedParameters& np) {
+  Gradient_options options = {poisson_solver_options(np), normal_stabilization(space, np)};
+  options.solver.relative_tolerance = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
+  return options;
+}
+
+template <int K, class SurfaceIntegration, class Field, class ScreeningType>
+Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
+                                         const SurfaceIntegration& integration, const Field& v,
+                                         const ScreeningType& screening,
+                                         const Gradient_options& options) {
   CGAL::Real_timer timer;
   timer.start();
-  Poisson_solver_options options = poisson_solver_options(np);
-  options.relative_tolerance = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
   Eigen::MatrixXd loads = assemble_gradient_loads(space, v, space.depth(), integration);
   Eigen::MatrixXd target_loads;
   if constexpr(ScreeningType::has_target)
     target_loads =
         assemble_component_loads(space, screening.weighted_target(), space.depth(), integration);
-  Screened_system a = assemble_screened_system(space, integration, screening,
-                                               internal::normal_stabilization(space, np));
+  Screened_system a = assemble_screened_system(space, integration, screening.weight(),
+                                               options.normal_stabilization);
   Sparse_matrix finest;
   finest.swap(a.system.matrices.back());
   a.system.matrices.pop_back();
   const Poisson_solver solver =
       poisson_solver(space, std::move(finest), std::move(a.system.matrices), a.system.integrals,
-                     a.constant_loads, options);
+                     a.constant_loads, options.solver);
   const Constants& constants = solver.constants();
 
   // The means are known beforehand. They are subtracted and added again, because beside the loads
@@ -372,9 +398,9 @@ inline std::vector<int> components_of_vertices(const Spline_space_3& space,
 }
 
 /// corrects the values of a solution at the vertices
-template <int K, class Field, class ScreeningType, class NamedParameters>
+template <int K, class Field, class ScreeningType>
 void add_details(const Spline_space_3& space, const Field& v, const ScreeningType& screening,
-                 const NamedParameters& np, Gradient_solution<K>& solution,
+                 const Poisson_solver_options& options, Gradient_solution<K>& solution,
                  Eigen::MatrixXd& values) {
   CGAL::Real_timer timer;
   timer.start();
@@ -387,9 +413,6 @@ void add_details(const Spline_space_3& space, const Field& v, const ScreeningTyp
   Vertex_system<K> system = vertex_system<K>(
       space.surface(), v, [&](const Surface_point& p) { return screening.weight(p); },
       [&](const Surface_point& p) { return screening.target(p); }, (std::min)(degree, 12));
-  const Poisson_solver_options options = poisson_solver_options(np);
-  const double tolerance = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
   // As for the splines, the means are subtracted and added again.
   const std::vector<int> components = components_of_vertices(space, solution.components);
   Eigen::VectorXd measures = system.integrals;
@@ -403,7 +426,7 @@ void add_details(const Spline_space_3& space, const Field& v, const ScreeningTyp
       values.row(row) -= mean;
     }
   const Vertex_details_report report =
-      add_vertex_details(system, tolerance, options.maximum_iterations, values);
+      add_vertex_details(system, options.relative_tolerance, options.maximum_iterations, values);
   shift_to_means<K>(components, measures, solution.means, values);
   solution.fit.converged = solution.fit.converged && report.converged;
   solution.fit.details_iterations = report.iterations;
@@ -439,13 +462,14 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
       target, weight, np);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
+  const Gradient_options options = gradient_options(space, np);
   Gradient_solution<K> solution =
-      integrate_gradients<K>(space, Cubature(space), field, screening, np);
+      integrate_gradients<K>(space, Cubature(space), field, screening, options);
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_details),
                                   false))
-    add_details(space, field, screening, np, solution, values);
+    add_details(space, field, screening, options.solver, solution, values);
   put_rows(source, values, u);
   solution.fit.space_seconds = space_seconds;
   return static_cast<const Gradient_report&>(solution.fit);
@@ -513,7 +537,9 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space,
   const auto weight = parameters::get_parameter(np, internal_np::screening_weight);
   const internal::Screening<K, std::decay_t<decltype(target)>, std::decay_t<decltype(weight)>>
       screening(target, weight, np);
-  return internal::integrate_gradients<K>(space, integration, v, screening, np).fit;
+  return internal::integrate_gradients<K>(space, integration, v, screening,
+                                          internal::gradient_options(space, np))
+      .fit;
 }
 
 /// \ingroup PkgRestrictedLaplacian3Ref
