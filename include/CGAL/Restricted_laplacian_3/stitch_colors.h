@@ -487,17 +487,16 @@ private:
     const Face_function<double> weight(std::move(weights));
     const internal::Screening<3, std::decay_t<decltype(target_function)>, Face_function<double>>
         screening(target_function, weight, parameters::default_values());
-    internal::Gradient_options options;
-    options.solver = m_options.solver;
+    internal::Gradient_options options = {
+        m_options.solver,
+        m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space))};
     options.solver.is_parallel = is_parallel();
-    options.normal_stabilization =
-        m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space));
     internal::Gradient_solution<3> solution =
         internal::integrate_gradients<3>(*m_space, Cubature(*m_space), field, screening, options);
     Eigen::MatrixXd values =
         Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
     if(m_options.vertex_details)
-      internal::add_details(*m_space, field, screening, options, solution, values);
+      internal::add_details(*m_space, field, screening, options.solver, solution, values);
     static_cast<Gradient_report&>(result) = solution.fit;
     return values;
   }
