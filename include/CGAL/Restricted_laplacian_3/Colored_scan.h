@@ -231,7 +231,7 @@ private:
           normals[v] = -normals[v];
       if(surface.is_point_set()) {
         internal::Scan_point_properties properties =
-            internal::scan_point_properties(surface, colors, is_parallel);
+            internal::scan_point_properties(surface, normals, colors, is_parallel);
         spacing = properties.spacing;
         point_gradients.swap(properties.gradients);
         boundary_distances =

@@ -30,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -66,21 +67,13 @@ namespace internal {
 /// the tolerance of `integrate_gradient_field()`
 constexpr double default_gradient_tolerance = 1e-5;
 
-/// Which system is solved, and how.
-struct Gradient_options {
-  Poisson_solver_options solver;
-  double normal_stabilization = 0;
+/// A weight as the assembly takes it: a number, or a function with its degree on the triangles. The
+/// function is of one type for all weights, so that the assembly is compiled once.
+struct Screening_weight {
+  double constant = 0;
+  std::function<double(const Surface_point&)> function;
+  int degree = 0;
 };
-
-template <class NamedParameters>
-Gradient_options gradient_options(const Spline_space_3& space, const NamedParameters& np) {
-  Gradient_options options;
-  options.solver = poisson_solver_options(np);
-  options.solver.relative_tolerance = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
-  options.normal_stabilization = internal::normal_stabilization(space, np);
-  return options;
-}
 
 /// What pulls the solution to given values: `K` targets \f$g\f$, a weight, and the mean where there
 /// are none. A function object on `Surface_point`, or `Param_not_found` in its place.
@@ -126,6 +119,13 @@ public:
       return checked_screening_weight(static_cast<double>(m_weight(p)), p.face);
     else
       return 0;
+  }
+  /// refers to this object
+  Screening_weight weight() const {
+    if constexpr(has_weight && !has_constant_weight)
+      return {0, [this](const Surface_point& p) { return weight(p); }, weight_degree()};
+    else
+      return {weight(Surface_point()), nullptr, 0};
   }
   int weight_degree() const {
     if constexpr(has_weight && !has_constant_weight)
@@ -178,30 +178,29 @@ struct Screened_system {
   Eigen::VectorXd constant_loads;
 };
 
-template <class SurfaceIntegration, class ScreeningType>
+template <class SurfaceIntegration>
 Screened_system
 assemble_screened_system(const Spline_space_3& space, const SurfaceIntegration& integration,
-                         const ScreeningType& screening, double normal_stabilization) {
+                         const Screening_weight& weight, double normal_stabilization) {
   const int coarsest = coarsest_assembled_level(space);
   const auto plain_integrals = [&]() -> Eigen::VectorXd {
     return assemble_load(space, function_of_degree([](const Surface_point&) { return 1.; }, 0),
                          space.depth(), integration);
   };
   Screened_system result;
-  if constexpr(ScreeningType::has_weight && !ScreeningType::has_constant_weight) {
-    const auto weight = function_of_degree(
-        [&](const Surface_point& p) { return screening.weight(p); }, screening.weight_degree());
-    const Mass_weighted_integration<SurfaceIntegration, decltype(weight)> weighted(
-        space, integration, weight);
+  if(weight.function) {
+    const auto w = function_of_degree(weight.function, weight.degree);
+    const Mass_weighted_integration<SurfaceIntegration, decltype(w)> weighted(space, integration,
+                                                                              w);
     result.system = assemble_system(space, coarsest, weighted, 1, normal_stabilization);
     result.constant_loads.swap(result.system.integrals);
     result.system.integrals = plain_integrals();
   } else {
-    const double alpha = screening.weight(Surface_point());
-    result.system = assemble_system(space, coarsest, integration, alpha, normal_stabilization);
+    result.system =
+        assemble_system(space, coarsest, integration, weight.constant, normal_stabilization);
     if(space.is_paper_space())
       result.system.integrals = plain_integrals();
-    result.constant_loads = alpha * result.system.integrals;
+    result.constant_loads = weight.constant * result.system.integrals;
   }
   return result;
 }
@@ -307,6 +306,19 @@ template <int K> struct Gradient_solution {
   std::vector<char> is_screened;
 };
 
+struct Gradient_options {
+  Poisson_solver_options solver;
+  double normal_stabilization;
+};
+
+template <class NamedParameters>
+Gradient_options gradient_options(const Spline_space_3& space, const NamedParameters& np) {
+  Gradient_options options = {poisson_solver_options(np), normal_stabilization(space, np)};
+  options.solver.relative_tolerance = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
+  return options;
+}
+
 template <int K, class SurfaceIntegration, class Field, class ScreeningType>
 Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
                                          const SurfaceIntegration& integration, const Field& v,
@@ -319,8 +331,8 @@ Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
   if constexpr(ScreeningType::has_target)
     target_loads =
         assemble_component_loads(space, screening.weighted_target(), space.depth(), integration);
-  Screened_system a =
-      assemble_screened_system(space, integration, screening, options.normal_stabilization);
+  Screened_system a = assemble_screened_system(space, integration, screening.weight(),
+                                               options.normal_stabilization);
   Sparse_matrix finest;
   finest.swap(a.system.matrices.back());
   a.system.matrices.pop_back();
@@ -388,7 +400,7 @@ inline std::vector<int> components_of_vertices(const Spline_space_3& space,
 /// corrects the values of a solution at the vertices
 template <int K, class Field, class ScreeningType>
 void add_details(const Spline_space_3& space, const Field& v, const ScreeningType& screening,
-                 const Gradient_options& options, Gradient_solution<K>& solution,
+                 const Poisson_solver_options& options, Gradient_solution<K>& solution,
                  Eigen::MatrixXd& values) {
   CGAL::Real_timer timer;
   timer.start();
@@ -398,17 +410,23 @@ void add_details(const Spline_space_3& space, const Field& v, const ScreeningTyp
                  ScreeningType::has_weight
                      ? screening.weight_degree() + (std::max)(2, screening.target_degree() + 1)
                      : 0);
-  const Vertex_system<K> system = vertex_system<K>(
+  Vertex_system<K> system = vertex_system<K>(
       space.surface(), v, [&](const Surface_point& p) { return screening.weight(p); },
       [&](const Surface_point& p) { return screening.target(p); }, (std::min)(degree, 12));
-  const Vertex_details_report report = add_vertex_details(
-      system, options.solver.relative_tolerance, options.solver.maximum_iterations, values);
+  // As for the splines, the means are subtracted and added again.
   const std::vector<int> components = components_of_vertices(space, solution.components);
   Eigen::VectorXd measures = system.integrals;
   for(std::size_t i = 0; i < components.size(); ++i)
-    if(components[i] >= 0 && solution.is_screened[components[i]])
-      measures[static_cast<Eigen::Index>(i)] =
-          system.weighted_integrals[static_cast<Eigen::Index>(i)];
+    if(components[i] >= 0) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const auto mean = solution.means.row(components[i]);
+      if(solution.is_screened[components[i]])
+        measures[row] = system.weighted_integrals[row];
+      system.loads.row(row) -= system.weighted_integrals[row] * mean;
+      values.row(row) -= mean;
+    }
+  const Vertex_details_report report =
+      add_vertex_details(system, options.relative_tolerance, options.maximum_iterations, values);
   shift_to_means<K>(components, measures, solution.means, values);
   solution.fit.converged = solution.fit.converged && report.converged;
   solution.fit.details_iterations = report.iterations;
@@ -451,7 +469,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_details),
                                   false))
-    add_details(space, field, screening, options, solution, values);
+    add_details(space, field, screening, options.solver, solution, values);
   put_rows(source, values, u);
   solution.fit.space_seconds = space_seconds;
   return static_cast<const Gradient_report&>(solution.fit);

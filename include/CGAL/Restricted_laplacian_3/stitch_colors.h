@@ -197,8 +197,8 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 ///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal C} (u - g)^2, \f]
 ///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`,
 ///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. Elsewhere
-///    \f$v = 0\f$: they are filled by a harmonic function. So the colours of a scan are changed by a
-///    smooth function, and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
+///    \f$v = 0\f$: they are filled by a harmonic function. So the colours of a scan are changed
+///    by a smooth function, and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
 public:
@@ -487,17 +487,16 @@ private:
     const Face_function<double> weight(std::move(weights));
     const internal::Screening<3, std::decay_t<decltype(target_function)>, Face_function<double>>
         screening(target_function, weight, parameters::default_values());
-    internal::Gradient_options options;
-    options.solver = m_options.solver;
+    internal::Gradient_options options = {
+        m_options.solver,
+        m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space))};
     options.solver.is_parallel = is_parallel();
-    options.normal_stabilization =
-        m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space));
     internal::Gradient_solution<3> solution =
         internal::integrate_gradients<3>(*m_space, Cubature(*m_space), field, screening, options);
     Eigen::MatrixXd values =
         Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
     if(m_options.vertex_details)
-      internal::add_details(*m_space, field, screening, options, solution, values);
+      internal::add_details(*m_space, field, screening, options.solver, solution, values);
     static_cast<Gradient_report&>(result) = solution.fit;
     return values;
   }

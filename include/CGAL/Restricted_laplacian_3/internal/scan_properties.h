@@ -145,19 +145,19 @@ inline Eigen::Matrix3d fitted_gradient(const std::vector<Eigen::Vector3d>& ways,
   return gradient;
 }
 
-/// Properties of a point set in coordinates relative to its extent. Neighbours whose normals are
-/// more than 90 degrees away are left out.
+/// Neighbours whose normals are more than 90 degrees away are left out.
+/// \param normals of the points, of unit length, all to one side
 inline Scan_point_properties scan_point_properties(const Triangulated_surface_3& surface,
+                                                   const std::vector<Vector_3>& normals,
                                                    const std::vector<Rgb_color>& colors,
                                                    bool is_parallel) {
   constexpr double smallest_gap_at_boundary = 2.8; // as for areas of points
   constexpr double pi = 3.14159265358979323846;
   const std::size_t n = surface.number_of_vertices();
   Point_sites sites;
-  for(std::size_t i = 0; i < n; ++i) {
+  sites.normals = normals;
+  for(std::size_t i = 0; i < n; ++i)
     sites.points.push_back(CGAL::ORIGIN + (surface.point(i) - surface.center()) / surface.extent());
-    sites.normals.push_back(surface.normal(i));
-  }
   const Nearest_points nearest(sites.points);
   Scan_point_properties result;
   result.is_on_boundary.assign(n, 0);
