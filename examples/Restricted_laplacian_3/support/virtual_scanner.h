@@ -10,6 +10,7 @@
 #include "poses.h"
 
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/vertex_normals.h>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -154,7 +155,7 @@ public:
 
   // `surface` and `colors`, from 0 to 1 at its vertices, must outlive this object.
   Virtual_scanner(const RL::Triangulated_surface_3& surface, const std::vector<Color>& colors)
-    : m_surface(surface), m_colors(colors) {
+    : m_surface(surface), m_colors(colors), m_vertex_normals(RL::vertex_normals(surface)) {
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       if(!surface.is_degenerate(f)) {
         m_triangles.emplace_back(surface.point(f, 0), surface.point(f, 1), surface.point(f, 2));
@@ -184,7 +185,7 @@ public:
         image.points.push_back(CGAL::ORIGIN + depth * ray);
         image.normals.push_back(hit.normal);
         image.areas.push_back(pixel_area(camera, ray, hit));
-        image.colors.push_back(expose(color(hit), lighting, hit.normal, clamped));
+        image.colors.push_back(expose(color(hit), lighting, smooth_normal(camera, hit), clamped));
       }
     return as_points ? points_of(std::move(image), clamped) : mesh_of(image, clamped);
   }
@@ -192,9 +193,9 @@ public:
 private:
   struct Hit {
     std::size_t face;
-    double depth;        // along z
-    RL::Vector_3 normal; // in the camera's frame, towards the eye
-    RL::Point_3 point;   // in the world
+    double depth;                      // along z
+    RL::Vector_3 normal;               // of the face, in the camera's frame, towards the eye
+    std::array<double, 3> barycentric; // in the face
   };
 
   struct Image {
@@ -231,8 +232,16 @@ private:
     if(slope == 0)
       return false; // the ray lies in the face
     hit.depth = n * (m_surface.point(hit.face, 0) - eye) / slope;
-    hit.point = eye + hit.depth * direction;
     hit.normal = camera.to_world.inverse()(slope < 0 ? n : -n);
+    const RL::Point_3 point = eye + hit.depth * direction;
+    double sum = 0;
+    for(int i = 0; i < 3; ++i) {
+      const RL::Vector_3 a = m_surface.point(hit.face, (i + 1) % 3) - point,
+                         b = m_surface.point(hit.face, (i + 2) % 3) - point;
+      sum += hit.barycentric[i] = std::max(0., CGAL::cross_product(a, b) * n);
+    }
+    for(double& x : hit.barycentric)
+      x /= sum;
     return hit.depth > 0;
   }
 
@@ -245,18 +254,22 @@ private:
   // interpolated linearly in the face
   Color color(const Hit& hit) const {
     Color sum = {0, 0, 0};
-    double total = 0;
-    for(int i = 0; i < 3; ++i) {
-      const RL::Vector_3 a = m_surface.point(hit.face, (i + 1) % 3) - hit.point,
-                         b = m_surface.point(hit.face, (i + 2) % 3) - hit.point;
-      const double weight = std::max(0., CGAL::cross_product(a, b) * m_surface.normal(hit.face));
-      total += weight;
+    for(int i = 0; i < 3; ++i)
       for(std::size_t k = 0; k < 3; ++k)
-        sum[k] += weight * m_colors[m_surface.triangle(hit.face)[i]][k];
-    }
-    for(double& component : sum)
-      component /= total;
+        sum[k] += hit.barycentric[i] * m_colors[m_surface.triangle(hit.face)[i]][k];
     return sum;
+  }
+
+  // The normal for shading: that of the vertices, interpolated in the face, of length 1, in the
+  // camera's frame and to the side of the normal of the face.
+  RL::Vector_3 smooth_normal(const Camera& camera, const Hit& hit) const {
+    RL::Vector_3 sum(0, 0, 0);
+    for(int i = 0; i < 3; ++i)
+      sum += hit.barycentric[i] * m_vertex_normals[m_surface.triangle(hit.face)[i]];
+    if(!(sum.squared_length() > 0))
+      return hit.normal;
+    const RL::Vector_3 normal = camera.to_world.inverse()(sum / std::sqrt(sum.squared_length()));
+    return normal * hit.normal < 0 ? -normal : normal;
   }
 
   static Color expose(Color color, const Lighting& lighting, const RL::Vector_3& normal,
@@ -347,6 +360,7 @@ private:
 
   const RL::Triangulated_surface_3& m_surface;
   const std::vector<Color>& m_colors;
+  std::vector<RL::Vector_3> m_vertex_normals;
   Triangles m_triangles;
   std::vector<std::size_t> m_faces; // of the surface, for each triangle
   Tree m_tree;
