@@ -15,6 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/internal/Scan_choice.h>
 #include <CGAL/Restricted_laplacian_3/internal/color_values.h>
 #include <CGAL/Restricted_laplacian_3/internal/exposure_gains.h>
+#include <CGAL/Restricted_laplacian_3/internal/harmonic_fill.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/internal/scan_properties.h>
 #include <CGAL/Restricted_laplacian_3/parameters.h>
@@ -120,7 +121,7 @@ struct Vertex_colors {
 /// the area of the surface, 0 .. 1.
 struct Stitching_report : Gradient_report {
   std::vector<Scan_usage> scans;
-  /// triangles without a scan: filled smoothly
+  /// triangles without a scan: filled by harmonic functions
   double uncovered_area = 0;
   /// vertices of which no triangle has a scan
   std::size_t uncovered_vertices = 0;
@@ -196,9 +197,10 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 /// -# The function \f$u\f$ is found that minimizes, for each channel,
 ///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal C} (u - g)^2, \f]
 ///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`,
-///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. Elsewhere
-///    \f$v = 0\f$: they are filled by a harmonic function. So the colours of a scan are changed
-///    by a smooth function, and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
+///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. In the others
+///    \f$v\f$ is the gradient of the harmonic function, linear in each triangle, that continues
+///    the colours of the chosen scans. So the colours of a scan are changed by a smooth function,
+///    and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
 public:
@@ -317,14 +319,16 @@ public:
   Stitched_colors stitch() {
     if(m_scans_of_faces.empty())
       choose();
-    const Corner_vector_field<Eigen::Vector3d> target(
-        corner_values<Eigen::Vector3d>([&](const Back_projection& projection, std::size_t i) {
+    std::vector<Eigen::Vector3d> colors =
+        corner_values<Eigen::Vector3d>([](const Back_projection& projection, std::size_t i) {
           return internal::eigen_vector(projection.colors[i]);
-        }));
+        });
+    fill(colors);
+    const Corner_colors target(std::move(colors));
     Stitched_colors result;
     Eigen::MatrixXd values;
     if(m_options.gradient_source == Gradient_source::scans)
-      values = integrate(scan_gradients(), target, result);
+      values = integrate(scan_gradients(target), target, result);
     else
       values = integrate(back_projected_gradients(target), target, result);
     finish(values, result);
@@ -449,26 +453,53 @@ private:
     return result;
   }
 
-  /// Tangential parts are taken where the field is integrated.
-  Corner_vector_field<Eigen::Matrix3d> scan_gradients() const {
-    return Corner_vector_field<Eigen::Matrix3d>(corner_values<Eigen::Matrix3d>(
-        [](const Back_projection& projection, std::size_t i) { return projection.gradients[i]; }));
+  /// Colours for the triangles without a scan: harmonic functions that take the colours of the
+  /// chosen scans on the borders.
+  void fill(std::vector<Eigen::Vector3d>& colors) const {
+    const std::size_t n = surface().number_of_vertices();
+    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(n), 3);
+    std::vector<char> is_known(n, 0);
+    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
+      for(std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = surface().triangle(f)[i];
+        if(m_scans_of_faces[f] != no_scan && m_scans_of_faces[f] == m_scans_of_vertices[v]) {
+          values.row(v) = colors[3 * f + i].transpose();
+          is_known[v] = 1;
+        }
+      }
+    internal::fill_harmonically(surface(), is_known, values);
+    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
+      for(std::size_t i = 0; i < 3 && m_scans_of_faces[f] == no_scan; ++i)
+        colors[3 * f + i] = values.row(surface().triangle(f)[i]).transpose();
+  }
+
+  /// of the linear functions that take the colours of the corners
+  Eigen::Matrix3d gradient(const Corner_colors& colors, std::size_t face) const {
+    if(surface().is_degenerate(face))
+      return Eigen::Matrix3d::Zero();
+    const Eigen::Matrix3d of_hats = internal::hat_gradients(surface(), face);
+    const Eigen::Vector3d* const c = colors.values().data() + 3 * face;
+    return of_hats.col(1) * (c[1] - c[0]).transpose() + of_hats.col(2) * (c[2] - c[0]).transpose();
   }
 
   Face_function<Eigen::Matrix3d> back_projected_gradients(const Corner_colors& colors) const {
-    std::vector<Eigen::Matrix3d> gradients(surface().number_of_faces(), Eigen::Matrix3d::Zero());
-    internal::parallel_for(
-        is_parallel(), 0, gradients.size(), 1 << 12, [&](std::size_t begin, std::size_t end) {
-          for(std::size_t f = begin; f < end; ++f) {
-            if(m_scans_of_faces[f] == no_scan || surface().is_degenerate(f))
-              continue;
-            const Eigen::Matrix3d of_hats = internal::hat_gradients(surface(), f);
-            const Eigen::Vector3d* const c = colors.values().data() + 3 * f;
-            for(int i = 1; i < 3; ++i)
-              gradients[f] += of_hats.col(i) * (c[i] - c[0]).transpose();
-          }
-        });
+    std::vector<Eigen::Matrix3d> gradients(surface().number_of_faces());
+    internal::parallel_for(is_parallel(), 0, gradients.size(), 1 << 12,
+                           [&](std::size_t begin, std::size_t end) {
+                             for(std::size_t f = begin; f < end; ++f)
+                               gradients[f] = gradient(colors, f);
+                           });
     return Face_function<Eigen::Matrix3d>(std::move(gradients));
+  }
+
+  /// Tangential parts are taken where the field is integrated.
+  Corner_vector_field<Eigen::Matrix3d> scan_gradients(const Corner_colors& colors) const {
+    std::vector<Eigen::Matrix3d> gradients = corner_values<Eigen::Matrix3d>(
+        [](const Back_projection& projection, std::size_t i) { return projection.gradients[i]; });
+    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
+      if(m_scans_of_faces[f] == no_scan)
+        std::fill_n(gradients.begin() + static_cast<std::ptrdiff_t>(3 * f), 3, gradient(colors, f));
+    return Corner_vector_field<Eigen::Matrix3d>(std::move(gradients));
   }
 
   /// the solution at the vertices
