@@ -8,6 +8,8 @@
 // distances look equally large: Bjorn Ottosson, "A perceptual color space for image processing",
 // 2020, https://bottosson.github.io/posts/oklab/ (public domain).
 
+#include <CGAL/Restricted_laplacian_3/srgb.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,9 +36,9 @@ inline Color oklab_to_linear(const Oklab& lab) {
   return {std::clamp(color[0], 0., 1.), std::clamp(color[1], 0., 1.), std::clamp(color[2], 0., 1.)};
 }
 
-// The sRGB byte of one component (IEC 61966-2-1).
-inline std::uint8_t linear_to_srgb(double x) {
-  const double y = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+// The sRGB byte of one component.
+inline std::uint8_t srgb_byte(double x) {
+  const double y = CGAL::Restricted_laplacian_3::linear_to_srgb(x);
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(y, 0., 1.)));
 }
 

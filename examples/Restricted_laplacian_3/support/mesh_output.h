@@ -54,7 +54,7 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
       for(int axis = 0; axis < 3; ++axis)
         write_bytes(out, surface.point(v)[axis]);
       for(const double component : colors[v])
-        write_bytes(out, linear_to_srgb(component));
+        write_bytes(out, srgb_byte(component));
       for(const double value : values.row(static_cast<Eigen::Index>(v)))
         write_bytes(out, value);
       for(int axis = 0; axis < 3 && surface.is_point_set(); ++axis)

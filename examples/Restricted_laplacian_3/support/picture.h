@@ -134,7 +134,7 @@ public:
           for(int j = 0; j < factor; ++j)
             for(int i = 0; i < factor; ++i)
               sum += m_color[static_cast<std::size_t>(y + j) * m_width + x + i][k];
-          bytes.push_back(linear_to_srgb(sum / (factor * factor)));
+          bytes.push_back(srgb_byte(sum / (factor * factor)));
         }
     png_alloc_size_t length = PNG_IMAGE_PNG_SIZE_MAX(image);
     std::vector<char> png(length);
