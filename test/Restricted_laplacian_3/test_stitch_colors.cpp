@@ -196,6 +196,21 @@ TEST_CASE("what_scans_give_is_reported", "[stitch]") {
     CHECK(usage.covered_vertices == stitcher.back_projection(s).vertices.size());
     CHECK(usage.smallest_distance < 1e-12);
   }
+  // the nearest one of the scans that cover a vertex
+  const RL::Vertex_colors nearest = stitcher.nearest_colors();
+  std::vector<double> smallest(t.points.size(), 1), of_nearest(t.points.size(), 1);
+  for(std::uint32_t s = 0; s < 6; ++s) {
+    const RL::Back_projection& p = stitcher.back_projection(s);
+    for(std::size_t i = 0; i < p.vertices.size(); ++i) {
+      smallest[p.vertices[i]] = (std::min)(smallest[p.vertices[i]], p.distances[i]);
+      if(nearest.scans[p.vertices[i]] == s) {
+        of_nearest[p.vertices[i]] = p.distances[i];
+        CHECK(nearest.colors[p.vertices[i]] == p.colors[i]);
+      }
+    }
+  }
+  CHECK(of_nearest == smallest);
+  CHECK(*std::max_element(smallest.begin(), smallest.end()) < 0.1);
   // a scan may be added later
   stitcher.add(sphere_scans(5, 1).front());
   CHECK(stitcher.scans_of_faces().empty());
@@ -395,7 +410,26 @@ TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", 
   const RL::Stitched_colors encoded = stitcher_of(space, scans, options).stitch();
   CHECK(encoded.scans[1].gains[0] / encoded.scans[0].gains[0] < 1.5);
 
-  // nearly white in a scan of little exposure: above 1 after
+  // A ramp beside a constant, with a step between them: its end is above 1 after.
+  std::vector<RL::Colored_scan> ramp;
+  for(std::size_t i = 0; i < 2; ++i) {
+    std::vector<Rgb_color> colors;
+    for(const Point_3& p : t.points) {
+      const double x = i == 0 ? 0.9 : std::clamp(0.1 + 1.3 * (p.y() - 0.4), 0., 1.);
+      colors.push_back({x, 0.5, 0.5});
+    }
+    colors.resize(scans[i].colors().size(), Rgb_color{0.5, 0.5, 0.5});
+    ramp.emplace_back(scans[i].surface(), colors, RL::Scan_pose(CGAL::IDENTITY),
+                      scans[i].viewpoint());
+  }
+  options.match_exposures = false;
+  const RL::Stitched_colors clamped = stitcher_of(space, ramp, options).stitch();
+  CHECK(clamped.clamped_values > 0);
+  CHECK(clamped.clamped_values ==
+        static_cast<std::size_t>(std::count_if(clamped.colors.begin(), clamped.colors.end(),
+                                               [](const Rgb_color& c) { return c[0] == 1; })));
+
+  // two exposures of one gray
   std::vector<RL::Colored_scan> bright;
   for(double x : {0.9, 0.45})
     bright.emplace_back(scans[x < 0.5 ? 1 : 0].surface(),
