@@ -25,15 +25,15 @@
 //
 // usage: gradient_integration [OPTION]... [MESH]...
 
+#include "../../examples/Restricted_laplacian_3/support/ply_property.h"
 #include "support/measure.h"
 #include "support/package.h"
 
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 
-#include <CGAL/IO/Color.h>
-#include <CGAL/IO/PLY.h>
+#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
 
 #include <Eigen/Core>
 #ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
@@ -63,9 +63,7 @@ using namespace benchmarks;
 
 namespace {
 
-using Mesh = CGAL::Surface_mesh<RL::Point_3>;
 using Rgb = std::array<double, 3>;
-using Color_map = Mesh::Property_map<Mesh::Vertex_index, Rgb>;
 
 struct Options {
   std::vector<std::string> meshes = {"head_male_color_18k", "spot_color_5k8", "gcanyon_color_318k"};
@@ -77,40 +75,39 @@ struct Options {
 
 struct Colored_mesh {
   std::string name;
-  Mesh mesh;
-  Color_map colors, solution;
-  RL::Triangulated_surface_3 surface;
+  std::vector<RL::Point_3> points;
+  std::vector<std::vector<std::size_t>> triangles;
+  std::vector<Rgb> colors, solution;
   std::vector<double> areas; // of vertices: a third of their faces
+  double area = 0;
 
+  // The file is read as a soup, because head_male_color_18k is no manifold.
   explicit Colored_mesh(const std::string& mesh_name)
-    : name(std::filesystem::path(mesh_name).stem()), mesh(read(mesh_name)),
-      colors(mesh.add_property_map<Mesh::Vertex_index, Rgb>("v:rgb").first),
-      solution(mesh.add_property_map<Mesh::Vertex_index, Rgb>("v:solution").first),
-      surface(RL::read_surface(mesh)), areas(surface.number_of_vertices(), 0.) {
-    const auto [color, has_colors] =
-        mesh.property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color");
-    if(!has_colors)
-      throw std::runtime_error(mesh_name + " has no colours at its vertices");
-    for(const auto v : vertices(mesh))
-      for(std::size_t k = 0; k < 3; ++k)
-        colors[v][k] = color[v][static_cast<int>(k)] / 255.;
+    : name(std::filesystem::path(mesh_name).stem()) {
+    const std::string file =
+        std::ifstream(mesh_name)
+            ? mesh_name
+            : std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + mesh_name + ".ply";
+    if(!CGAL::IO::read_polygon_soup(file, points, triangles))
+      throw std::runtime_error("cannot read " + file);
+    colors.resize(points.size());
+    solution.resize(points.size());
+    const std::array<std::string, 3> channels = {"red", "green", "blue"};
+    for(std::size_t k = 0; k < 3; ++k) {
+      const std::vector<double> values = examples::read_ply_property(file, channels[k]);
+      for(std::size_t v = 0; v < points.size(); ++v)
+        colors[v][k] = values[v] / 255;
+    }
+    const RL::Triangulated_surface_3 surface = RL::read_surface(points, triangles);
+    area = surface.area();
+    areas.assign(points.size(), 0.);
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       for(const std::uint32_t v : surface.triangle(f))
         areas[v] += surface.area(f) / 3;
   }
 
-private:
-  static Mesh read(const std::string& name) {
-    for(const std::string& file :
-        {name, std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + name + ".ply"}) {
-      std::ifstream in(file, std::ios::binary);
-      Mesh result;
-      std::string comments;
-      if(in && CGAL::IO::read_PLY(in, result, comments))
-        return result;
-    }
-    throw std::runtime_error("cannot read a PLY file " + name);
-  }
+  auto color_map() const { return CGAL::make_property_map(colors); }
+  auto gradients() const { return RL::vertex_gradients(points, triangles, color_map()); }
 };
 
 struct Row {
@@ -123,13 +120,13 @@ struct Row {
 
 void print(const Colored_mesh& m, const Row& row) {
   double square = 0, largest = 0;
-  for(const auto v : vertices(m.mesh)) {
+  for(std::size_t v = 0; v < m.points.size(); ++v) {
     double difference = 0;
     for(std::size_t k = 0; k < 3; ++k)
       difference += (m.solution[v][k] - m.colors[v][k]) * (m.solution[v][k] - m.colors[v][k]);
     if(m.areas[v] == 0)
       continue;
-    square += m.areas[v] / m.surface.area() * difference;
+    square += m.areas[v] / m.area * difference;
     largest = std::max(largest, std::sqrt(difference));
   }
   const RL::Gradient_report& r = row.report;
@@ -148,8 +145,8 @@ void integrate(Colored_mesh& m, Row row, const std::string& method, const Parame
   CGAL::Real_timer timer;
   timer.start();
   row.method = method;
-  row.report =
-      RL::integrate_gradient_field(m.mesh, RL::vertex_gradients(m.mesh, m.colors), m.solution, np);
+  row.report = RL::integrate_gradient_field(m.points, m.triangles, m.gradients(),
+                                            CGAL::make_property_map(m.solution), np);
   row.total_seconds = timer.time();
   print(m, row);
 }
@@ -159,10 +156,10 @@ void run(const Options& o, Colored_mesh& m, const std::string& space, int depth)
   // The number of iterations is a parameter of CGAL, which comes last.
   const auto all = [&](const auto& np) {
     return params::octree_depth(
-        depth,
-        params::paper_space(
-            is_paper, params::target_values(m.colors, params::concurrency_tag(
-                                                          CGAL::Parallel_if_available_tag(), np))));
+        depth, params::paper_space(
+                   is_paper, params::target_values(
+                                 m.color_map(),
+                                 params::concurrency_tag(CGAL::Parallel_if_available_tag(), np))));
   };
   const auto cycles = [&](int number) {
     return params::cycle(RL::Cycle::W, params::stand_alone_multigrid(
@@ -171,7 +168,8 @@ void run(const Options& o, Colored_mesh& m, const std::string& space, int depth)
   Row row;
   row.depth = depth;
   row.space = space;
-  row.unknowns = RL::Spline_space_3(m.mesh, all(params::default_values())).dimension();
+  row.unknowns =
+      RL::Spline_space_3(m.points, m.triangles, all(params::default_values())).dimension();
   integrate(m, row, "guess", cycles(0));
   integrate(m, row, "w_cycle", cycles(1));
   if(is_paper)
@@ -192,9 +190,9 @@ void run_cholmod(Colored_mesh& m) {
   timer.start();
   Row row;
   row.method = "cholmod";
-  const auto field = RL::vertex_gradients(m.mesh, m.colors);
+  const auto field = m.gradients();
   auto system = RL::internal::vertex_system<3>(
-      m.surface, field, [](const RL::Surface_point&) { return 0.; },
+      RL::read_surface(m.points, m.triangles), field, [](const RL::Surface_point&) { return 0.; },
       [](const RL::Surface_point&) { return Eigen::Vector3d(0, 0, 0); }, 0);
   row.unknowns = static_cast<std::size_t>(system.matrix.cols());
   row.report.assembly_seconds = timer.time();
@@ -205,15 +203,15 @@ void run_cholmod(Colored_mesh& m) {
   cholesky.cholmod().method[0].ordering = CHOLMOD_AMD;
   cholesky.compute(system.matrix);
   row.report.setup_seconds = timer.time() - row.report.assembly_seconds;
-  Eigen::MatrixXd u = cholesky.solve(Eigen::MatrixXd(system.loads));
+  const Eigen::MatrixXd u = cholesky.solve(Eigen::MatrixXd(system.loads));
   row.report.converged = cholesky.info() == Eigen::Success;
+  const auto row_of = [](Rgb& rgb) { return Eigen::Map<Eigen::RowVector3d>(rgb.data()); };
+  const auto n = static_cast<Eigen::Index>(m.points.size());
   Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
-  for(const auto v : vertices(m.mesh))
-    mean += system.integrals[v.idx()] / m.surface.area() *
-            (Eigen::Map<const Eigen::RowVector3d>(m.colors[v].data()) - u.row(v.idx()));
-  u.rowwise() += mean;
-  for(const auto v : vertices(m.mesh))
-    Eigen::Map<Eigen::RowVector3d>(m.solution[v].data()) = u.row(v.idx());
+  for(Eigen::Index v = 0; v < n; ++v)
+    mean += system.integrals[v] / m.area * (row_of(m.colors[v]) - u.row(v));
+  for(Eigen::Index v = 0; v < n; ++v)
+    row_of(m.solution[v]) = u.row(v) + mean;
   row.total_seconds = timer.time();
   row.report.solve_seconds =
       row.total_seconds - row.report.assembly_seconds - row.report.setup_seconds;

@@ -44,7 +44,7 @@ namespace Restricted_laplacian_3 {
 struct Gradient_report : Solve_report {
   /// \f$(\int \lvert \nabla u_k - v_k \rvert^2 / \mathrm{area})^{1/2}\f$ for each channel, in units
   /// of \f$v\f$: the part of the field that is not a gradient, or that the space does not resolve.
-  /// Of the spline, without `vertex_details`; measured by a rule of degree 5.
+  /// Of the spline, without `vertex_details`; measured by a rule of three nodes.
   std::vector<double> root_mean_square_residuals;
   /// number of connected components on which the weight vanishes everywhere, if one is given
   int components_without_weight = 0;
@@ -264,7 +264,7 @@ template <class Field, class SurfaceIntegration>
 std::vector<double>
 root_mean_square_residuals(const Spline_space_3& space, const SurfaceIntegration& integration,
                            const Field& v, const Eigen::MatrixXd& coefficients) {
-  constexpr int number = Channels_of<Field>::number, degree_of_rule = 5;
+  constexpr int number = Channels_of<Field>::number, degree_of_rule = 2;
   const int depth = space.depth();
   const double h = space.octree().cell_width(depth);
   const std::size_t number_of_sheets = space.number_of_sheets(depth);

@@ -121,7 +121,7 @@ struct Vertex_colors {
 /// the area of the surface, 0 .. 1.
 struct Stitching_report : Gradient_report {
   std::vector<Scan_usage> scans;
-  /// triangles without a scan: filled smoothly
+  /// triangles without a scan: filled by harmonic functions
   double uncovered_area = 0;
   /// vertices of which no triangle has a scan
   std::size_t uncovered_vertices = 0;
@@ -194,15 +194,14 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 /// -# Exposures are matched: each channel of each scan is multiplied by a factor, such that the
 ///    median of the ratios of the colours is 1 where two scans overlap, in the least-squares sense
 ///    over all pairs. The logarithms of the factors sum to 0; scans without overlap keep 1.
-/// -# Triangles without a scan are filled: vertices that no scan covers take the values of a
-///    harmonic function, those of a component of the surface that no scan meets the mean of the
-///    others. So a step of the colours across a gap becomes a slope.
 /// -# The function \f$u\f$ is found that minimizes, for each channel,
-///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal M} (u - g)^2, \f]
-///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`, or of
-///    what was filled, and \f$g\f$ is that colour, which has steps where the scan changes. So the
-///    colours of a scan are changed by a smooth function, and steps between scans are spread over
-///    about \f$1 / \sqrt\alpha\f$.
+///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal C} (u - g)^2, \f]
+///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`,
+///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. In the others
+///    \f$v\f$ is the gradient of the harmonic function, linear in each triangle, that continues
+///    the colours of the chosen scans. So the colours of a scan are changed by a smooth function,
+///    and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
+/// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
 public:
   using Options = Color_stitching_options;
@@ -320,12 +319,12 @@ public:
   Stitched_colors stitch() {
     if(m_scans_of_faces.empty())
       choose();
-    std::vector<Eigen::Vector3d> corners =
+    std::vector<Eigen::Vector3d> colors =
         corner_values<Eigen::Vector3d>([](const Back_projection& projection, std::size_t i) {
           return internal::eigen_vector(projection.colors[i]);
         });
-    fill_gaps(corners);
-    const Corner_colors target(std::move(corners));
+    fill(colors);
+    const Corner_colors target(std::move(colors));
     Stitched_colors result;
     Eigen::MatrixXd values;
     if(m_options.gradient_source == Gradient_source::scans)
@@ -454,43 +453,33 @@ private:
     return result;
   }
 
-  /// Colours of the corners of faces without a scan: at vertices that a scan covers, that of the
-  /// chosen one, or of the best if none is chosen there; at others a harmonic function.
-  void fill_gaps(std::vector<Eigen::Vector3d>& corners) const {
+  /// Colours for the triangles without a scan: harmonic functions that take the colours of the
+  /// chosen scans on the borders.
+  void fill(std::vector<Eigen::Vector3d>& colors) const {
     const std::size_t n = surface().number_of_vertices();
-    std::vector<char> has_color(n, 0);
-    Eigen::Matrix<double, Eigen::Dynamic, 3> colors(static_cast<Eigen::Index>(n), 3);
-    colors.setZero();
-    std::vector<double> best(n, 0);
-    for(std::size_t s = 0; s < m_projections.size(); ++s) {
-      const Back_projection& projection = m_projections[s];
-      const Eigen::Vector3d gains = internal::eigen_vector(m_usages[s].gains);
-      for(std::size_t i = 0; i < projection.vertices.size(); ++i) {
-        const std::uint32_t v = projection.vertices[i];
-        const bool is_chosen = m_scans_of_vertices[v] == s;
-        if(!is_chosen && (m_scans_of_vertices[v] != no_scan || projection.qualities[i] <= best[v]))
-          continue;
-        best[v] = projection.qualities[i];
-        has_color[v] = 1;
-        colors.row(v) = internal::eigen_vector(projection.colors[i]).cwiseProduct(gains);
-      }
-    }
-    internal::fill_harmonically<3>(surface(), has_color, colors);
+    Eigen::MatrixXd values = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(n), 3);
+    std::vector<char> is_known(n, 0);
     for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
-      for(int i = 0; i < 3 && m_scans_of_faces[f] == no_scan; ++i)
-        corners[3 * f + i] = colors.row(surface().triangle(f)[i]).transpose();
+      for(std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = surface().triangle(f)[i];
+        if(m_scans_of_faces[f] != no_scan && m_scans_of_faces[f] == m_scans_of_vertices[v]) {
+          values.row(v) = colors[3 * f + i].transpose();
+          is_known[v] = 1;
+        }
+      }
+    internal::fill_harmonically(surface(), is_known, values);
+    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
+      for(std::size_t i = 0; i < 3 && m_scans_of_faces[f] == no_scan; ++i)
+        colors[3 * f + i] = values.row(surface().triangle(f)[i]).transpose();
   }
 
-  /// Those of the scans at the corners of the faces that have one. Tangential parts are taken where
-  /// the field is integrated.
-  Corner_vector_field<Eigen::Matrix3d> scan_gradients(const Corner_colors& colors) const {
-    std::vector<Eigen::Matrix3d> gradients = corner_values<Eigen::Matrix3d>(
-        [](const Back_projection& projection, std::size_t i) { return projection.gradients[i]; });
-    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
-      if(m_scans_of_faces[f] == no_scan)
-        std::fill_n(gradients.begin() + 3 * static_cast<std::ptrdiff_t>(f), 3,
-                    gradient_in_face(colors, f));
-    return Corner_vector_field<Eigen::Matrix3d>(std::move(gradients));
+  /// of the linear functions that take the colours of the corners
+  Eigen::Matrix3d gradient(const Corner_colors& colors, std::size_t face) const {
+    if(surface().is_degenerate(face))
+      return Eigen::Matrix3d::Zero();
+    const Eigen::Matrix3d of_hats = internal::hat_gradients(surface(), face);
+    const Eigen::Vector3d* const c = colors.values().data() + 3 * face;
+    return of_hats.col(1) * (c[1] - c[0]).transpose() + of_hats.col(2) * (c[2] - c[0]).transpose();
   }
 
   Face_function<Eigen::Matrix3d> back_projected_gradients(const Corner_colors& colors) const {
@@ -498,21 +487,19 @@ private:
     internal::parallel_for(is_parallel(), 0, gradients.size(), 1 << 12,
                            [&](std::size_t begin, std::size_t end) {
                              for(std::size_t f = begin; f < end; ++f)
-                               gradients[f] = gradient_in_face(colors, f);
+                               gradients[f] = gradient(colors, f);
                            });
     return Face_function<Eigen::Matrix3d>(std::move(gradients));
   }
 
-  /// of the linear function of the colours of the corners
-  Eigen::Matrix3d gradient_in_face(const Corner_colors& colors, std::size_t f) const {
-    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-    if(surface().is_degenerate(f))
-      return gradient;
-    const Eigen::Matrix3d of_hats = internal::hat_gradients(surface(), f);
-    const Eigen::Vector3d* const c = colors.values().data() + 3 * f;
-    for(int i = 1; i < 3; ++i)
-      gradient += of_hats.col(i) * (c[i] - c[0]).transpose();
-    return gradient;
+  /// Tangential parts are taken where the field is integrated.
+  Corner_vector_field<Eigen::Matrix3d> scan_gradients(const Corner_colors& colors) const {
+    std::vector<Eigen::Matrix3d> gradients = corner_values<Eigen::Matrix3d>(
+        [](const Back_projection& projection, std::size_t i) { return projection.gradients[i]; });
+    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
+      if(m_scans_of_faces[f] == no_scan)
+        std::fill_n(gradients.begin() + static_cast<std::ptrdiff_t>(3 * f), 3, gradient(colors, f));
+    return Corner_vector_field<Eigen::Matrix3d>(std::move(gradients));
   }
 
   /// the solution at the vertices
@@ -521,11 +508,16 @@ private:
                             Stitched_colors& result) const {
     const double alpha =
         m_options.screening_weight.value_or(Options::default_screening / surface().area());
+    std::vector<double> weights(surface().number_of_faces(), 0);
+    for(std::size_t f = 0; f < weights.size(); ++f)
+      if(m_scans_of_faces[f] != no_scan)
+        weights[f] = alpha;
     // by reference: the values are three for each face
     const auto target_function =
         function_of_degree([&](const Surface_point& p) -> Eigen::Vector3d { return target(p); }, 1);
-    const internal::Screening<3, std::decay_t<decltype(target_function)>, double> screening(
-        target_function, alpha, parameters::default_values());
+    const Face_function<double> weight(std::move(weights));
+    const internal::Screening<3, std::decay_t<decltype(target_function)>, Face_function<double>>
+        screening(target_function, weight, parameters::default_values());
     internal::Gradient_options options = {
         m_options.solver,
         m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space))};

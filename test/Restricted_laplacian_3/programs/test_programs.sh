@@ -1095,6 +1095,12 @@ test_short_programs() {
           is_within 0.95 1.05"
   check "and an error" grep -q "error of 0\.0" out
   fails "usage" minimal_curvature
+  succeeds minimal_gradient_field sphere.off
+  check "minimal_gradient_field finds the functions" \
+    eval "sed -n 's/^splines: largest error \([^ ]*\) .*/\1/p' out | is_within 0 0.02"
+  check "and better with details" \
+    eval "sed -n 's/^with details: largest error \([^ ]*\) .*/\1/p' out | is_within 0 0.001"
+  fails "usage" minimal_gradient_field
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh" [ "$status" -eq 1 ]
   succeeds generic_meshes sphere.off

@@ -52,15 +52,15 @@ public:
 
   /// \param t local coordinate in the cell
   Values values(const std::array<double, 3>& t) const {
-    return m_coefficients * vector(element_values(t));
+    return m_coefficients.lazyProduct(vector(element_values(t)));
   }
 
   /// \f$\nabla u_k\f$ times the cell width, a row for each component
   Gradients gradients(const std::array<double, 3>& t) const {
-    Gradients result;
+    Eigen::Matrix<double, 27, 3> derivatives;
     for(int axis = 0; axis < 3; ++axis)
-      result.col(axis) = m_coefficients * vector(element_derivatives(t, axis));
-    return result;
+      derivatives.col(axis) = vector(element_derivatives(t, axis));
+    return m_coefficients.lazyProduct(derivatives);
   }
 
 private:

@@ -4,116 +4,82 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_HARMONIC_FILL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_HARMONIC_FILL_H
 
-#include <CGAL/Restricted_laplacian_3/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/conjugate_gradient.h>
+#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
-#include <CGAL/Restricted_laplacian_3/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/vector_fields.h>
 
-#include <Eigen/Core>
-#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// A side of a face, with the cotangent of the angle that is opposite.
-struct Weighted_side {
-  std::uint32_t v, w;
-  double weight;
-};
-
-/// The sides of all faces that have an area. Cotangents are raised to a small positive number, so
-/// that the values of a harmonic function lie between those that are given, on any triangulation;
-/// those of needles are limited.
-inline std::vector<Weighted_side> weighted_sides(const Triangulated_surface_3& surface) {
-  constexpr double smallest = 1e-2, largest = 1e2;
-  std::vector<Weighted_side> sides;
+/// The rows of vertices whose values are to be found: -1 for those that are known, and for those
+/// that are connected to no known vertex.
+inline std::vector<int> rows_to_be_filled(const Triangulated_surface_3& surface,
+                                          const std::vector<char>& is_known) {
+  const std::size_t n = surface.number_of_vertices();
+  Disjoint_sets sets(n + 1); // all known vertices are in the set of number n
+  for(std::size_t v = 0; v < n; ++v)
+    if(is_known[v])
+      sets.unite(static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(n));
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int i = 0; i < 3 && !surface.is_degenerate(f); ++i) {
-      const Vector_3 a = surface.point(f, (i + 1) % 3) - surface.point(f, i),
-                     b = surface.point(f, (i + 2) % 3) - surface.point(f, i);
-      const double cotangent = (a * b) / (2 * surface.area(f));
-      sides.push_back({surface.triangle(f)[(i + 1) % 3], surface.triangle(f)[(i + 2) % 3],
-                       std::clamp(cotangent, smallest, largest)});
-    }
-  return sides;
+    if(!surface.is_degenerate(f))
+      for(int i = 1; i < 3; ++i)
+        sets.unite(surface.triangle(f)[0], surface.triangle(f)[i]);
+  std::vector<int> rows(n, -1);
+  int next = 0;
+  for(std::size_t v = 0; v < n; ++v)
+    if(!is_known[v] &&
+       sets.find(static_cast<std::uint32_t>(v)) == sets.find(static_cast<std::uint32_t>(n)))
+      rows[v] = next++;
+  return rows;
 }
 
-/// Gives values to the vertices that have none: those of the function that is harmonic there, by
-/// the weights of `weighted_sides()`, and takes the given values elsewhere. Vertices that are not
-/// connected with one that has a value get the mean of the given values.
-///
-/// Up to 1e-4 of the size of the values: what is filled is a guess in any case.
-/// \param has_value for each vertex, set for those that get one from others
-/// \param values of the vertices, a row for each
-template <int K>
-void fill_harmonically(const Triangulated_surface_3& surface, std::vector<char>& has_value,
-                       Eigen::Matrix<double, Eigen::Dynamic, K>& values) {
-  constexpr double tolerance = 1e-4;
-  constexpr int maximum_iterations = 1000;
-  const std::vector<Weighted_side> sides = weighted_sides(surface);
-  const std::size_t n = surface.number_of_vertices();
-  Disjoint_sets sets(n);
-  for(const Weighted_side& side : sides)
-    sets.unite(side.v, side.w);
-  std::vector<char> is_reached(n, 0); // of the roots of the sets
-  Eigen::Matrix<double, 1, K> sum = Eigen::Matrix<double, 1, K>::Zero();
-  double number = 0;
-  for(std::uint32_t v = 0; v < n; ++v)
-    if(has_value[v]) {
-      is_reached[sets.find(v)] = 1;
-      sum += values.row(v);
-      ++number;
-    }
-  std::vector<int> rows(n, -1);
-  int size = 0;
-  for(std::uint32_t v = 0; v < n; ++v)
-    if(!has_value[v]) {
-      values.row(v) = number > 0 ? (sum / number).eval() : Eigen::Matrix<double, 1, K>::Zero();
-      if(is_reached[sets.find(v)])
-        rows[v] = size++;
-    }
-  if(size == 0)
+/// Fills in values at vertices by functions that are linear in each triangle and harmonic: they
+/// minimize \f$\int \lvert \nabla u \rvert^2\f$ with the known values. Values on connected
+/// components without a known vertex are left as they are.
+/// \param values a row for each vertex
+/// \throws Numerical_error the factorization fails
+inline void fill_harmonically(const Triangulated_surface_3& surface,
+                              const std::vector<char>& is_known, Eigen::MatrixXd& values) {
+  const std::vector<int> rows = rows_to_be_filled(surface, is_known);
+  int number = 0;
+  for(int row : rows)
+    number += row >= 0;
+  if(number == 0)
     return;
-
   std::vector<Eigen::Triplet<double>> entries;
-  Block_vector<K> r = Block_vector<K>::Zero(size, K), x = r;
-  for(const Weighted_side& side : sides)
-    for(const auto& [v, w] : {std::make_pair(side.v, side.w), std::make_pair(side.w, side.v)}) {
-      if(rows[v] < 0)
-        continue;
-      entries.emplace_back(rows[v], rows[v], side.weight);
-      if(rows[w] >= 0)
-        entries.emplace_back(rows[v], rows[w], -side.weight);
-      else
-        r.row(rows[v]) += side.weight * values.row(w);
-    }
-  Eigen::SparseMatrix<double> a(size, size);
-  a.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(a);
-  const auto multiply = [&](const Block_vector<K>& p, Block_vector<K>& q) { q.noalias() = a * p; };
-  const auto precondition = [&](const Block_vector<K>& p, Block_vector<K>& q) {
-    q = factor.solve(p);
-  };
-  const Block_row<K> target = tolerance * dot<K>(r, r).sqrt();
-  int iterations = 0;
-  conjugate_gradient<K>(
-      multiply, precondition, [](Block_vector<K>&) {}, r, x, target, iterations,
-      maximum_iterations);
-  for(std::size_t v = 0; v < n; ++v)
-    if(rows[v] >= 0) {
-      values.row(static_cast<Eigen::Index>(v)) = x.row(rows[v]);
-      has_value[v] = 1;
-    }
+  Eigen::MatrixXd right_sides = Eigen::MatrixXd::Zero(number, values.cols());
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    const Triangulated_surface_3::Triangle& t = surface.triangle(f);
+    if(surface.is_degenerate(f) || (rows[t[0]] < 0 && rows[t[1]] < 0 && rows[t[2]] < 0))
+      continue;
+    const Eigen::Matrix3d of_hats = hat_gradients(surface, f),
+                          block = surface.area(f) * (of_hats.transpose() * of_hats);
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3 && rows[t[i]] >= 0; ++j)
+        if(rows[t[j]] >= 0)
+          entries.emplace_back(rows[t[i]], rows[t[j]], block(i, j));
+        else
+          right_sides.row(rows[t[i]]) -= block(i, j) * values.row(t[j]);
+  }
+  Sparse_matrix matrix(number, number);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Sparse_matrix> factor(matrix);
+  const Eigen::MatrixXd solution = factor.solve(right_sides);
+  if(factor.info() != Eigen::Success || !solution.allFinite())
+    throw Numerical_error("the factorization for parts of the surface without a scan failed");
+  for(std::size_t v = 0; v < rows.size(); ++v)
+    if(rows[v] >= 0)
+      values.row(static_cast<Eigen::Index>(v)) = solution.row(rows[v]);
 }
 
 } // namespace internal
