@@ -121,11 +121,13 @@ public:
       return 0;
   }
   /// refers to this object
-  Screening_weight weight() const {
-    if constexpr(has_weight && !has_constant_weight)
+  Screening_weight assembled_weight() const {
+    if constexpr(has_constant_weight)
+      return {static_cast<double>(m_weight), nullptr, 0};
+    else if constexpr(has_weight)
       return {0, [this](const Surface_point& p) { return weight(p); }, weight_degree()};
     else
-      return {weight(Surface_point()), nullptr, 0};
+      return {};
   }
   int weight_degree() const {
     if constexpr(has_weight && !has_constant_weight)
@@ -331,7 +333,7 @@ Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
   if constexpr(ScreeningType::has_target)
     target_loads =
         assemble_component_loads(space, screening.weighted_target(), space.depth(), integration);
-  Screened_system a = assemble_screened_system(space, integration, screening.weight(),
+  Screened_system a = assemble_screened_system(space, integration, screening.assembled_weight(),
                                                options.normal_stabilization);
   Sparse_matrix finest;
   finest.swap(a.system.matrices.back());
