@@ -423,7 +423,9 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
   check(params::vertex_details(true, np));
   for(double alpha : {1e-12, 1., 1e6})
     check(params::vertex_details(true, params::screening_weight(alpha, np)));
-  const std::vector<double> of_faces(t.faces.size(), 1e-9);
+  std::vector<double> of_faces;
+  for(std::size_t i = 0; i < t.faces.size(); ++i)
+    of_faces.push_back(i % 3 == 0 ? 0 : 1e-9 * static_cast<double>(i));
   check(params::vertex_details(true,
                                params::screening_weight(RL::Face_function<double>(of_faces), np)));
 }
@@ -451,6 +453,12 @@ TEST_CASE("details_solve_the_cotangent_system", "[gradient]") {
     expected += surface.area(f) * (v.x() - (v * n) * n.x());
   }
   CHECK(x.dot(system.loads - 0.7 * o.mass * x) == Approx(expected).epsilon(1e-12));
+  // also from values that a spline does not have
+  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(x.size(), 1);
+  u(3, 0) = not_a_number;
+  const auto report = RL::internal::add_vertex_details(system, 1e-10, 200, u);
+  CHECK(report.converged);
+  CHECK((system.matrix * u - system.loads).norm() < 1e-9 * system.loads.norm());
 }
 
 TEST_CASE("gradients_on_point_sets_are_integrated", "[gradient]") {
