@@ -25,8 +25,9 @@
 //
 // usage: gradient_integration [OPTION]... [MESH]...
 
-#include "../../examples/Restricted_laplacian_3/support/ply_property.h"
+#include "../../examples/Restricted_laplacian_3/support/colored_mesh.h"
 #include "support/measure.h"
+#include "support/meshes.h"
 #include "support/package.h"
 
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
@@ -50,7 +51,6 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -63,7 +63,7 @@ using namespace benchmarks;
 
 namespace {
 
-using Rgb = std::array<double, 3>;
+using Rgb = RL::Rgb_color;
 
 struct Options {
   std::vector<std::string> meshes = {"head_male_color_18k", "spot_color_5k8", "gcanyon_color_318k"};
@@ -71,6 +71,7 @@ struct Options {
   std::vector<std::string> spaces = {"split", "paper"};
   std::vector<double> details = {1e-3, 1e-5};
   int threads = 1;
+  std::string folder; // for colored meshes
 };
 
 struct Colored_mesh {
@@ -84,20 +85,11 @@ struct Colored_mesh {
   // The file is read as a soup, because head_male_color_18k is no manifold.
   explicit Colored_mesh(const std::string& mesh_name)
     : name(std::filesystem::path(mesh_name).stem()) {
-    const std::string file =
-        std::ifstream(mesh_name)
-            ? mesh_name
-            : std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + mesh_name + ".ply";
+    const std::string file = find_path(mesh_name);
     if(!CGAL::IO::read_polygon_soup(file, points, triangles))
       throw std::runtime_error("cannot read " + file);
-    colors.resize(points.size());
+    colors = examples::read_colors(file);
     solution.resize(points.size());
-    const std::array<std::string, 3> channels = {"red", "green", "blue"};
-    for(std::size_t k = 0; k < 3; ++k) {
-      const std::vector<double> values = examples::read_ply_property(file, channels[k]);
-      for(std::size_t v = 0; v < points.size(); ++v)
-        colors[v][k] = values[v] / 255;
-    }
     const RL::Triangulated_surface_3 surface = RL::read_surface(points, triangles);
     area = surface.area();
     areas.assign(points.size(), 0.);
@@ -140,8 +132,20 @@ void print(const Colored_mesh& m, const Row& row) {
   std::fflush(stdout);
 }
 
+// as MESH_dDEPTH_METHOD.ply, and the map itself as MESH.ply
+void write(const Options& o, const Colored_mesh& m, const Row& row) {
+  if(o.folder.empty())
+    return;
+  const RL::Triangulated_surface_3 surface = RL::read_surface(m.points, m.triangles);
+  const std::string file = o.folder + "/" + m.name;
+  examples::write_mesh(file + ".ply", surface, examples::to_bytes(m.colors), {}, {});
+  examples::write_mesh(file + "_d" + std::to_string(row.depth) + "_" + row.method + ".ply", surface,
+                       examples::to_bytes(m.solution), {}, {});
+}
+
 template <class Parameters>
-void integrate(Colored_mesh& m, Row row, const std::string& method, const Parameters& np) {
+void integrate(const Options& o, Colored_mesh& m, Row row, const std::string& method,
+               const Parameters& np) {
   CGAL::Real_timer timer;
   timer.start();
   row.method = method;
@@ -149,6 +153,7 @@ void integrate(Colored_mesh& m, Row row, const std::string& method, const Parame
                                             CGAL::make_property_map(m.solution), np);
   row.total_seconds = timer.time();
   print(m, row);
+  write(o, m, row);
 }
 
 void run(const Options& o, Colored_mesh& m, const std::string& space, int depth) {
@@ -170,15 +175,15 @@ void run(const Options& o, Colored_mesh& m, const std::string& space, int depth)
   row.space = space;
   row.unknowns =
       RL::Spline_space_3(m.points, m.triangles, all(params::default_values())).dimension();
-  integrate(m, row, "guess", cycles(0));
-  integrate(m, row, "w_cycle", cycles(1));
+  integrate(o, m, row, "guess", cycles(0));
+  integrate(o, m, row, "w_cycle", cycles(1));
   if(is_paper)
     return;
-  integrate(m, row, "converged", all(params::default_values()));
+  integrate(o, m, row, "converged", all(params::default_values()));
   for(double tolerance : o.details) {
     char name[32];
     std::snprintf(name, sizeof name, "details_%.0e", tolerance);
-    integrate(m, row, name,
+    integrate(o, m, row, name,
               params::vertex_details(
                   true, params::relative_tolerance(tolerance, all(params::default_values()))));
   }
@@ -230,6 +235,7 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("space", list(o.spaces), "split paper");
   add("details", list(o.details), "tolerances with vertex_details; 1e-3 1e-5");
   add("threads", po::value(&o.threads)->default_value(o.threads));
+  add("write", po::value(&o.folder), "folder for colored meshes, which has to exist");
   add("quick", po::bool_switch(&is_quick), "depths 5 and 6");
   po::positional_options_description positional;
   positional.add("mesh", -1);
