@@ -425,9 +425,10 @@ TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", 
   options.match_exposures = false;
   const RL::Stitched_colors clamped = stitcher_of(space, ramp, options).stitch();
   CHECK(clamped.clamped_values > 0);
-  CHECK(clamped.clamped_values ==
-        static_cast<std::size_t>(std::count_if(clamped.colors.begin(), clamped.colors.end(),
-                                               [](const Rgb_color& c) { return c[0] == 1; })));
+  const auto number_of_ones = static_cast<std::size_t>(std::count_if(
+      clamped.colors.begin(), clamped.colors.end(), [](const Rgb_color& c) { return c[0] == 1; }));
+  CHECK(clamped.clamped_values <= number_of_ones); // not those that are hardly above 1
+  CHECK(number_of_ones < t.points.size() / 10);
 
   // two exposures of one gray
   std::vector<RL::Colored_scan> bright;
