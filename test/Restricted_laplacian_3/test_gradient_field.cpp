@@ -45,13 +45,16 @@ Jacobian gradients_of_quadrics(const RL::Point_3& p) {
   result.col(2) << 2 * p.x(), -p.z(), -p.y();
   return result;
 }
-const auto quadric_field = [](const RL::Surface_point& p) {
+// One type for all fields, targets and weights each, so that few functions are compiled.
+using Field = std::function<Jacobian(const RL::Surface_point&)>;
+using Single_field = std::function<RL::Vector_3(const RL::Surface_point&)>;
+using Target = std::function<Eigen::Vector3d(const RL::Surface_point&)>;
+using Weight = std::function<double(const RL::Surface_point&)>;
+
+const Field quadric_field = [](const RL::Surface_point& p) {
   return gradients_of_quadrics(p.point);
 };
-const auto quadric_target = [](const RL::Surface_point& p) { return quadrics(p.point); };
-
-// One type for all weights, so that few functions are compiled.
-using Weight = std::function<double(const RL::Surface_point&)>;
+const Target quadric_target = [](const RL::Surface_point& p) { return quadrics(p.point); };
 
 /// largest difference of the values of splines at the vertices and functions of the points
 template <class Function>
@@ -143,10 +146,12 @@ TEST_CASE("the_part_of_a_field_that_is_no_gradient_is_ignored", "[gradient]") {
 
 TEST_CASE("channels_are_integrated_as_one_by_one", "[gradient]") {
   const RL::Spline_space_3 space = gradient_space(shapes::sphere(2), 3);
-  const auto rough = [](const RL::Surface_point& p) {
+  const Single_field rough = [](const RL::Surface_point& p) {
     return CGAL::cross_product(p.normal, RL::Vector_3(1, 2, 3)) + RL::Vector_3(p.point.x(), 0, 1);
   };
-  const auto other = [](const RL::Surface_point& p) { return RL::Vector_3(0, p.point.z(), 2); };
+  const Single_field other = [](const RL::Surface_point& p) {
+    return RL::Vector_3(0, p.point.z(), 2);
+  };
   const auto np = params::relative_tolerance(1e-10);
   const RL::Gradient_fit both = RL::integrate_gradient_field(
       space,
@@ -288,7 +293,7 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
   const RL::Spline_space_3 space = gradient_space(two, 4);
   const std::size_t half = two.faces.size() / 2;
   const double area = space.surface().area() / 2;
-  const auto far_target = [&](const RL::Surface_point& p) {
+  const Target far_target = [&](const RL::Surface_point& p) {
     return Eigen::Vector3d(1e3 * quadrics(p.point) + Eigen::Vector3d(1e4, p.face < half, 0));
   };
   const Weight part_of_first = [half](const RL::Surface_point& p) {
@@ -324,7 +329,7 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
     const Weight nowhere_else = [&](const RL::Surface_point& p) {
       return alpha / area * part_of_first(p);
     };
-    const auto known = [&](const RL::Surface_point& p) {
+    const Target known = [&](const RL::Surface_point& p) {
       return p.face < half && p.face % 3 == 0 ? Eigen::Vector3d(quadrics(p.point))
                                               : Eigen::Vector3d::Constant(not_a_number);
     };
@@ -353,7 +358,7 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
 
 TEST_CASE("large_weights_give_the_targets", "[gradient]") {
   const RL::Spline_space_3 space = gradient_space(shapes::sphere(3), 3);
-  const auto nothing = [](const RL::Surface_point&) { return Jacobian(Jacobian::Zero()); };
+  const Field nothing = [](const RL::Surface_point&) { return Jacobian(Jacobian::Zero()); };
   const auto np = params::target_values(quadric_target);
   for(double alpha : {1e4, 1e8}) {
     const RL::Gradient_fit number = RL::integrate_gradient_field(
@@ -418,7 +423,9 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
   check(params::vertex_details(true, np));
   for(double alpha : {1e-12, 1., 1e6})
     check(params::vertex_details(true, params::screening_weight(alpha, np)));
-  const std::vector<double> of_faces(t.faces.size(), 1e-9);
+  std::vector<double> of_faces;
+  for(std::size_t i = 0; i < t.faces.size(); ++i)
+    of_faces.push_back(i % 3 == 0 ? 0 : 1e-9 * static_cast<double>(i));
   check(params::vertex_details(true,
                                params::screening_weight(RL::Face_function<double>(of_faces), np)));
 }
@@ -446,6 +453,12 @@ TEST_CASE("details_solve_the_cotangent_system", "[gradient]") {
     expected += surface.area(f) * (v.x() - (v * n) * n.x());
   }
   CHECK(x.dot(system.loads - 0.7 * o.mass * x) == Approx(expected).epsilon(1e-12));
+  // also from values that a spline does not have
+  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(x.size(), 1);
+  u(3, 0) = not_a_number;
+  const auto report = RL::internal::add_vertex_details(system, 1e-10, 200, u);
+  CHECK(report.converged);
+  CHECK((system.matrix * u - system.loads).norm() < 1e-9 * system.loads.norm());
 }
 
 TEST_CASE("gradients_on_point_sets_are_integrated", "[gradient]") {
@@ -455,7 +468,7 @@ TEST_CASE("gradients_on_point_sets_are_integrated", "[gradient]") {
       params::octree_depth(3)
           .point_map(CGAL::First_of_pair_property_map<std::pair<RL::Point_3, RL::Vector_3>>())
           .normal_map(CGAL::Second_of_pair_property_map<std::pair<RL::Point_3, RL::Vector_3>>());
-  const auto field = [](const RL::Surface_point&) { return RL::Vector_3(1, -2, 0); };
+  const Single_field field = [](const RL::Surface_point&) { return RL::Vector_3(1, -2, 0); };
   const RL::Gradient_report report =
       RL::integrate_gradient_field(range, field, CGAL::make_property_map(u), np);
   CHECK(report.converged);
@@ -514,7 +527,7 @@ TEST_CASE("gradients_are_integrated_at_any_scale", "[gradient]") {
 TEST_CASE("bad_input_of_gradient_fields_is_refused", "[gradient]") {
   const shapes::Triangles t = shapes::sphere(1);
   const RL::Spline_space_3 space = gradient_space(t, 2);
-  const auto bad_field = [](const RL::Surface_point& p) {
+  const Single_field bad_field = [](const RL::Surface_point& p) {
     return RL::Vector_3(p.face == 5 ? not_a_number : 1, 0, 0);
   };
   CHECK_THROWS_WITH(RL::integrate_gradient_field(space, bad_field), Catch::Contains("face 5"));
@@ -531,14 +544,14 @@ TEST_CASE("bad_input_of_gradient_fields_is_refused", "[gradient]") {
       refused(params::screening_weight(RL::function_of_degree(w, degree)), "face 3");
     }
   refused(params::mean_value(Eigen::Vector3d(0, not_a_number, 0)), "mean_value");
-  refused(params::target_values([](const RL::Surface_point& p) {
-            return Eigen::Vector3d(0, 0, p.face == 7 ? not_a_number : 0.);
-          }),
-          "face 7");
+  const Target bad_target = [](const RL::Surface_point& p) {
+    return Eigen::Vector3d(0, 0, p.face == 7 ? not_a_number : 0.);
+  };
+  refused(params::target_values(bad_target), "face 7");
   refused(params::normal_stabilization(-1.), "normal_stabilization");
   refused(params::relative_tolerance(0.), "relative_tolerance");
   std::vector<double> u(3, -1.);
-  const auto one = [](const RL::Surface_point&) { return RL::Vector_3(1, 0, 0); };
+  const Single_field one = [](const RL::Surface_point&) { return RL::Vector_3(1, 0, 0); };
   const auto solve = [&](const std::vector<RL::Point_3>& points,
                          const std::vector<std::array<int, 3>>& faces) {
     return RL::integrate_gradient_field(points, faces, one, CGAL::make_property_map(u),

@@ -121,11 +121,13 @@ public:
       return 0;
   }
   /// refers to this object
-  Screening_weight weight() const {
-    if constexpr(has_weight && !has_constant_weight)
+  Screening_weight assembled_weight() const {
+    if constexpr(has_constant_weight)
+      return {static_cast<double>(m_weight), nullptr, 0};
+    else if constexpr(has_weight)
       return {0, [this](const Surface_point& p) { return weight(p); }, weight_degree()};
     else
-      return {weight(Surface_point()), nullptr, 0};
+      return {};
   }
   int weight_degree() const {
     if constexpr(has_weight && !has_constant_weight)
@@ -331,7 +333,7 @@ Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
   if constexpr(ScreeningType::has_target)
     target_loads =
         assemble_component_loads(space, screening.weighted_target(), space.depth(), integration);
-  Screened_system a = assemble_screened_system(space, integration, screening.weight(),
+  Screened_system a = assemble_screened_system(space, integration, screening.assembled_weight(),
                                                options.normal_stabilization);
   Sparse_matrix finest;
   finest.swap(a.system.matrices.back());
@@ -341,8 +343,6 @@ Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
                      a.constant_loads, options.solver);
   const Constants& constants = solver.constants();
 
-  // The means are known beforehand. They are subtracted and added again, because beside the loads
-  // of the gradients those of a small weight are lost to rounding.
   Gradient_solution<K> result;
   result.means = component_means<K>(constants, screening, target_loads);
   result.components = constants.components();
@@ -353,23 +353,18 @@ Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
       loads += target_loads;
     else
       loads += a.constant_loads * screening.mean().transpose();
-    for(std::size_t i = 0; i < result.components.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const int c = result.components[i];
-      if(constants.is_split_off(c))
-        loads.row(row) -= a.constant_loads[row] * result.means.row(c);
-    }
   }
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Eigen::MatrixXd x;
   static_cast<Solve_report&>(result.fit) = solver.solve(loads, x);
-  Component_means<K> shifts = result.means;
+  // The solver takes means from the sum of all loads, where those of a small weight are lost to
+  // rounding beside those of the gradients. They are known without it.
   std::vector<int> shifted = result.components;
   for(int& c : shifted)
     // In the space of the paper, constants may not be in the space: then the system has the mean.
     if(!constants.is_split_off(c) && constants.is_screened(c))
       c = -1;
-  shift_to_means<K>(shifted, constants.measures(), shifts, x);
+  shift_to_means<K>(shifted, constants.measures(), result.means, x);
   const double before_residuals = timer.time();
   result.fit.root_mean_square_residuals = root_mean_square_residuals(space, integration, v, x);
   result.fit.coefficients.swap(x);
