@@ -271,6 +271,27 @@ TEST_CASE("back_projection_does_not_depend_on_the_scale", "[stitch]") {
     CHECK(project(scale).vertices == expected);
 }
 
+TEST_CASE("back_projection_does_not_depend_on_the_number_of_threads", "[stitch]") {
+  const shapes::Triangles t = shapes::sphere(6), coarse = shapes::sphere(4);
+  const RL::Triangulated_surface_3 surface = scan_surface(t);
+  const RL::Colored_scan scan(scan_surface(coarse),
+                              std::vector<Rgb_color>(coarse.points.size(), Rgb_color{1, 0, 0.5}),
+                              scan_identity, Point_3(5, 0, 0));
+  const RL::Back_projection serial = RL::Color_back_projector(surface, {}, false)(scan),
+                            parallel = RL::Color_back_projector(surface, {}, true)(scan);
+  CHECK(serial.vertices == parallel.vertices);
+  CHECK(serial.qualities == parallel.qualities);
+  CHECK(serial.distances == parallel.distances);
+  // those of one point after the other
+  std::size_t facing = 0;
+  for(const Point_3& p : t.points) {
+    const Vector_3 to_viewpoint = Point_3(5, 0, 0) - p;
+    facing += (p - CGAL::ORIGIN) * to_viewpoint >= 0.1 * std::sqrt(to_viewpoint.squared_length());
+  }
+  CHECK(std::abs(static_cast<double>(serial.vertices.size()) - static_cast<double>(facing)) < 20);
+  CHECK(std::is_sorted(serial.vertices.begin(), serial.vertices.end()));
+}
+
 TEST_CASE("colors_of_maps_are_read", "[stitch]") {
   shapes::Mesh mesh = shapes::mesh(scan_plane(3));
   using Vertex = shapes::Mesh::Vertex_index;
