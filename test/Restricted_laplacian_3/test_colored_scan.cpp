@@ -67,13 +67,13 @@ template <class Points> std::vector<Rgb_color> linear_colors(const Points& point
 }
 
 const RL::Scan_pose scan_identity = RL::Scan_pose(CGAL::IDENTITY);
-const Point_3 above(0.5, 0.5, 10);
+const Point_3 scan_above(0.5, 0.5, 10);
 
 } // namespace
 
 TEST_CASE("samples_of_a_mesh_are_exact_for_linear_colors", "[stitch]") {
   const shapes::Triangles t = scan_plane(10);
-  const RL::Colored_scan scan(scan_surface(t), linear_colors(t.points), scan_identity, above);
+  const RL::Colored_scan scan(scan_surface(t), linear_colors(t.points), scan_identity, scan_above);
   CHECK(scan.spacing() == Approx(0.1));
   RL::Colored_scan::Sampler sampler(scan);
   RL::Scan_sample s;
@@ -142,7 +142,7 @@ TEST_CASE("points_of_a_scan_hold_linear_functions", "[stitch]") {
     }
   using Point = std::pair<Point_3, Vector_3>;
   const RL::Colored_scan scan(points, CGAL::make_property_map(colors),
-                              params::viewpoint(above)
+                              params::viewpoint(scan_above)
                                   .point_map(CGAL::First_of_pair_property_map<Point>())
                                   .normal_map(CGAL::Second_of_pair_property_map<Point>()));
   CHECK(scan.spacing() == Approx(0.05).epsilon(0.1));
@@ -175,16 +175,16 @@ TEST_CASE("vertices_are_covered_by_the_rules", "[stitch]") {
     return RL::back_project_colors(surface, scan, o).vertices.size();
   };
   RL::Back_projection_options options;
-  CHECK(number(scan_at(0.03, above), options) == 441);
+  CHECK(number(scan_at(0.03, scan_above), options) == 441);
   // distance
   options.maximum_distance = 0.029;
-  CHECK(number(scan_at(0.03, above), options) == 0);
+  CHECK(number(scan_at(0.03, scan_above), options) == 0);
   options.maximum_distance = 0.031;
-  CHECK(number(scan_at(0.03, above), options) == 441);
+  CHECK(number(scan_at(0.03, scan_above), options) == 441);
   // 4 spacings
   options.maximum_distance.reset();
-  CHECK(number(scan_at(0.19, above), options) == 441);
-  CHECK(number(scan_at(0.21, above), options) == 0);
+  CHECK(number(scan_at(0.19, scan_above), options) == 441);
+  CHECK(number(scan_at(0.21, scan_above), options) == 0);
   // facing: from below, and at a low angle
   CHECK(number(scan_at(0, Point_3(0.5, 0.5, -1)), options) == 0);
   CHECK(RL::back_project_colors(surface, scan_at(0, Point_3(0.5, 0.5, -1)), options)
@@ -239,8 +239,9 @@ TEST_CASE("poses_of_scans_are_undone", "[stitch]") {
   shapes::Triangles in_scan = t;
   for(Point_3& p : in_scan.points)
     p = pose.inverse().transform(p);
-  const RL::Colored_scan plain(surface, linear_colors(t.points), scan_identity, above),
-      posed(scan_surface(in_scan), linear_colors(t.points), pose, pose.inverse().transform(above));
+  const RL::Colored_scan plain(surface, linear_colors(t.points), scan_identity, scan_above),
+      posed(scan_surface(in_scan), linear_colors(t.points), pose,
+            pose.inverse().transform(scan_above));
   const RL::Back_projection a = RL::back_project_colors(surface, plain),
                             b = RL::back_project_colors(surface, posed);
   REQUIRE(a.vertices == b.vertices);
@@ -251,7 +252,7 @@ TEST_CASE("poses_of_scans_are_undone", "[stitch]") {
     for(int k = 0; k < 3; ++k)
       CHECK(a.colors[i][k] == Approx(b.colors[i][k]).epsilon(1e-12));
   }
-  CHECK(std::sqrt(CGAL::squared_distance(posed.viewpoint(), above)) < 1e-12);
+  CHECK(std::sqrt(CGAL::squared_distance(posed.viewpoint(), scan_above)) < 1e-12);
 }
 
 TEST_CASE("back_projection_does_not_depend_on_the_scale", "[stitch]") {
@@ -268,6 +269,27 @@ TEST_CASE("back_projection_does_not_depend_on_the_scale", "[stitch]") {
   CHECK(expected.size() > 30);
   for(const double scale : {1e-60, 1e60, 1e-99, 1e99})
     CHECK(project(scale).vertices == expected);
+}
+
+TEST_CASE("back_projection_does_not_depend_on_the_number_of_threads", "[stitch]") {
+  const shapes::Triangles t = shapes::sphere(6), coarse = shapes::sphere(4);
+  const RL::Triangulated_surface_3 surface = scan_surface(t);
+  const RL::Colored_scan scan(scan_surface(coarse),
+                              std::vector<Rgb_color>(coarse.points.size(), Rgb_color{1, 0, 0.5}),
+                              scan_identity, Point_3(5, 0, 0));
+  const RL::Back_projection serial = RL::Color_back_projector(surface, {}, false)(scan),
+                            parallel = RL::Color_back_projector(surface, {}, true)(scan);
+  CHECK(serial.vertices == parallel.vertices);
+  CHECK(serial.qualities == parallel.qualities);
+  CHECK(serial.distances == parallel.distances);
+  // those of one point after the other
+  std::size_t facing = 0;
+  for(const Point_3& p : t.points) {
+    const Vector_3 to_viewpoint = Point_3(5, 0, 0) - p;
+    facing += (p - CGAL::ORIGIN) * to_viewpoint >= 0.1 * std::sqrt(to_viewpoint.squared_length());
+  }
+  CHECK(std::abs(static_cast<double>(serial.vertices.size()) - static_cast<double>(facing)) < 20);
+  CHECK(std::is_sorted(serial.vertices.begin(), serial.vertices.end()));
 }
 
 TEST_CASE("colors_of_maps_are_read", "[stitch]") {
@@ -302,7 +324,7 @@ TEST_CASE("bad_scans_are_refused", "[stitch]") {
   const RL::Triangulated_surface_3 surface = scan_surface(t);
   const std::vector<Rgb_color> colors = linear_colors(t.points);
   const auto scan = [&](const std::vector<Rgb_color>& c, const RL::Scan_pose& pose,
-                        const Point_3& viewpoint = above) {
+                        const Point_3& viewpoint = scan_above) {
     RL::Colored_scan(surface, c, pose, viewpoint);
   };
   CHECK_NOTHROW(scan(colors, scan_identity));
@@ -354,7 +376,8 @@ TEST_CASE("scans_of_few_points_and_bad_triangles_do_no_harm", "[stitch]") {
   const RL::Triangulated_surface_3 surface = scan_surface(scan_plane(4));
   const RL::Triangulated_surface_3 two({Point_3(0.5, 0.5, 0), Point_3(0.6, 0.5, 0)},
                                        {Vector_3(0, 0, 1), Vector_3(0, 0, 1)}, {1, 1});
-  const RL::Colored_scan of_points(two, {{0.1, 0.2, 0.3}, {0.2, 0.2, 0.3}}, scan_identity, above);
+  const RL::Colored_scan of_points(two, {{0.1, 0.2, 0.3}, {0.2, 0.2, 0.3}}, scan_identity,
+                                   scan_above);
   const RL::Back_projection p = RL::back_project_colors(surface, of_points);
   REQUIRE(p.vertices == std::vector<std::uint32_t>{12}); // the one at the first point
   CHECK(p.colors[0][0] == Approx(0.1));
@@ -367,7 +390,7 @@ TEST_CASE("scans_of_few_points_and_bad_triangles_do_no_harm", "[stitch]") {
   t.faces.push_back({0, 1, 6});  // a face twice
   const RL::Colored_scan bad(scan_surface(t),
                              std::vector<Rgb_color>(t.points.size(), Rgb_color{0.5, 0.5, 0.5}),
-                             scan_identity, above);
+                             scan_identity, scan_above);
   const RL::Back_projection q = RL::back_project_colors(scan_surface(t), bad);
   CHECK(q.vertices.size() == 25);
   for(std::size_t i = 0; i < q.vertices.size(); ++i) {

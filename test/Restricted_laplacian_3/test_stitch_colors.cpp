@@ -125,7 +125,7 @@ TEST_CASE("seams_of_overlapping_scans_vanish", "[stitch]") {
   using Source = RL::Gradient_source;
   for(const Case& c : {Case{true, Source::back_projection, true, 2e-4, 100},
                        Case{true, Source::back_projection, false, 1e-2, 20},
-                       Case{true, Source::scans, true, 2e-2, 20},
+                       Case{true, Source::scans, true, 9e-3, 20},
                        Case{false, Source::back_projection, true, 2e-2, 20}}) {
     RL::Color_stitching_options options;
     options.match_exposures = c.match_exposures;
@@ -405,6 +405,16 @@ TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", 
   for(int k = 0; k < 3; ++k)
     CHECK(r.scans[1].gains[k] * exposures[1] ==
           Approx(r.scans[0].gains[k] * exposures[0]).epsilon(1e-3));
+  // colours come back as they are given
+  RL::Color_stitcher one = stitcher_of(space, {scans[0]}, options);
+  const RL::Stitched_colors back = one.stitch();
+  const RL::Vertex_colors of_scan = one.nearest_colors();
+  for(std::size_t v = 0; v < t.points.size(); ++v)
+    if(one.scans_of_vertices()[v] != RL::no_scan)
+      for(int k = 0; k < 3; ++k) {
+        CHECK(std::abs(back.colors[v][k] - of_scan.colors[v][k]) < 2e-3);
+        CHECK(std::abs(back.colors[v][k] - true_color(t.points[v])[k]) < 0.02);
+      }
   // in encoded values they are not one factor
   options.linear_light = false;
   const RL::Stitched_colors encoded = stitcher_of(space, scans, options).stitch();
@@ -425,9 +435,10 @@ TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", 
   options.match_exposures = false;
   const RL::Stitched_colors clamped = stitcher_of(space, ramp, options).stitch();
   CHECK(clamped.clamped_values > 0);
-  CHECK(clamped.clamped_values ==
-        static_cast<std::size_t>(std::count_if(clamped.colors.begin(), clamped.colors.end(),
-                                               [](const Rgb_color& c) { return c[0] == 1; })));
+  const auto number_of_ones = static_cast<std::size_t>(std::count_if(
+      clamped.colors.begin(), clamped.colors.end(), [](const Rgb_color& c) { return c[0] == 1; }));
+  CHECK(clamped.clamped_values <= number_of_ones); // not those that are hardly above 1
+  CHECK(number_of_ones < t.points.size() / 10);
 
   // two exposures of one gray
   std::vector<RL::Colored_scan> bright;

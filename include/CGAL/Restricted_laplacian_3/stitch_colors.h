@@ -78,6 +78,8 @@ struct Color_stitching_options {
   std::optional<double> screening_weight;
   /// whether details below a cell are added at the vertices
   bool vertex_details = true;
+  /// relative residual of the details, if it is larger than that of the solver
+  double details_tolerance = 1e-3;
   /// factor \f$c\f$ of the stabilisation; without a value `default_normal_stabilization()`
   std::optional<double> normal_stabilization;
   /// of the linear systems
@@ -526,8 +528,12 @@ private:
         internal::integrate_gradients<3>(*m_space, Cubature(*m_space), field, screening, options);
     Eigen::MatrixXd values =
         Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
-    if(m_options.vertex_details)
-      internal::add_details(*m_space, field, screening, options.solver, solution, values);
+    if(m_options.vertex_details) {
+      Poisson_solver_options of_details = options.solver;
+      of_details.relative_tolerance =
+          (std::max)(of_details.relative_tolerance, m_options.details_tolerance);
+      internal::add_details(*m_space, field, screening, of_details, solution, values);
+    }
     static_cast<Gradient_report&>(result) = solution.fit;
     return values;
   }
