@@ -228,8 +228,8 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
                             {0, 0, 0}});
       }
       const RL::Vector_3 normal(0.48, 0.6, 0.64);
-      plain::add_fragment(fragment, {2, 3, 4}, normal, a[lane]);
-      lanes::add_fragment(fragment, {2, 3, 4}, normal, b[lane]);
+      plain::add_fragment(fragment, {2, 3, 4}, normal, a[lane], 0.7);
+      lanes::add_fragment(fragment, {2, 3, 4}, normal, b[lane], 0.7);
     }
     CHECK(difference(a[lane], b[lane]) <= 1e-15);
   }
