@@ -68,8 +68,8 @@ inline void write_results(const Common_options& o, const Summary& summary,
   }
 }
 
-// Runs `read()`, which returns a `Mesh_input`, and `work(surface, summary, progress)`, which returns
-// an `Outcome`. Returns the exit status of the program.
+// Runs `read()`, which returns a `Mesh_input`, and `work(surface, summary, progress)`, which
+// returns an `Outcome`. Returns the exit status of the program.
 template <typename Read, typename Work>
 int run_on_surface(const std::string& program, const Common_options& o, Read read, Work work) {
   const Progress progress(o.quiet);
