@@ -61,8 +61,7 @@ struct Options {
   std::vector<double> lamps = {0, 0.5}, alphas;
   int views = 8, resolution = 1024, threads = 2;
   double range = 0.3, tint = 0;
-  std::vector<std::string> methods = {"paper",  "paper+exp",     "bp",        "bp+exp",
-                                      "bp+det", "scans+exp+det", "bp+exp+det"};
+  std::vector<std::string> methods = {"paper", "paper+exp", "bp", "bp+exp", "bp+exp+det"};
   std::string meshes_folder;
 };
 
@@ -196,7 +195,7 @@ bool read_options(int argc, char* argv[], Options& o) {
       "files, or names in the folder of shared meshes; those without colors get a pattern");
   add("depth", list(o.depths), "8");
   add("lamp", list(o.lamps), "parts of the light; 0 0.5");
-  add("method", list(o.methods), "paper paper+exp bp bp+exp bp+det scans+exp+det bp+exp+det");
+  add("method", list(o.methods), "paper paper+exp bp bp+exp bp+exp+det");
   add("alpha", list(o.alphas), "in units of 1 / area; the default of the package");
   add("views", po::value(&o.views)->default_value(o.views));
   add("resolution", po::value(&o.resolution)->default_value(o.resolution));

@@ -62,6 +62,7 @@ struct Options : Common_options, Solver_options {
   std::string poses, frame, method = "gradients", gradients = "back-projection", truth;
   double alpha = RL::Color_stitching_options::default_screening;
   double maximum_distance = 0; // chosen
+  double normal_angle = 60;    // degrees
   bool keep_exposures = false, linear_light = false, no_details = false;
 };
 
@@ -85,6 +86,10 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("maximum-distance", po::value(&o.maximum_distance)->value_name("D"),
       "of a vertex to a scan that covers it, in the unit of the coordinates; by default it follows "
       "from the distances of points");
+  add("normal-angle", po::value(&o.normal_angle)->value_name("A")->default_value(o.normal_angle),
+      "largest angle in degrees between the normals of MESH and of a scan that covers it, up to "
+      "180; "
+      "more than the default for noisy scans");
   add("keep-exposures", po::bool_switch(&o.keep_exposures),
       "do not multiply the colors of each scan by factors that make overlapping scans agree");
   add("linear-light", po::bool_switch(&o.linear_light),
@@ -108,6 +113,8 @@ bool read_options(int argc, char* argv[], Options& o) {
   require_choice("gradients", o.gradients, {"back-projection", "scans"});
   require_positive(given, "alpha", o.alpha);
   require_positive(given, "maximum-distance", o.maximum_distance);
+  require(o.normal_angle > 0 && o.normal_angle <= 180,
+          "the argument of --normal-angle must be in (0, 180]");
   require(o.assembly == "cubature", "--assembly monte-carlo is not for colors");
   check_solver_options(o, given);
   return true;
@@ -117,6 +124,7 @@ RL::Color_stitching_options stitching_options(const Options& o, double area) {
   RL::Color_stitching_options options;
   if(o.maximum_distance > 0)
     options.back_projection.maximum_distance = o.maximum_distance;
+  options.back_projection.minimum_normal_cosine = std::cos(o.normal_angle * CGAL_PI / 180);
   options.gradient_source =
       o.gradients == "scans" ? RL::Gradient_source::scans : RL::Gradient_source::back_projection;
   options.match_exposures = !o.keep_exposures;

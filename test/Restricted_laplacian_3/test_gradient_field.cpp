@@ -28,7 +28,7 @@ namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = CGAL::parameters;
 using shapes::Mesh;
 using Jacobian = Eigen::Matrix3d;
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double field_nan = std::numeric_limits<double>::quiet_NaN();
 
 RL::Spline_space_3 gradient_space(const shapes::Triangles& t, int depth) {
   return RL::Spline_space_3(t.points, t.faces, params::octree_depth(depth));
@@ -331,7 +331,7 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
     };
     const Target known = [&](const RL::Surface_point& p) {
       return p.face < half && p.face % 3 == 0 ? Eigen::Vector3d(quadrics(p.point))
-                                              : Eigen::Vector3d::Constant(not_a_number);
+                                              : Eigen::Vector3d::Constant(field_nan);
     };
     const auto np = exact(1e-9, params::screening_weight(RL::function_of_degree(nowhere_else, 0),
                                                          params::target_values(known)));
@@ -391,7 +391,7 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
   t.points.push_back(near_side);
   t.faces.push_back({f[0], f[1], tip});
   t.faces.push_back({f[0], f[0], f[1]});
-  t.points.emplace_back(not_a_number, 0, 0);
+  t.points.emplace_back(field_nan, 0, 0);
   std::vector<std::array<double, 2>> values, result(t.points.size(), {0, 0});
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> random(0, 1);
@@ -455,7 +455,7 @@ TEST_CASE("details_solve_the_cotangent_system", "[gradient]") {
   CHECK(x.dot(system.loads - 0.7 * o.mass * x) == Approx(expected).epsilon(1e-12));
   // also from values that a spline does not have
   Eigen::MatrixXd u = Eigen::MatrixXd::Zero(x.size(), 1);
-  u(3, 0) = not_a_number;
+  u(3, 0) = field_nan;
   const auto report = RL::internal::add_vertex_details(system, 1e-10, 200, u);
   CHECK(report.converged);
   CHECK((system.matrix * u - system.loads).norm() < 1e-9 * system.loads.norm());
@@ -528,7 +528,7 @@ TEST_CASE("bad_input_of_gradient_fields_is_refused", "[gradient]") {
   const shapes::Triangles t = shapes::sphere(1);
   const RL::Spline_space_3 space = gradient_space(t, 2);
   const Single_field bad_field = [](const RL::Surface_point& p) {
-    return RL::Vector_3(p.face == 5 ? not_a_number : 1, 0, 0);
+    return RL::Vector_3(p.face == 5 ? field_nan : 1, 0, 0);
   };
   CHECK_THROWS_WITH(RL::integrate_gradient_field(space, bad_field), Catch::Contains("face 5"));
   const auto refused = [&](const auto& np, const char* text) {
@@ -536,16 +536,16 @@ TEST_CASE("bad_input_of_gradient_fields_is_refused", "[gradient]") {
     CHECK_THROWS_WITH(RL::integrate_gradient_field(space, quadric_field, np),
                       Catch::Contains(text));
   };
-  for(double bad : {-1., 0., not_a_number, std::numeric_limits<double>::infinity()})
+  for(double bad : {-1., 0., field_nan, std::numeric_limits<double>::infinity()})
     refused(params::screening_weight(bad), "screening_weight");
   for(int degree : {0, 6})
-    for(double bad : {-1., not_a_number}) {
+    for(double bad : {-1., field_nan}) {
       const Weight w = [bad](const RL::Surface_point& p) { return p.face == 3 ? bad : 1.; };
       refused(params::screening_weight(RL::function_of_degree(w, degree)), "face 3");
     }
-  refused(params::mean_value(Eigen::Vector3d(0, not_a_number, 0)), "mean_value");
+  refused(params::mean_value(Eigen::Vector3d(0, field_nan, 0)), "mean_value");
   const Target bad_target = [](const RL::Surface_point& p) {
-    return Eigen::Vector3d(0, 0, p.face == 7 ? not_a_number : 0.);
+    return Eigen::Vector3d(0, 0, p.face == 7 ? field_nan : 0.);
   };
   refused(params::target_values(bad_target), "face 7");
   refused(params::normal_stabilization(-1.), "normal_stabilization");
@@ -559,7 +559,7 @@ TEST_CASE("bad_input_of_gradient_fields_is_refused", "[gradient]") {
   };
   CHECK_THROWS_AS(solve({}, {}), RL::Empty_surface_error);
   CHECK_THROWS_AS(solve({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}), RL::Zero_area_error);
-  CHECK_THROWS_AS(solve({{0, 0, 0}, {1, 1, not_a_number}, {2, 0, 2}}, {{0, 1, 2}}),
+  CHECK_THROWS_AS(solve({{0, 0, 0}, {1, 1, field_nan}, {2, 0, 2}}, {{0, 1, 2}}),
                   RL::Invalid_vertex_error);
   // one triangle
   CHECK(solve({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}).converged);

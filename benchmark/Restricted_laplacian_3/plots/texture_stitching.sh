@@ -48,7 +48,7 @@ draw --output "$output/stitching.png" --direction=-0.7,0.2,1 --zoom 1.35 --shadi
 scans=$(for i in 1 2 4 5; do echo "$meshes/rgbd5_scan$i.ply"; done)
 for method in nearest gradients; do
   stitch "$meshes/rgbd5_scan3.ply" "$scans" "$meshes/rgbd5.conf" "$folder/room_$method.ply" \
-    --frame rgbd5_scan3.ply --maximum-distance 0.2 --method $method
+    --frame rgbd5_scan3.ply --maximum-distance 0.2 --normal-angle 180 --method $method
 done
 draw --output "$output/stitching_scans.png" --direction 0,0,-1 --up 0,-1,0 --zoom 1.9 --shading 0 \
   --size 640 "$folder/room_nearest.ply" "color of the nearest scan" \

@@ -556,10 +556,9 @@ private:
       result.colors[v] = encoded(color);
     }
     result.scans = m_usages;
-    result.uncovered_area = 1;
-    for(const Scan_usage& usage : m_usages)
-      result.uncovered_area -= usage.chosen_area;
-    result.uncovered_area = (std::max)(result.uncovered_area, 0.);
+    for(std::size_t f = 0; f < m_scans_of_faces.size(); ++f)
+      if(m_scans_of_faces[f] == no_scan)
+        result.uncovered_area += surface().area(f) / surface().area();
     result.uncovered_vertices = static_cast<std::size_t>(
         std::count(m_scans_of_vertices.begin(), m_scans_of_vertices.end(), no_scan));
     result.seam_length = m_seam_length;

@@ -176,7 +176,7 @@ test_help() {
     check "estimate_curvature --help explains --$option" grep -q -e "--$option" out
   done
   run stitch_colors --help
-  for option in poses frame method gradients alpha maximum-distance keep-exposures linear-light \
+  for option in poses frame method gradients alpha maximum-distance normal-angle keep-exposures linear-light \
     no-details truth tolerance stabilization; do
     check "stitch_colors --help explains --$option" grep -q -e "--$option" out
   done
@@ -806,6 +806,7 @@ test_stitching_errors() {
   echo "colorless.off 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1" > bad.conf
   fails_to_stitch "colorless.off' has no colors" colorless.off --poses bad.conf
   fails_to_stitch "alpha" $scan --poses scans/poses.conf --alpha 0
+  fails_to_stitch "normal-angle" $scan --poses scans/poses.conf --normal-angle 0
   fails_to_stitch "method" $scan --poses scans/poses.conf --method best
   fails_to_stitch "another number of vertices" $scan --poses scans/poses.conf --truth $scan
   check "nothing is written on an error" [ ! -e x.csv ]
@@ -1101,6 +1102,12 @@ test_short_programs() {
   check "and better with details" \
     eval "sed -n 's/^with details: largest error \([^ ]*\) .*/\1/p' out | is_within 0 0.001"
   fails "usage" minimal_gradient_field
+  succeeds minimal_stitching sphere.off
+  check "minimal_stitching shows that seams vanish" \
+    eval "awk '{ for(i = 2; i <= NF; ++i) { if(\$i ~ /^before/) b = \$(i - 1)
+                   if(\$i ~ /^after/) a = \$(i - 1) } }
+          END { exit !(a > 0 && a < b / 2) }' out"
+  fails "usage" minimal_stitching
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh" [ "$status" -eq 1 ]
   succeeds generic_meshes sphere.off
