@@ -25,8 +25,8 @@ int main(int argc, char* argv[]) {
   }
   const RL::Triangulated_surface_3 surface = RL::read_surface(mesh);
 
-  // Six scans, from the sides of a cube around the mesh, each with an exposure of its own. Here they
-  // are the mesh itself; scans are meshes of their own otherwise, or points, each with a pose.
+  // Six scans, from the sides of a cube around the mesh, each with an exposure of its own. Here
+  // they are the mesh itself; otherwise scans are meshes of their own, or points, with poses.
   auto seen = mesh.add_property_map<Mesh::Vertex_index, Color>("v:seen").first;
   std::vector<RL::Colored_scan> scans;
   for(int i = 0; i < 6; ++i) {
