@@ -767,6 +767,34 @@ test_stitching() {
   check "what is not covered is reported" is_below 0.4 "$(entry uncovered_area)"
 }
 
+test_scans_of_points() {
+  # a square at z = 5 that faces the origin, and points on it without normals, red = 0.5 + x / 4
+  awk 'BEGIN {
+    n = 8; print "OFF\n" (n + 1) * (n + 1) " " 2 * n * n " 0"
+    for(i = 0; i <= n; ++i) for(j = 0; j <= n; ++j) print 2 * i / n - 1, 2 * j / n - 1, 5
+    for(i = 0; i < n; ++i) for(j = 0; j < n; ++j) {
+      a = i * (n + 1) + j; b = a + 1; d = a + n + 1; c = d + 1
+      print "3 " a " " b " " c; print "3 " a " " c " " d
+    } }' > square.off
+  awk 'BEGIN {
+    n = 40; print "ply\nformat ascii 1.0\nelement vertex " (n + 1) * (n + 1)
+    print "property float x\nproperty float y\nproperty float z\nproperty uchar red"
+    print "property uchar green\nproperty uchar blue\nend_header"
+    for(i = 0; i <= n; ++i) for(j = 0; j <= n; ++j) {
+      x = 2.2 * i / n - 1.1
+      print x, 2.2 * j / n - 1.1, 5, int(255 * (0.5 + x / 4) + 0.5), 100, 50
+    } }' > cloud.ply
+  echo "cloud.ply 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1" > cloud.conf
+  succeeds stitch_colors square.off cloud.ply --poses cloud.conf --depth 4 --csv cloud.csv
+  check "points without normals cover the square" is_near "$(entry uncovered_area)" 0 0
+  check "and give their colors" eval "paste -d, <(tail -n +3 square.off | head -n 81 | tr ' ' ,) \
+    <(grep -v '^#' cloud.csv | tail -n +2) | awk -F, '{ d = \$5 - 0.5 - \$1 / 4
+      e = \$6 - 100 / 255; if(d * d > 1e-4 || e * e > 1e-4) ++bad } END { exit bad > 0 }'"
+  sed 's/^property uchar green$/property uchar gray/' cloud.ply > gray.ply
+  echo "gray.ply 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1" > gray.conf
+  fails "gray.ply' has no colors" stitch_colors square.off gray.ply --poses gray.conf
+}
+
 test_stitching_errors() {
   local scan=scans/scan_00.ply
   bake scans
