@@ -63,6 +63,7 @@ struct Options : Common_options, Solver_options {
   double alpha = RL::Color_stitching_options::default_screening;
   double maximum_distance = 0; // chosen
   double normal_angle = 60;    // degrees
+  bool unoriented = false, leave_out = false;
   bool keep_exposures = false, linear_light = false, no_details = false;
 };
 
@@ -90,6 +91,10 @@ bool read_options(int argc, char* argv[], Options& o) {
       "largest angle in degrees between the normals of MESH and of a scan that covers it, up to "
       "180; "
       "more than the default for noisy scans");
+  add("unoriented", po::bool_switch(&o.unoriented),
+      "the normals of MESH need not point to the side from which it is seen");
+  add("leave-out", po::bool_switch(&o.leave_out),
+      "leave out scans that cover no vertex; by default that is an error");
   add("keep-exposures", po::bool_switch(&o.keep_exposures),
       "do not multiply the colors of each scan by factors that make overlapping scans agree");
   add("linear-light", po::bool_switch(&o.linear_light),
@@ -125,6 +130,7 @@ RL::Color_stitching_options stitching_options(const Options& o, double area) {
   if(o.maximum_distance > 0)
     options.back_projection.maximum_distance = o.maximum_distance;
   options.back_projection.minimum_normal_cosine = std::cos(o.normal_angle * CGAL_PI / 180);
+  options.back_projection.oriented_surface = !o.unoriented;
   options.gradient_source =
       o.gradients == "scans" ? RL::Gradient_source::scans : RL::Gradient_source::back_projection;
   options.match_exposures = !o.keep_exposures;
@@ -138,23 +144,28 @@ RL::Color_stitching_options stitching_options(const Options& o, double area) {
   return options;
 }
 
+// why a scan covers no vertex
+std::string reason(const RL::Scan_usage& usage) {
+  std::ostringstream text;
+  if(!std::isfinite(usage.smallest_distance))
+    text << "no vertex is near";
+  else if(usage.smallest_distance > usage.maximum_distance)
+    text << "it comes as near as " << usage.smallest_distance << " to a vertex, and only "
+         << usage.maximum_distance << " is near enough; is its pose right?";
+  else
+    text << "where it is near, the mesh shows its back or differs in its normals; see --unoriented "
+            "and --normal-angle, or --leave-out";
+  return text.str();
+}
+
 void add_scans(RL::Color_stitcher& stitcher, const Options& o,
                const std::vector<RL::Scan_pose>& poses, const Progress& progress) {
   for(std::size_t i = 0; i < o.scans.size(); ++i) {
     progress.show("scan " + std::to_string(i + 1) + " of " + std::to_string(o.scans.size()) + ": " +
                   o.scans[i]);
-    const RL::Scan_usage& usage =
-        stitcher.add(read_scan(o.scans[i], poses[i], o.space.is_parallel));
-    if(usage.covered_vertices > 0)
-      continue;
-    std::ostringstream reason;
-    reason << "'" << o.scans[i] << "' misses the mesh: ";
-    if(std::isfinite(usage.smallest_distance))
-      reason << "it comes as near as " << usage.smallest_distance << " to a vertex, and "
-             << usage.maximum_distance << " is near enough, but covers none";
-    else
-      reason << "no vertex is within reach, or none faces its camera";
-    throw Error(reason.str() + "; is its pose in '" + o.poses + "' right?");
+    const RL::Scan_usage usage = stitcher.add(read_scan(o.scans[i], poses[i], o.space.is_parallel));
+    require(usage.covered_vertices > 0 || o.leave_out,
+            "'" + o.scans[i] + "' misses the mesh: " + reason(usage));
   }
 }
 

@@ -298,7 +298,7 @@ TEST_CASE("colors_of_maps_are_read", "[stitch]") {
   auto bytes = mesh.add_property_map<Vertex, CGAL::IO::Color>("v:a").first;
   auto integers = mesh.add_property_map<Vertex, std::array<unsigned char, 3>>("v:b").first;
   auto vectors = mesh.add_property_map<Vertex, Vector_3>("v:c").first;
-  auto eigen = mesh.add_property_map<Vertex, Eigen::Vector3f>("v:d").first;
+  auto eigen = mesh.add_property_map<Vertex, Eigen::Vector3f>("v:d", Eigen::Vector3f::Zero()).first;
   for(const Vertex v : mesh.vertices()) {
     const auto r = static_cast<unsigned char>(10 * v);
     bytes[v] = CGAL::IO::Color(r, 51, 255);

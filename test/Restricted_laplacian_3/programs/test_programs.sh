@@ -176,7 +176,7 @@ test_help() {
     check "estimate_curvature --help explains --$option" grep -q -e "--$option" out
   done
   run stitch_colors --help
-  for option in poses frame method gradients alpha maximum-distance normal-angle keep-exposures linear-light \
+  for option in poses frame method gradients alpha maximum-distance normal-angle unoriented leave-out keep-exposures linear-light \
     no-details truth tolerance stabilization; do
     check "stitch_colors --help explains --$option" grep -q -e "--$option" out
   done
@@ -762,6 +762,16 @@ test_stitching() {
   succeeds stitch_colors scans/scan_02.ply scans/scan_02.ply \
     --poses scans/poses.conf --frame scan_02.ply --depth 4
   check "a scan covers itself" is_below "$(entry uncovered_area)" 0.05
+  # turned inside out, the sphere shows its back to all scans
+  awk 'NR > 2 && NF == 4 { print $1, $2, $4, $3; next } { print }' ball.off > inside_out.off
+  fails "shows its back" stitch_colors inside_out.off scans/scan_*.ply --poses scans/poses.conf
+  succeeds stitch_colors inside_out.off scans/scan_*.ply --poses scans/poses.conf --depth 4 \
+    --unoriented --truth scans/truth.ply
+  check "unless normals need not point outwards" is_below "$(entry rms_error)" 0.02
+  echo "scan_05.ply 1 0 0 100 0 1 0 0 0 0 1 0 0 0 0 1" > far.conf
+  grep -v scan_05.ply scans/poses.conf >> far.conf
+  succeeds stitch_colors ball.off scans/scan_*.ply --poses far.conf --depth 4 --leave-out
+  check "a scan that is far away is left out" grep -q "^5 .* 0.0 %.* 0.0 %.*scan_05.ply" out
   # one scan sees half of the sphere
   succeeds stitch_colors ball.off scans/scan_02.ply --poses scans/poses.conf --depth 4
   check "what is not covered is reported" is_below 0.4 "$(entry uncovered_area)"
