@@ -180,7 +180,8 @@ TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[
   const shapes::Triangles t = shapes::sphere(2);
   Mesh mesh = shapes::mesh(t);
   const RL::Spline_space_3 space(mesh, params::octree_depth(3));
-  const auto by_vertex = mesh.add_property_map<Mesh::Vertex_index, Jacobian>("v").first;
+  const auto by_vertex =
+      mesh.add_property_map<Mesh::Vertex_index, Jacobian>("v", Jacobian::Zero()).first;
   const auto by_halfedge =
       mesh.add_property_map<Mesh::Halfedge_index, std::array<RL::Vector_3, 1>>("h").first;
   const auto by_face = mesh.add_property_map<Mesh::Face_index, RL::Vector_3>("f").first;
@@ -219,7 +220,7 @@ TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[
                    vector_field_on_surface(source, by_halfedge)));
 
   // to the end, with means
-  const auto u = mesh.add_property_map<Mesh::Vertex_index, std::array<float, 3>>("u").first;
+  const auto u = mesh.add_property_map<Mesh::Vertex_index, std::array<float, 3>>("u", {}).first;
   const auto np = exact(1e-9, params::mean_value(Eigen::Vector3d(1, 2, 3)));
   const RL::Gradient_fit expected = RL::integrate_gradient_field(space, quadric_field, np);
   CHECK(weighted_mean(space, expected.coefficients, [](const RL::Surface_point&) {
