@@ -126,7 +126,7 @@ def main():
                         help="what points up (default 0,1,0)")
     parser.add_argument("--focus", type=numbers, metavar="X,Y,Z,R",
                         help="draw the ball with this centre and radius; default: all")
-    parser.add_argument("--zoom", type=float, default=1.2, metavar="Z", help="default 1.2")
+    parser.add_argument("--zoom", type=float, default=1, metavar="Z", help="default 1")
     parser.add_argument("--size", type=int, default=480, metavar="N",
                         help="pixels along each side of a panel (default 480)")
     parser.add_argument("--columns", type=int, default=0, metavar="N",
