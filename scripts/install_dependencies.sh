@@ -19,7 +19,7 @@ packages=(
 )
 for option in "$@"; do
   case "$option" in
-    --benchmark) packages+=(libbenchmark-dev libhypre-dev gnuplot-nox) ;;
+    --benchmark) packages+=(libbenchmark-dev libhypre-dev gnuplot-nox python3-vtk9 xvfb xauth) ;;
     --doc) packages+=(doxygen libjs-mathjax) ;;
     *)
       sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
