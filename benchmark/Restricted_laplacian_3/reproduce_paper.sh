@@ -18,19 +18,19 @@
 
 set -eu -o pipefail
 
-# name, program, minutes on one core of 2023, what it is about
+# name, program, minutes on one core, roughly, what it is about
 items="\
-table1    spectrum_study        20 dimensions of the operators, and spectra on three tessellations
-figure1   texture_stitching      6 stitched colors of scans
-figure3   spectrum_study        20 the same run as table1
-figure4   gradient_integration   3 a color map from its gradients, one W-cycle
-figure5   curvature_study        3 normals, fitted
-figure6   curvature_study        1 mean curvature from the Laplacian of the coordinates
-figure7   normal_fitting         5 normals from their gradients, with and without screening
-table2    solver_comparison     20 this package and BoomerAMG, Poisson and screened problems
-fitting   solver_comparison      3 the same for the mass matrix, where the paper has no figures
-pulley    spectrum_study        10 errors of eigenvalues on thin shapes (section 5.5)
-setup     assembly_scaling       3 time to the matrices over triangles and depth (section 4.4)
+table1    spectrum_study          15 dimensions of the operators, and spectra on three tessellations
+figure1   texture_stitching       10 stitched colors of scans
+figure3   spectrum_study          15 the same run as table1
+figure4   gradient_integration     5 a color map from its gradients, one W-cycle
+figure5   curvature_study          2 normals, fitted
+figure6   curvature_study          1 mean curvature from the Laplacian of the coordinates
+figure7   normal_fitting           3 normals from their gradients, with and without screening
+table2    solver_comparison       20 this package and BoomerAMG, Poisson and screened problems
+fitting   solver_comparison       10 the same for the mass matrix, where the paper has no figures
+pulley    spectrum_study          12 errors of eigenvalues on thin shapes (section 5.5)
+setup     assembly_scaling         2 time to the matrices over triangles and depth (section 4.4)
 sampling  monte_carlo_convergence 10 sums over samples in place of integrals (section 4.3)"
 
 usage() {
@@ -40,7 +40,7 @@ usage() {
 }
 
 list() {
-  echo "item      program                min  what"
+  echo "item      program                min what"
   echo "$items"
 }
 

@@ -19,24 +19,11 @@ function expect(table, row, value) {
   expected[table, row, ++number_of_expected[table, row]] = value + 0
 }
 
-# the rows of a result whose columns are found by the names in its header
-function read_header(first, i) {
-  delete column
-  for(i = first; i <= NF; ++i)
-    column[$i] = i - first + 1
-}
-function value_of(name) {
-  if(!(name in column))
-    complain("no column " name)
-  return $column[name]
-}
-
 FNR == 1 {
   is_page = FILENAME ~ /Reproduction\.txt$/
   result = FILENAME
   sub(/.*\//, "", result)
   sub(/\.txt$/, "", result)
-  delete column
   part = ""
 }
 
@@ -113,7 +100,13 @@ result == "curvature_study_edges" && !/^#/ && $2 == 8 {
 
 # Normals from their gradients.
 
-result == "normal_fitting" && ($4 == "0" || $4 == "0.05/h^2") && NF > 10 {
+result == "normal_fitting" && $1 == "cow_5k8" && $2 == 8 && ($4 == "0" || $4 == "0.05/h^2") {
+  row = $3 == "paper" ? "paper's space" : $3
+  if($4 == "0")
+    expect("cow", row, $6)
+  expect("cow", row, $(NF - 2))
+}
+result == "normal_fitting" && $3 ~ /split/ && ($4 == "0" || $4 == "0.05/h^2") {
   row = $3 ($4 == "0" ? "" : ", alpha 1/20 h^-2")
   if($1 == "cow_5k8")
     screening[row, $2 - 5] = $(NF - 2)
@@ -122,17 +115,32 @@ result == "normal_fitting" && ($4 == "0" || $4 == "0.05/h^2") && NF > 10 {
   screening_rows[row]
 }
 
-# The systems of table 2.
+# The systems of table 2, and those of fits. Those of the paper are solved by algebraic multigrid
+# alone, the others by conjugate gradients with it.
 
-result ~ /^reproduction_/ && /^# mesh / {
-  read_header(2)
+result == "solver_comparison_paper" && /^# command:/ {
+  is_mass = / --matrix mass/
+  is_paper_space = / --paper/
+  is_screened = / --screening/
 }
-result ~ /^reproduction_/ && !/^#/ && NF > 12 {
-  row = result " " $1 " " $2 " " value_of("solver") " " value_of("tol")
-  solver[row, "unknowns"] = value_of("unknowns")
-  solver[row, "setup"] = value_of("setup_s")
-  solver[row, "solve"] = value_of("solve_s")
-  solver[row, "iter"] = value_of("iter")
+result == "solver_comparison_paper" && !/^#/ && NF == 16 {
+  row = is_paper_space ? "paper's" : "default"
+  if(is_mass) {
+    row = row ", " $5
+    if($7 > 1e-3)
+      expect("fitting", row, $8)
+    expect("fitting", row, $9)
+    expect("fitting", row, $11)
+    expect("fitting", row, $12)
+  } else if($5 ~ /^ours/ || is_paper_space != ($5 ~ /_pcg$/)) {
+    sub(/_.*/, "", $1)
+    row = $1 (is_screened ? "*" : "") ", " $2 ", " row
+    if($5 == "ours")
+      expect("table2", row, $3)
+    expect("table2", row, $8)
+    expect("table2", row, $9)
+    expect("table2", row, $11)
+  }
 }
 
 # The page: what follows from the results read so far.
@@ -229,7 +237,7 @@ function check(text, value, mantissa, exponent, unit) {
 }
 
 END {
-  split("dimensions change sphere gradients normals edges screening", tables, " ")
+  split("dimensions change sphere gradients normals edges cow screening table2 fitting", tables, " ")
   for(i in tables)
     if(!(tables[i] in checked))
       complain("found no table " tables[i])
