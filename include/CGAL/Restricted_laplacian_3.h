@@ -8,6 +8,7 @@
 /// Includes all public headers of the package. `laplace_spectrum.h` and `monte_carlo_error.h` need
 /// Spectra; without it the rest works, and their functions do not exist.
 
+#include <CGAL/Restricted_laplacian_3/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
