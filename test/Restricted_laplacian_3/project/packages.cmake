@@ -41,6 +41,14 @@ function(require_same what expected found)
   endforeach()
 endfunction()
 
+# The version
+file(STRINGS "${ROOT}/CHANGELOG.md" sections REGEX "^## ")
+list(GET sections 0 section)
+string(REPLACE "." "\\." pattern "${VERSION}")
+if(NOT section MATCHES "^## ${pattern}($|[^.0-9])")
+  message(SEND_ERROR "CHANGELOG.md begins with '${section}', not with version ${VERSION}")
+endif()
+
 # All packages
 file(REMOVE_RECURSE "${BUILD_DIR}")
 set(ENV{DEBFULLNAME} "Ada Lovelace")
