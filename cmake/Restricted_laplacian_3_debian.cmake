@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # CPack runs this script on the installed files before it packs them. In a Debian package the
-# documentation has a folder of the package's name, with the licence and the changes in the form that
-# Debian's policy asks for.
+# documentation has a folder of the package's name, with the licence and the changes in the form
+# that Debian's policy asks for.
 
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   return()

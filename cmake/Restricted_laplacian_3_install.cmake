@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What `cmake --install` installs. Nothing depends on the processor, so all that is not a header goes
-# below share/, and nothing names a path of this machine, so the installation can be moved.
+# What `cmake --install` installs. Nothing depends on the processor, so all that is not a header
+# goes below share/, and nothing names a path of this machine, so the installation can be moved.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

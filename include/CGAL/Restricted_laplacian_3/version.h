@@ -9,16 +9,16 @@
 /// from here.
 
 /// \ingroup PkgRestrictedLaplacian3Version
-/// Changes with changes that break programs, once it is not 0.
+/// A release that breaks programs increments it, once it is not 0.
 #define CGAL_RESTRICTED_LAPLACIAN_3_VERSION_MAJOR 0
 
 /// \ingroup PkgRestrictedLaplacian3Version
-/// Changes with new functions and, as long as the major number is 0, with changes that break
-/// programs.
+/// A release with new functions increments it; so does one that breaks programs, as long as the
+/// major number is 0.
 #define CGAL_RESTRICTED_LAPLACIAN_3_VERSION_MINOR 2
 
 /// \ingroup PkgRestrictedLaplacian3Version
-/// Changes with corrections.
+/// A release with corrections only increments it.
 #define CGAL_RESTRICTED_LAPLACIAN_3_VERSION_PATCH 0
 
 /// \ingroup PkgRestrictedLaplacian3Version
