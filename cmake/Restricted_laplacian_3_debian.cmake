@@ -3,7 +3,7 @@
 
 # CPack runs this script on the installed files before it packs them. In a Debian package the
 # documentation has a folder of the package's name, with the licence and the changes in the form
-# that Debian's policy asks for.
+# that Debian's policy asks for, and the manual uses Debian's MathJax.
 
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   return()
@@ -28,6 +28,10 @@ License: GPL-3.0+
  On Debian systems the text of the GNU General Public License version 3 is in
  /usr/share/common-licenses/GPL-3.
 ")
+if(EXISTS "${doc}/html/mathjax/MathJax.js")
+  file(REMOVE_RECURSE "${doc}/html/mathjax")
+  file(CREATE_LINK ../../../javascript/mathjax "${doc}/html/mathjax" SYMBOLIC)
+endif()
 if(IS_DIRECTORY "${doc}/html")
   file(APPEND "${doc}/copyright"
 "

@@ -34,8 +34,10 @@ set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
   "libsuitesparse-dev, libopenblas-dev, libspectra-dev, libtbb-dev")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "cmake, libcgal-demo, libjs-mathjax, libopenmesh-dev, libpng-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libcgal-demo, libopenmesh-dev, libpng-dev")
+if(RESTRICTED_LAPLACIAN_3_BUILD_DOC)
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", libjs-mathjax")
+endif()
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Headers for Poisson problems, spectra, curvature, fits of functions and
