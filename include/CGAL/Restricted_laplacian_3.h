@@ -19,6 +19,7 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/spectral_embedding.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
+#include <CGAL/Restricted_laplacian_3/version.h>
 #include <CGAL/Restricted_laplacian_3/wave_kernel_signature.h>
 
 #if defined(__has_include)
