@@ -15,11 +15,6 @@ if(NOT result EQUAL 0 OR NOT EXISTS "${OUTPUT_DIR}/html/index.html")
   message(FATAL_ERROR "Doxygen failed:\n${messages}")
 endif()
 
-# Accessors whose name says everything, and obvious data members, need no comment. Classes and
-# functions outside of classes do.
-set(member_without_comment
-  "[^\n]* warning: Member [^\n]* of (class|struct) [^\n]* is not documented\\.\n")
-string(REGEX REPLACE "${member_without_comment}" "" messages "${messages}")
 string(STRIP "${messages}" messages)
 if(messages)
   message("${messages}")

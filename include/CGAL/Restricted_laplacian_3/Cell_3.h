@@ -59,14 +59,19 @@ inline std::array<int, 3> morton_index(std::uint64_t key) {
 /// The coordinates may lie outside the grid: the element centred on such a cell can still meet the
 /// surface.
 struct Cell_3 {
+  /// level \f$l\f$ of the octree, 0 for the root
   int level = 0;
+  /// coordinates along the three axes, in units of the cell width: \f$0 \dots 2^l - 1\f$ inside the
+  /// grid
   std::array<int, 3> index = {0, 0, 0};
 
+  /// the cell of a level whose `key()` is given
   static Cell_3 from_key(int level, std::uint64_t key) { return {level, morton_index(key)}; }
 
   /// Morton key; requires `is_inside_grid()`
   std::uint64_t key() const { return morton_key(index); }
 
+  /// whether all three coordinates are in \f$0 \dots 2^l - 1\f$
   bool is_inside_grid() const {
     const int n = 1 << level;
     return index[0] >= 0 && index[0] < n && index[1] >= 0 && index[1] < n && index[2] >= 0 &&
@@ -80,12 +85,14 @@ struct Cell_3 {
   /// \f$a\f$
   int octant() const { return (index[0] & 1) | (index[1] & 1) << 1 | (index[2] & 1) << 2; }
 
+  /// the child whose `octant()` is given, a cell of the next finer level
   Cell_3 child(int octant) const {
     return {level + 1,
             {2 * index[0] + (octant & 1), 2 * index[1] + (octant >> 1 & 1),
              2 * index[2] + (octant >> 2 & 1)}};
   }
 
+  /// the cell of the same level at an offset in cells; it may lie outside the grid
   Cell_3 neighbor(int dx, int dy, int dz) const {
     return {level, {index[0] + dx, index[1] + dy, index[2] + dz}};
   }

@@ -65,6 +65,7 @@ struct Color_stitching_options {
 
   /// which vertices a scan covers
   Back_projection_options back_projection;
+  /// where the vector field that is integrated comes from
   Gradient_source gradient_source = Gradient_source::back_projection;
   /// \f$w \ge 0\f$: weight of seams in the choice of scans
   double seam_weight = 0.05;
@@ -122,6 +123,7 @@ struct Vertex_colors {
 /// the number of connected components without any scan, and what follows. Areas are fractions of
 /// the area of the surface, 0 .. 1.
 struct Stitching_report : Gradient_report {
+  /// what each scan gave, in the order in which the scans were added
   std::vector<Scan_usage> scans;
   /// triangles without a scan: filled by harmonic functions
   double uncovered_area = 0;
@@ -206,6 +208,7 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
 public:
+  /// what the constructor takes
   using Options = Color_stitching_options;
 
   /// \param space of a mesh or soup, has to outlive this object
@@ -215,7 +218,9 @@ public:
     : m_space(&space), m_options(checked(options)),
       m_projector(space.surface(), back_projection_options(options), space.options().is_parallel) {}
 
+  /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
+  /// the options, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// Takes the colours of a scan to the surface. The scan is not needed any more then.
@@ -244,6 +249,7 @@ public:
     return usage;
   }
 
+  /// how many scans were added
   std::size_t number_of_scans() const { return m_projections.size(); }
   /// The colours of a scan on the surface, in linear light if that is asked for.
   const Back_projection& back_projection(std::size_t scan) const { return m_projections[scan]; }

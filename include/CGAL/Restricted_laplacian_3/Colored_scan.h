@@ -204,6 +204,7 @@ public:
   /// each other. Every thread needs a sampler of its own; the scan must outlive it.
   class Sampler {
   public:
+    /// a sampler for one thread; takes constant time
     explicit Sampler(const Colored_scan& scan) : m_data(scan.m_data.get()) {}
 
     /// \return whether the scan comes within `maximum_distance` of the location; else the sample

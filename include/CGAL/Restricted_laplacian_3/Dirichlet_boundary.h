@@ -89,6 +89,7 @@ inline std::vector<Face_side> boundary_sides(const Spline_space_3& space) {
 /// part V: boundary conditions", 2003.
 class Dirichlet_boundary {
 public:
+  /// upper bound of \f$\beta\f$ times the cell width of the finest level
   static constexpr double largest_penalty = 1000;
 
   /// Takes time proportional to the number of faces, and for each sheet at the boundary that of the

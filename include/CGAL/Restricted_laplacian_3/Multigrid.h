@@ -123,6 +123,7 @@ private:
 /// \tparam Smoother a model of `MultigridSmoother_3`
 template <class Smoother = Patch_smoother> class Multigrid {
 public:
+  /// all entries of a matrix, column by column, in double precision
   using Sparse_matrix = Eigen::SparseMatrix<double>;
 
   /// an empty hierarchy
@@ -169,6 +170,7 @@ public:
     }
   }
 
+  /// number of levels, the coarsest and the finest included; 0 if the hierarchy is empty
   std::size_t number_of_levels() const { return m_levels.size(); }
   /// number of rows of the finest matrix
   Eigen::Index size() const { return m_size; }
@@ -180,8 +182,12 @@ public:
     struct Level {
       internal::Level_vectors<K> b, x, r, left;
     };
+    /// vectors of each level
     std::vector<Level> levels;
-    internal::Block_vector<K> coarse_b, coarse_x;
+    /// right-hand side of the coarsest level
+    internal::Block_vector<K> coarse_b;
+    /// solution of the coarsest level
+    internal::Block_vector<K> coarse_x;
   };
 
   /// \f$ x \approx A^{-1} b \f$: one cycle that starts from 0

@@ -72,11 +72,12 @@ public:
   /// neighbours, see `Surface_seams`.
   static constexpr double thin_face_height = 1e-6;
 
-  /// Number of sheets and number of fragments beyond which an octree is refused instead of filling
-  /// the memory. About 3 elements belong to a sheet and 75 entries to a row, so more sheets would
-  /// give matrices of more than \f$2^{31}\f$ entries. A fragment takes 32 bytes while the octree is
-  /// built.
+  /// Number of sheets beyond which an octree is refused instead of filling the memory. About 3
+  /// elements belong to a sheet and 75 entries to a row, so more sheets would give matrices of more
+  /// than \f$2^{31}\f$ entries.
   static constexpr std::size_t maximum_number_of_sheets = std::size_t(1) << 23;
+  /// Number of fragments beyond which an octree is refused. A fragment takes 32 bytes while the
+  /// octree is built.
   static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 26;
 
   /// \param is_split whether the surface in a cell is split into sheets
@@ -117,7 +118,9 @@ public:
       build_coarser_level(level, places);
   }
 
+  /// depth \f$d\f$, the finest level
   int depth() const { return m_depth; }
+  /// the surface, as given to the constructor
   const Triangulated_surface_3& surface() const { return m_surface; }
 
   /// side of the domain cube

@@ -56,6 +56,7 @@ public:
     m_constraints.push_back({sheet, t, value, weight});
   }
 
+  /// number of prescribed values
   std::size_t size() const { return m_constraints.size(); }
 
   /// adds to a matrix of the finest level that has the pattern of the stiffness matrix

@@ -39,6 +39,7 @@ struct Poisson_solver_options {
   double relative_tolerance = 1e-3;
   /// the iteration ends after this many cycles, converged or not
   int maximum_iterations = 1000;
+  /// shape of the multigrid cycle
   Cycle cycle = Cycle::V;
   /// smoothing steps before, and again after the coarse correction
   int smoothing_steps = 1;
@@ -170,7 +171,9 @@ private:
 /// information, and do not change the function on the surface.
 class Poisson_solver {
 public:
+  /// all entries of a matrix, column by column, in double precision
   using Sparse_matrix = Eigen::SparseMatrix<double>;
+  /// what the constructors take
   using Options = Poisson_solver_options;
 
   /// \param a the matrix
@@ -226,6 +229,8 @@ public:
     m_setup_seconds = timer.time();
   }
 
+  /// The options that are used: those given to the constructor, but with `Smoother::point` if there
+  /// are no patches.
   const Options& options() const { return m_options; }
   /// the entries of the matrix on and above its diagonal
   const Sparse_matrix& upper_half() const { return m_matrix.upper_half(); }

@@ -43,11 +43,15 @@ public:
                                                 " entries, but the dimension of the space is " +
                                                 std::to_string(space.dimension(level)));
   }
+  /// The same on the finest level.
   Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients)
     : Spline_function_3(space, std::move(coefficients), space.depth()) {}
 
+  /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
+  /// the level whose elements the coefficients belong to
   int level() const { return m_level; }
+  /// \f$\eta\f$
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
 
   /// \f$u\f$ at a location

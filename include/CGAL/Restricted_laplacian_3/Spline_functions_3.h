@@ -25,6 +25,7 @@ namespace Restricted_laplacian_3 {
 /// Values and derivatives of several functions at several points: a row for each point, a column
 /// for each function.
 struct Spline_jets {
+  /// values of the functions
   Eigen::MatrixXd values;
   /// derivatives along \f$x\f$, \f$y\f$ and \f$z\f$, in units of the function over length. They
   /// are those of the splines in space: the part along a tangent plane of the surface is that of
@@ -58,11 +59,14 @@ public:
                                                 std::to_string(space.dimension(level)));
     m_coefficients = coefficients.transpose();
   }
+  /// The same on the finest level.
   Spline_functions_3(const Spline_space_3& space,
                      const Eigen::Ref<const Eigen::MatrixXd>& coefficients)
     : Spline_functions_3(space, coefficients, space.depth()) {}
 
+  /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
+  /// the level whose elements the coefficients belong to
   int level() const { return m_level; }
   /// \f$K\f$
   std::size_t number_of_functions() const {

@@ -170,9 +170,13 @@ public:
 
   /// the options, without defaults that depend on others
   const Spline_space_options& options() const { return m_options; }
+  /// depth \f$d\f$ of the octree, the finest level
   int depth() const { return m_octree.depth(); }
+  /// the octree, with the sheets of all levels
   const Octree_3& octree() const { return m_octree; }
+  /// the surface that the splines are restricted to
   const Triangulated_surface_3& surface() const { return m_octree.surface(); }
+  /// whether only elements centred inside the grid exist, unsplit
   bool is_paper_space() const { return m_options.paper_space; }
   /// whether elements are split by the components of the surface in their support
   bool is_split() const { return m_octree.is_split(); }

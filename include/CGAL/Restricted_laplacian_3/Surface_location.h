@@ -44,6 +44,7 @@ struct Surface_location {
 struct Surface_point : Surface_location {
   /// positions of the face's vertices in the iteration over `vertices(tm)`
   std::array<std::uint32_t, 3> vertices = {0, 0, 0};
+  /// coordinates of the location
   Point_3 point;
   /// unit normal of the face, by the right-hand rule
   Vector_3 normal;
@@ -59,6 +60,7 @@ template <class FaceGraph> class Surface_location_converter {
                                    CGAL::dynamic_face_property_t<std::size_t>>::const_type;
 
 public:
+  /// \param tm is read here only
   explicit Surface_location_converter(const FaceGraph& tm)
     : m_index(get(CGAL::dynamic_face_property_t<std::size_t>(), tm)) {
     std::size_t i = 0;
@@ -66,6 +68,7 @@ public:
       put(m_index, f, i++);
   }
 
+  /// a face and barycentric coordinates with respect to the vertices that `Surface_location` names
   Surface_location operator()(Face f, const std::array<double, 3>& barycentric) const {
     Surface_location location;
     location.face = get(m_index, f);
@@ -73,6 +76,8 @@ public:
     return location;
   }
 
+  /// the same as a pair, the form of \cgal's `PMP::Face_location`; coordinates are converted with
+  /// `CGAL::to_double()`
   template <class FT>
   Surface_location operator()(const std::pair<Face, std::array<FT, 3>>& location) const {
     return (*this)(location.first,
@@ -87,9 +92,13 @@ private:
 /// A function object on `Surface_point` together with the degree that `function_of_degree()` says.
 template <class Function> class Function_of_degree {
 public:
+  /// \param f a function object that takes a `const Surface_point&`
+  /// \param degree 0 .. 6
   Function_of_degree(Function f, int degree) : m_function(std::move(f)), m_degree(degree) {}
 
+  /// the value of the function at a location
   decltype(auto) operator()(const Surface_point& p) const { return m_function(p); }
+  /// the degree of the polynomials that the function is close to
   int degree() const { return m_degree; }
 
 private:
@@ -115,8 +124,11 @@ template <class Function> Function_of_degree<Function> function_of_degree(Functi
 /// triangle. `T` is `double` or a vector type.
 template <class T> class Linear_surface_function {
 public:
+  /// \param values for each vertex, in the order of `vertices(tm)`
   explicit Linear_surface_function(std::vector<T> values) : m_values(std::move(values)) {}
 
+  /// the value at a location: the mean of those at the three vertices with the barycentric
+  /// coordinates as weights
   T operator()(const Surface_point& p) const {
     return m_values[p.vertices[0]] * p.barycentric[0] + m_values[p.vertices[1]] * p.barycentric[1] +
            m_values[p.vertices[2]] * p.barycentric[2];

@@ -54,6 +54,7 @@ public:
       renumber(sets);
   }
 
+  /// number of seams; a side that is joined to no other is one as well
   std::size_t number_of_seams() const { return m_number_of_seams; }
 
   /// number of the seam that a side belongs to

@@ -56,6 +56,7 @@ inline Vector_3 unit_vector(const Vector_3& v) {
 /// normal, its area and the values at its corners calls `require_triangles()`.
 class Triangulated_surface_3 {
 public:
+  /// numbers of the three vertices of a triangle, counted from 0
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// A triangle whose height over its longest side is below this fraction of that side is
@@ -66,6 +67,7 @@ public:
   /// Longest side of the bounding box that is accepted: squares (areas) must neither overflow nor
   /// become subnormal.
   static constexpr double largest_extent = 1e100;
+  /// shortest longest side of the bounding box that is accepted, for the same reason
   static constexpr double smallest_extent = 1e-100;
 
   /// The triangles need not form a manifold, nor be oriented alike, nor differ from each other.
@@ -128,21 +130,27 @@ public:
       throw Input_error("the surface is a point set, but " + who + " needs triangles");
   }
 
+  /// number of points, also of those that no face uses
   std::size_t number_of_vertices() const { return m_points.size(); }
+  /// number of triangles, degenerate ones included; of a point set, number of points
   std::size_t number_of_faces() const { return m_triangles.size(); }
 
   /// number of faces of area zero, up to `degenerate_height_tolerance`. They are left out of all
   /// integrals.
   std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
 
+  /// the point of a vertex
   const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  /// the point of a corner of a face; `corner` is 0, 1 or 2
   const Point_3& point(std::size_t face, int corner) const {
     return m_points[m_triangles[face][corner]];
   }
+  /// the vertices of a face
   const Triangle& triangle(std::size_t face) const { return m_triangles[face]; }
 
   /// unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate
   const Vector_3& normal(std::size_t face) const { return m_normals[face]; }
+  /// whether the area of a face is zero, up to `degenerate_height_tolerance`
   bool is_degenerate(std::size_t face) const { return m_normals[face] == CGAL::NULL_VECTOR; }
 
   /// area of a face; 0 if it is degenerate
@@ -150,9 +158,11 @@ public:
   /// area of the surface
   double area() const { return m_area; }
 
-  /// corners and centre of the bounding box of the vertices that have a face
+  /// lower corner of the bounding box of the vertices that have a face
   const Point_3& bounding_box_min() const { return m_min; }
+  /// upper corner of that bounding box
   const Point_3& bounding_box_max() const { return m_max; }
+  /// centre of that bounding box
   Point_3 center() const {
     return {m_min.x() / 2 + m_max.x() / 2, m_min.y() / 2 + m_max.y() / 2,
             m_min.z() / 2 + m_max.z() / 2};

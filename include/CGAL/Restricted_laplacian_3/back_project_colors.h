@@ -88,6 +88,7 @@ struct Back_projection {
 /// \f$O(\log n)\f$ for each vertex that faces its viewpoint.
 class Color_back_projector {
 public:
+  /// what the constructor takes
   using Options = Back_projection_options;
 
   /// \param surface has to outlive this object
@@ -99,7 +100,9 @@ public:
     : m_surface(&surface), m_options(checked(options)), m_is_parallel(is_parallel),
       m_normals(vertex_normals(surface)), m_spacing(spacing_of(surface)) {}
 
+  /// the surface that colours are taken to
   const Triangulated_surface_3& surface() const { return *m_surface; }
+  /// the options, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// \f$D\f$ of a scan

@@ -35,15 +35,19 @@ namespace Restricted_laplacian_3 {
 /// relative accuracy. With powers they would be the rounding errors of large numbers: the matrix
 /// would no longer be positive semi-definite after scaling, and no smoother would converge.
 struct Cell_moments {
+  /// number of products of three Bernstein polynomials, \f$5^3\f$
   static constexpr int size = 125;
   /// number \f$a + 5 b + 25 c\f$
   using Moments = std::array<double, size>;
   /// tensor components xx, yy, zz, xy, xz, yz
   using Tensor_moments = std::array<Moments, 6>;
 
+  /// \f$m\f$, in units of the squared cell width; not initialized, see `clear()`
   Moments mass;
+  /// \f$T\f$, in the same units
   Tensor_moments tensor;
 
+  /// sets all moments to 0
   void clear() {
     mass.fill(0);
     for(Moments& t : tensor)

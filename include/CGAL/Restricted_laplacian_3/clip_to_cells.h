@@ -16,28 +16,38 @@ namespace Restricted_laplacian_3 {
 /// A corner of a fragment: coordinates in units of the cell width, and barycentric coordinates in
 /// the triangle that the fragment was cut from.
 struct Fragment_corner {
+  /// coordinates in the grid, in units of the cell width
   std::array<double, 3> position;
+  /// barycentric coordinates in the triangle; they sum to 1, up to rounding
   std::array<double, 3> barycentric;
 };
 
 /// A convex polygon: the part of one triangle that one cell owns. A triangle cut by six half-spaces
 /// has at most 9 corners; rounding can make a polygon slightly non-convex, hence the reserve.
 struct Fragment {
+  /// largest number of corners
   static constexpr std::size_t capacity = 16;
+  /// number of corners; 0 if the triangle has no part in the cell
   std::size_t size = 0;
+  /// the corners in order, by the orientation of the triangle; those from `size` on are not
+  /// initialized
   std::array<Fragment_corner, capacity> corners;
 
+  /// a polygon without corners
   Fragment() = default;
-  // Most fragments have 3 to 5 corners: copying the others would take most of the time of clipping.
+  /// Copies the corners that exist. Most fragments have 3 to 5: copying the whole array would take
+  /// most of the time of clipping.
   Fragment(const Fragment& other) : size(other.size) {
     std::copy_n(other.corners.begin(), other.size, corners.begin());
   }
+  /// copies the corners that exist, as the constructor does
   Fragment& operator=(const Fragment& other) {
     size = other.size;
     std::copy_n(other.corners.begin(), other.size, corners.begin());
     return *this;
   }
 
+  /// adds a corner, if there are less than `capacity` of them
   void push_back(const Fragment_corner& corner) {
     if(size < capacity)
       corners[size++] = corner;

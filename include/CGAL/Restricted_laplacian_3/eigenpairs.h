@@ -56,6 +56,7 @@ struct Eigenpairs {
 struct Eigenpairs_options {
   /// of the eigenvalues, relative
   double tolerance = 1e-10;
+  /// restarts of the Lanczos iteration after which it ends, converged or not
   int maximum_iterations = 1000;
   /// \f$\tau\f$ of the first attempt
   double regularization = 1e-12;

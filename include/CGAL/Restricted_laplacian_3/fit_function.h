@@ -144,6 +144,7 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class SurfaceIntegration = Cubature> class Function_fitter {
 public:
+  /// what the constructor takes
   using Options = Function_fit_options;
 
   /// \param space,integration have to outlive this object
@@ -152,7 +153,9 @@ public:
                   const Options& options = Options())
     : m_space(&space), m_integration(&integration), m_options(checked(options)) {}
 
+  /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
+  /// the options, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// Fits a function. Solvers are set up when they are needed first, and kept: not to be called by

@@ -32,6 +32,7 @@ struct Monte_carlo_options {
   int number_of_batches = 10;
   /// the same seed gives the same result with every compiler, and any number of threads
   std::uint64_t seed = 0;
+  /// how the samples of a batch are drawn
   Sampling sampling = Sampling::independent;
 };
 

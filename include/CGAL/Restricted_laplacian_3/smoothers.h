@@ -37,6 +37,7 @@ namespace Restricted_laplacian_3 {
 struct Smoothing_patches {
   /// the unknowns of each patch
   internal::Number_lists unknowns;
+  /// how many patches there are
   std::size_t number_of_patches = 0;
   /// first patch of each group, and one more
   std::vector<std::uint32_t> groups = {0};

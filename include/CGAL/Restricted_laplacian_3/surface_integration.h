@@ -127,6 +127,9 @@ public:
               Sampling sampling = Sampling::independent)
     : Monte_carlo(space, sample_surface(space.surface(), number_of_samples, seed, sampling)) {}
 
+  /// The same with samples that the caller has drawn, uniformly by area.
+  /// \param samples at least one
+  /// \throws Location_error a sample is not on the surface
   Monte_carlo(const Spline_space_3& space, const std::vector<Surface_location>& samples)
     : m_octree(&space.octree()) {
     const int depth = m_octree->depth();

@@ -15,7 +15,13 @@ namespace Restricted_laplacian_3 {
 /// A node of a cubature rule on a triangle: barycentric coordinates and a weight. The weights of a
 /// rule sum to 1: multiply by the area of the triangle.
 struct Triangle_quadrature_node {
-  double b0, b1, b2;
+  /// barycentric coordinate of corner 0
+  double b0;
+  /// barycentric coordinate of corner 1
+  double b1;
+  /// barycentric coordinate of corner 2
+  double b2;
+  /// fraction of the area of the triangle that the node stands for
   double weight;
 };
 

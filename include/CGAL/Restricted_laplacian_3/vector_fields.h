@@ -33,7 +33,9 @@ public:
   /// \param values for each face, in the order of `faces(tm)`
   explicit Face_function(std::vector<T> values) : m_values(std::move(values)) {}
 
+  /// the value of the face of a location
   const T& operator()(const Surface_point& p) const { return m_values[p.face]; }
+  /// the values, one for each face
   const std::vector<T>& values() const { return m_values; }
 
 private:
@@ -51,11 +53,14 @@ public:
   /// soup names
   explicit Corner_vector_field(std::vector<T> values) : m_values(std::move(values)) {}
 
+  /// the value at a location: the mean of those at the three corners with the barycentric
+  /// coordinates as weights
   T operator()(const Surface_point& p) const {
     const T* const corners = m_values.data() + 3 * p.face;
     return corners[0] * p.barycentric[0] + corners[1] * p.barycentric[1] +
            corners[2] * p.barycentric[2];
   }
+  /// the values, three for each face
   const std::vector<T>& values() const { return m_values; }
 
 private:
