@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Runs DOXYGEN on DOXYFILE, whose output goes to OUTPUT_DIR, and prints its warnings. With STRICT a
-# warning is an error.
+# warning is an error. Then copies from MATHJAX_DIR what formulas need, if it is given.
 
 cmake_minimum_required(VERSION 3.16)
 
@@ -20,5 +20,21 @@ if(messages)
   message("${messages}")
   if(STRICT)
     message(FATAL_ERROR "Doxygen has warnings")
+  endif()
+endif()
+
+# Formulas are drawn as SVG: browsers load no fonts for a page that is opened as a file. That takes
+# a tenth of MathJax.
+if(MATHJAX_DIR)
+  set(mathjax "${OUTPUT_DIR}/html/mathjax")
+  foreach(part MathJax.js extensions/MathEvents.js extensions/MathMenu.js extensions/MathZoom.js
+      extensions/tex2jax.js extensions/TeX jax/element jax/input/TeX jax/output/SVG/autoload
+      jax/output/SVG/config.js jax/output/SVG/jax.js jax/output/SVG/fonts/TeX)
+    get_filename_component(folder "${part}" DIRECTORY)
+    file(COPY "${MATHJAX_DIR}/${part}" DESTINATION "${mathjax}/${folder}")
+  endforeach()
+  # Debian's text of its licence
+  if(EXISTS /usr/share/doc/libjs-mathjax/copyright)
+    file(COPY /usr/share/doc/libjs-mathjax/copyright DESTINATION "${mathjax}")
   endif()
 endif()

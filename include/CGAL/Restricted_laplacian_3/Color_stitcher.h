@@ -198,7 +198,7 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 /// -# Exposures are matched: each channel of each scan is multiplied by a factor, such that the
 ///    median of the ratios of the colours is 1 where two scans overlap, in the least-squares sense
 ///    over all pairs. The logarithms of the factors sum to 0; scans without overlap keep 1.
-/// -# The function \f$u\f$ is found that minimizes, for each channel,
+/// -# The function \f$u\f$ is found that minimises, for each channel,
 ///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal C} (u - g)^2, \f]
 ///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`,
 ///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. In the others

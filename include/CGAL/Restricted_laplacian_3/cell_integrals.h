@@ -42,7 +42,7 @@ struct Cell_moments {
   /// tensor components xx, yy, zz, xy, xz, yz
   using Tensor_moments = std::array<Moments, 6>;
 
-  /// \f$m\f$, in units of the squared cell width; not initialized, see `clear()`
+  /// \f$m\f$, in units of the squared cell width; not initialised, see `clear()`
   Moments mass;
   /// \f$T\f$, in the same units
   Tensor_moments tensor;

@@ -30,7 +30,7 @@ struct Fragment {
   /// number of corners; 0 if the triangle has no part in the cell
   std::size_t size = 0;
   /// the corners in order, by the orientation of the triangle; those from `size` on are not
-  /// initialized
+  /// initialised
   std::array<Fragment_corner, capacity> corners;
 
   /// a polygon without corners

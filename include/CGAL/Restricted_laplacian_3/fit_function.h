@@ -79,7 +79,7 @@ namespace internal {
 /// The factors of the stabilisation that are tried. With the first one the number of iterations
 /// does not depend on the depth; the last one is as small as rounding permits.
 constexpr std::array<double, 3> fit_stabilizations = {1e-4, 1e-5, 1e-14};
-/// The energy of the stabilisation may be up to this fraction of what is minimized. Rough functions
+/// The energy of the stabilisation may be up to this fraction of what is minimised. Rough functions
 /// are those whose root mean square error is above 1 % of their own root mean square.
 constexpr double small_energy_of_smooth = 0.1, small_energy_of_rough = 0.5;
 constexpr double squared_error_of_rough = 1e-4;
@@ -111,7 +111,7 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Fits functions on a surface by splines: set up once, it fits any number of functions, each a
 /// number or a vector at each point. The fit of \f$f\f$ is the function \f$u\f$ of the space that
-/// minimizes, for each component,
+/// minimises, for each component,
 /// \f[ \int_{\mathcal M} (u - f)^2 + w \int_{\mathcal M} \lvert \nabla u \rvert^2, \qquad
 ///     (M + w S)\, \eta = \gamma, \qquad \gamma_i = \int_{\mathcal M} f\, b_i, \f]
 /// for \f$w = 0\f$ the least-squares projection \f$D \eta = \gamma\f$ of the paper (section 5.3).
@@ -130,7 +130,7 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// of elements that vary along the normal only nearly vanish on the surface. The term \f$c\, h N\f$
 /// is added to \f$M\f$, and \f$\frac{c}{h} N\f$ to \f$S\f$. Unless \f$c\f$ is given, it is the
 /// first of 1e-4, 1e-5 and 1e-14, for each component, with which the energy of the stabilisation is
-/// at most a tenth of what \f$u\f$ minimizes, or half of it if the error of \f$u\f$ is above 1 % of
+/// at most a tenth of what \f$u\f$ minimises, or half of it if the error of \f$u\f$ is above 1 % of
 /// \f$f\f$ (root mean squares); 1e-5 is left out where it is larger than all of that. A
 /// rough function, for example the normals of the faces, is far from the space: 1e-4 adds little to
 /// its error, and the number of iterations does not depend on the depth. The error of a smooth

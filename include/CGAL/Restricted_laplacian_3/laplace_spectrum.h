@@ -51,7 +51,7 @@ struct Laplace_spectrum {
   Eigen::MatrixXd vertex_values;
   /// of the surface
   double area = 0;
-  /// the algebraic problem: vectors of coefficients, residuals, shift and regularization
+  /// the algebraic problem: vectors of coefficients, residuals, shift and regularisation
   Eigenpairs pairs;
   /// convergence, iterations, largest residual, times
   Solve_report report;
@@ -80,7 +80,7 @@ inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
   }
 }
 
-/// Whether `multigrid_eigenpairs()` is used. With fewer unknowns a factorization is as fast.
+/// Whether `multigrid_eigenpairs()` is used. With fewer unknowns a factorisation is as fast.
 inline bool uses_multigrid(const Spline_space_3& space, Eigensolver eigensolver,
                            double normal_stabilization) {
   constexpr std::size_t smallest_dimension = 5000;
@@ -124,7 +124,7 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
 /// - `callback`: a function object that is called with the part of the eigensolver's work that is
 ///   done, from 0 to 1, and returns `false` to end it with a `Canceled` exception
 /// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorization fails
+/// \throws Numerical_error if a factorisation fails
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<SurfaceIntegration> = 0>
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,

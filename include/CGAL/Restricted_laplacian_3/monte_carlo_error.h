@@ -167,7 +167,7 @@ estimate_operators(const Spline_space_3& space, int level,
 /// \param k number of eigenvalues, positive
 /// \param normal_stabilization of the stiffness matrix, as in `assemble_operators()`
 /// \throws Parameter_error if `k` or an option is outside its domain
-/// \throws Numerical_error if a factorization fails, or if not all eigenvalues were found
+/// \throws Numerical_error if a factorisation fails, or if not all eigenvalues were found
 inline Estimated_eigenvalues
 estimate_eigenvalues(const Spline_space_3& space, int k,
                      const Monte_carlo_options& options = Monte_carlo_options(),

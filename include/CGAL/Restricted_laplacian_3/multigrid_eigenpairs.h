@@ -146,7 +146,7 @@ public:
   /// of the last level
   int iterations() const { return m_iterations; }
 
-  /// Moves the first vectors to `pairs`, normalized, with their values and residuals.
+  /// Moves the first vectors to `pairs`, normalised, with their values and residuals.
   void take_pairs(Eigen::Index count, Eigenpairs& pairs) {
     m_w.keep_columns(0);
     m_p.keep_columns(0);

@@ -31,9 +31,9 @@ namespace Restricted_laplacian_3 {
 /// \ingroup PkgRestrictedLaplacian3Ref
 /// Sets of unknowns of one level that are relaxed together, in the order in which this is done.
 ///
-/// Patches that follow each other form a *group*, groups that follow each other a *color*. No
-/// unknown of a patch is coupled with one of a patch in another group of the same color, so groups
-/// of a color can be relaxed at the same time, with the same result.
+/// Patches that follow each other form a *group*, groups that follow each other a *colour*. No
+/// unknown of a patch is coupled with one of a patch in another group of the same colour, so groups
+/// of a colour can be relaxed at the same time, with the same result.
 struct Smoothing_patches {
   /// the unknowns of each patch
   internal::Number_lists unknowns;
@@ -41,10 +41,10 @@ struct Smoothing_patches {
   std::size_t number_of_patches = 0;
   /// first patch of each group, and one more
   std::vector<std::uint32_t> groups = {0};
-  /// first group of each color, and one more
+  /// first group of each colour, and one more
   std::vector<std::uint32_t> colors = {0};
-  /// For each unknown the number of a neighborhood; unknowns of a neighborhood are stored together,
-  /// neighborhoods by their numbers. It has no influence on results beyond rounding. May be empty.
+  /// For each unknown the number of a neighbourhood; unknowns of one are stored together,
+  /// neighbourhoods by their numbers. It has no influence on results beyond rounding. May be empty.
   std::vector<std::uint64_t> neighborhoods;
 };
 
@@ -103,7 +103,7 @@ protected:
 private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
-  /// relaxes the groups of all colors, in order or in reverse
+  /// relaxes the groups of all colours, in order or in reverse
   template <int K>
   void sweep(const Level_vectors<K>& b, Level_vectors<K>& x, bool is_reversed) const {
     const std::size_t number_of_colors = m_colors.size() - 1;
@@ -270,8 +270,8 @@ private:
     return (size + multiple - 1) / multiple * multiple;
   }
 
-  /// Unknowns of a neighborhood go into the same cluster, those of one patch first if they are more
-  /// than eight.
+  /// Unknowns of a neighbourhood go into the same cluster, those of one patch first if they are
+  /// more than eight.
   void find_clusters(std::size_t n, const Smoothing_patches& patches) {
     constexpr std::size_t lanes = internal::lanes_of_floats;
     std::vector<std::uint32_t> last_patch(n, 0);

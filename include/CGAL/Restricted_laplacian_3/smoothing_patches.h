@@ -23,7 +23,7 @@ namespace Restricted_laplacian_3 {
 /// of the \f$4 \times 4 \times 4\f$ elements around two cells by two by two.
 ///
 /// A group consists of the patches in one block of \f$8 \times 8 \times 8\f$ coarser cells, its
-/// color is the parity of the coordinates of the block. Two groups of the same color are 16 cells
+/// colour is the parity of the coordinates of the block. Two groups of the same colour are 16 cells
 /// apart; an element of a patch reaches 2 cells beyond the coarser cell, and elements that are 3
 /// cells apart are not coupled.
 /// \param level not 0

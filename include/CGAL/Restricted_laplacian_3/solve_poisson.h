@@ -419,7 +419,7 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
 /// \f$(S + \alpha M)\, \eta = \phi\f$. Note the sign of \f$f\f$, which is not that of
 /// `solve_poisson()`.
 ///
-/// With \f$f = \alpha g\f$ the solution minimizes
+/// With \f$f = \alpha g\f$ the solution minimises
 /// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled towards \f$g\f$ where
 /// \f$\alpha\f$ is large, a soft constraint.
 /// \param alpha in units of 1 / area: a positive number (multiply by the area to compare surfaces
