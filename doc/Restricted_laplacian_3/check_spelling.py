@@ -6,8 +6,8 @@ check_spelling.py --root FOLDER --hunspell PROGRAM
 
 The spelling is British, with -ise. Code, formulas and what stands in quotation marks are left out,
 and so is the bibliography, which quotes titles. Words that the dictionary does not know are in
-spelling_words.txt beside this file, one on a line, sorted, with a small first letter unless it is a
-name; one that is used no more is an error.
+spelling_words.txt beside this file, one on a line, sorted, in the singular, with a small first
+letter unless it is a name; one that is used no more is an error.
 """
 
 import argparse
@@ -72,6 +72,11 @@ def comments(text):
     return "\n".join(kept)
 
 
+def forms(word):
+    """how a word of the list may be used"""
+    return {start + ending for start in (word, word[0].upper() + word[1:]) for ending in ("", "s")}
+
+
 def words_of(path):
     """pairs of a line number and a word"""
     text = path.read_text(encoding="utf-8")
@@ -124,13 +129,13 @@ def main():
 
     listed = [line for line in own.read_text(encoding="utf-8").split("\n")
               if line and not line.startswith("#")]
-    known = set(listed) | {word[0].upper() + word[1:] for word in listed}
+    known = {form for word in listed for form in forms(word)}
     errors = 0
     if listed != sorted(set(listed), key=lambda word: (word.lower(), word)):
         print(f"{own.name} is not sorted")
         errors += 1
     for word in listed:
-        if word not in places and word[0].upper() + word[1:] not in places:
+        if not forms(word) & places.keys():
             print(f"{own.name}: {word} is not used")
             errors += 1
     for word in sorted(places, key=str.lower):

@@ -10,6 +10,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// largest depth of an octree: coordinates of cells, shifted by one so that the elements centred
 /// one cell outside the grid are included, take 21 bits each, and three of them one 64-bit key
 constexpr int maximum_octree_depth = 20;
@@ -40,6 +41,7 @@ inline std::uint64_t gather_every_third_bit(std::uint64_t x) {
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Morton key (z-order) of three coordinates in \f$[0, 2^{21})\f$: bit \f$3k + a\f$ of the key is
 /// bit \f$k\f$ of coordinate \f$a\f$. Keys of the 8 children of a cell are 8 consecutive numbers.
 inline std::uint64_t morton_key(const std::array<int, 3>& index) {
@@ -48,6 +50,7 @@ inline std::uint64_t morton_key(const std::array<int, 3>& index) {
          internal::spread_bits_by_three(static_cast<std::uint64_t>(index[2])) << 2;
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// inverse of `morton_key()`
 inline std::array<int, 3> morton_index(std::uint64_t key) {
   return {static_cast<int>(internal::gather_every_third_bit(key)),
@@ -55,6 +58,7 @@ inline std::array<int, 3> morton_index(std::uint64_t key) {
           static_cast<int>(internal::gather_every_third_bit(key >> 2))};
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// A cell of the grid of \f$2^l \times 2^l \times 2^l\f$ cells at level \f$l\f$ of the octree.
 /// The coordinates may lie outside the grid: the element centred on such a cell can still meet the
 /// surface.

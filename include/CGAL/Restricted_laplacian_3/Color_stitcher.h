@@ -43,11 +43,11 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The scan of a face or vertex that has none.
 constexpr std::uint32_t no_scan = internal::no_scan_number;
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Where the vector field that is integrated comes from.
 enum class Gradient_source {
   /// gradients of the colours of the chosen scan at its points nearest to the three vertices,
@@ -58,7 +58,7 @@ enum class Gradient_source {
   back_projection
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// What a `Color_stitcher` does unless told otherwise.
 struct Color_stitching_options {
   Color_stitching_options() { solver.relative_tolerance = internal::default_gradient_tolerance; }
@@ -90,7 +90,7 @@ struct Color_stitching_options {
   static constexpr double default_screening = 10;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// What one scan gave to a surface. Areas are fractions of the area of the surface, 0 .. 1.
 struct Scan_usage {
   /// number of vertices that the scan covers; 0 is worth a message
@@ -109,7 +109,7 @@ struct Scan_usage {
   Rgb_color gains = {1, 1, 1};
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Colours of vertices, and where they come from.
 struct Vertex_colors {
   /// 0 .. 1; black at vertices without a scan
@@ -118,7 +118,7 @@ struct Vertex_colors {
   std::vector<std::uint32_t> scans;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// What a `Color_stitcher` did: the report of the integration, where `components_without_weight` is
 /// the number of connected components without any scan, and what follows. Areas are fractions of
 /// the area of the surface, 0 .. 1.
@@ -143,14 +143,14 @@ struct Stitching_report : Gradient_report {
   double choice_seconds = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Stitched colours, and how they came about.
 struct Stitched_colors : Stitching_report {
   /// of the vertices, 0 .. 1
   std::vector<Rgb_color> colors;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The edges of a surface, as pairs of vertices in ascending order, whose ends have different
 /// scans.
 /// \param scans of the vertices; edges at vertices with `no_scan` are left out
@@ -172,7 +172,7 @@ scan_transitions(const Triangulated_surface_3& surface, const std::vector<std::u
   return edges;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The visible contrast of seams: the mean over edges of the length of the difference of the
 /// colours of their ends, \f$\lvert c_v - c_w \rvert_2\f$ over the three channels. What true
 /// colours have there is to be subtracted. 0 if there are no edges.
@@ -189,7 +189,7 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
   return edges.empty() ? 0 : sum / static_cast<double>(edges.size());
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Colours a surface from several scans without visible seams (paper, section 5.2), in steps, so
 /// that progress can be shown between them: `add()` each scan, `choose()`, `stitch()`.
 ///

@@ -34,7 +34,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Takes coordinates of a scan to those of the world.
 using Scan_pose = CGAL::Aff_transformation_3<Kernel>;
 
@@ -71,7 +71,7 @@ inline const Scan_pose& checked_pose(const Scan_pose& pose) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The pose that a matrix of four rows stands for, which takes columns \f$(x, y, z, 1)^T\f$ of the
 /// scan's coordinates to those of the world.
 /// \param rows the 16 entries, row by row
@@ -85,7 +85,7 @@ inline Scan_pose scan_pose(const std::array<double, 16>& rows) {
       Scan_pose(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11]));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// What a scan says of a location near it.
 struct Scan_sample {
   /// at the nearest point of the scan, 0 .. 1
@@ -104,7 +104,7 @@ struct Scan_sample {
   bool is_beyond_boundary = false;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// A scan: a triangulated surface or a set of oriented points with a colour at each vertex, placed
 /// in the world, and the point that it was seen from.
 ///
@@ -200,6 +200,7 @@ private:
   struct Data;
 
 public:
+  /// \ingroup PkgRestrictedLaplacian3Colors
   /// Takes samples of a scan. Locations that follow each other are found faster if they are near
   /// each other. Every thread needs a sampler of its own; the scan must outlive it.
   class Sampler {

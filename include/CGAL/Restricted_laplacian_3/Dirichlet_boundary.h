@@ -59,7 +59,7 @@ inline std::vector<Face_side> boundary_sides(const Spline_space_3& space) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Prescribes the values \f$u = g\f$ on the boundary of an open surface, by the symmetric method of
 /// Nitsche. With the outward conormal \f$\nu\f$ (unit, tangential to the surface) it adds
 /// \f[ A_{ij} = \int_{\partial \mathcal M} -\partial_\nu b_i\, b_j - b_i\, \partial_\nu b_j

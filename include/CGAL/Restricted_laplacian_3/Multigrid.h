@@ -26,7 +26,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// shape of a multigrid cycle: how often the next coarser level is visited
 enum class Cycle { V = 1, W = 2 };
 
@@ -106,7 +106,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A multigrid hierarchy for a symmetric positive semi-definite matrix, and one cycle of it as a
 /// linear operator that approximates the inverse.
 ///
@@ -177,6 +177,7 @@ public:
   /// the smoother of a level; 0 is the coarsest, which has none
   const Smoother& smoother(std::size_t level) const { return m_smoothers[level - 1]; }
 
+  /// \ingroup PkgRestrictedLaplacian3Solvers
   /// vectors of one cycle, kept between cycles
   template <int K> struct Workspace {
     struct Level {

@@ -34,6 +34,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// The sparse octree of the cells that meet a surface, with every level, and the sheets in them.
 ///
 /// The root is the domain cube: axis-aligned, centred on the bounding box of the surface, its side

@@ -28,11 +28,11 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// which smoother a `Poisson_solver` uses: `Patch_smoother` or `Gauss_seidel_smoother`
 enum class Smoother { patch, point };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What a `Poisson_solver` does unless told otherwise.
 struct Poisson_solver_options {
   /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration
@@ -150,7 +150,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Solves \f$A x = b\f$ for a symmetric positive semi-definite matrix by conjugate gradients that
 /// are preconditioned with a multigrid cycle, from a first guess by nested iteration:
 /// \f$A = S\f$ for the Poisson problem, \f$A = S + \alpha M\f$ for the screened one. It is set up

@@ -9,7 +9,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What a solver did. A solver that does not reach its tolerance says so here; it does not throw.
 struct Solve_report {
   /// whether the relative residual is at most the tolerance, for every right-hand side

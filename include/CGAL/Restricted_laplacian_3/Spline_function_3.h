@@ -25,7 +25,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The function \f$u = \sum_i \eta_i b_i\f$ on the surface of a spline space. It is \f$C^1\f$ along
 /// the surface as far as the surface is. An evaluation takes a binary search among the cells, plus
 /// 27 products.
@@ -119,7 +119,7 @@ private:
   Eigen::VectorXd m_coefficients;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Writes the values of a function at all vertices into a property map: NaN at vertices that have
 /// no face of positive area.
 /// \param tm the mesh that the space of `u` was made from

@@ -21,7 +21,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Values and derivatives of several functions at several points: a row for each point, a column
 /// for each function.
 struct Spline_jets {
@@ -33,7 +33,7 @@ struct Spline_jets {
   std::array<Eigen::MatrixXd, 3> derivatives;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Several functions \f$u_k = \sum_i H_{ik} b_i\f$ on the surface of a spline space, for example
 /// eigenfunctions, the columns of `Eigenpairs::vectors`. They are evaluated together: the point is
 /// located, and the 27 elements are evaluated there, once for all of them. Each value is that of a

@@ -26,12 +26,13 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// the 27 elements that can act on a sheet, by the offset of their centre from its cell: number
 /// \f$i = (d_x + 1) + 3 (d_y + 1) + 9 (d_z + 1)\f$ is centred on the neighbour at offset
 /// \f$(d_x, d_y, d_z)\f$
 using Cell_elements = std::array<std::uint32_t, 27>;
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The depth that a set of points allows, for functions that are given no `octree_depth`: the
 /// largest up to 6 at which the cells that hold points have 50 of them each, on average; at least
 /// 1.
@@ -68,7 +69,7 @@ inline int default_octree_depth_of_points(const Triangulated_surface_3& surface,
   }
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Which space a `Spline_space_3` is.
 struct Spline_space_options {
   /// depth \f$d\f$ of the octree
@@ -92,7 +93,7 @@ struct Spline_space_options {
   bool is_parallel = false;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The spaces of restricted splines, one for each level of the octree of a surface.
 ///
 /// The element \f$b_o\f$ of a cell \f$o\f$ is the tensor product of B-splines of degree 2 centred

@@ -22,13 +22,18 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The kernel in which this package computes. Points of other kernels are converted with
 /// `CGAL::to_double()`.
 using Kernel = CGAL::Simple_cartesian<double>;
+/// \ingroup PkgRestrictedLaplacian3Functions
+/// point of `Kernel`
 using Point_3 = Kernel::Point_3;
+/// \ingroup PkgRestrictedLaplacian3Functions
+/// vector of `Kernel`
 using Vector_3 = Kernel::Vector_3;
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// A location on the surface: a face and barycentric coordinates in it.
 struct Surface_location {
   /// position of the face in the iteration over `faces(tm)`, counted from 0
@@ -38,7 +43,7 @@ struct Surface_location {
   std::array<double, 3> barycentric = {1, 0, 0};
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// A location on the surface with what a function of it may need. Functions and vector fields are
 /// given to the package as function objects on `const Surface_point&`.
 struct Surface_point : Surface_location {
@@ -50,7 +55,7 @@ struct Surface_point : Surface_location {
   Vector_3 normal;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Converts locations of \cgal (face descriptor and barycentric coordinates) to `Surface_location`.
 /// Construction is linear in the number of faces, conversion takes constant time.
 template <class FaceGraph> class Surface_location_converter {
@@ -89,6 +94,7 @@ private:
   Index_map m_index;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` together with the degree that `function_of_degree()` says.
 template <class Function> class Function_of_degree {
 public:
@@ -106,7 +112,7 @@ private:
   int m_degree;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Tells that a function or vector field is well approximated by polynomials of a degree below 6 on
 /// each part of a triangle in a cell, so that it is integrated with fewer nodes: 16 in place of 32
 /// for degree 2 or less. With degree 2 the error of the solution of a Poisson problem remains of
@@ -120,6 +126,7 @@ template <class Function> Function_of_degree<Function> function_of_degree(Functi
   return Function_of_degree<Function>(std::move(f), degree);
 }
 
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` that interpolates values at the vertices linearly in each
 /// triangle. `T` is `double` or a vector type.
 template <class T> class Linear_surface_function {
@@ -149,7 +156,7 @@ template <class T> int degree_on_triangles(const Linear_surface_function<T>&) { 
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The function that is linear in each triangle and takes the values of a vertex property map, as a
 /// function object on `Surface_point`. The values are copied.
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a number type
@@ -163,7 +170,7 @@ Linear_surface_function<double> vertex_function(const FaceGraph& tm, VertexMap m
   return Linear_surface_function<double>(std::move(values));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The same for a triangle soup.
 /// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`,
 /// and a number type as value, for example `CGAL::make_property_map()` of a vector
@@ -176,7 +183,7 @@ Linear_surface_function<double> index_function(std::size_t number_of_points, Ind
   return Linear_surface_function<double>(std::move(values));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The vector field that is linear in each triangle and takes the values of a vertex property map,
 /// as a function object on `Surface_point`.
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D vector

@@ -21,6 +21,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Along which of their sides the faces of a surface are joined.
 ///
 /// A seam is a set of sides of faces that run along the same line in space; the surface continues

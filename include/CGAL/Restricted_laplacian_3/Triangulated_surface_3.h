@@ -47,6 +47,7 @@ inline Vector_3 unit_vector(const Vector_3& v) {
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// The surface as the floors above see it: points, index triples, unit normals and areas in double
 /// precision, independent of the type of the mesh that it was read from.
 ///
@@ -256,6 +257,7 @@ private:
   bool m_is_point_set = false;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
@@ -293,6 +295,7 @@ Triangulated_surface_3 read_surface(const FaceGraph& tm,
   return Triangulated_surface_3(std::move(points), std::move(triangles));
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Reads a triangle soup: a surface that need not be a manifold.
 /// \param points a range of 3D points of any \cgal kernel
 /// \param triangles a range of ranges of three indices into `points`, each of any integer type

@@ -30,12 +30,12 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Type of all sparse matrices. Those of operators are symmetric and stored in full, so their
 /// columns are their rows.
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level. They have the same pattern.
 struct Operators {
   /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j\rangle
@@ -46,7 +46,7 @@ struct Operators {
   Sparse_matrix mass;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The matrices to which `assemble_operators()` adds the stabilisation.
 enum class Stabilized { stiffness_and_mass, stiffness };
 
@@ -65,7 +65,7 @@ inline double checked_normal_stabilization(double c) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Assembles stiffness and mass matrices of the levels `coarsest` ..\ `finest`, in this order, in
 /// one pass over the surface.
 ///
@@ -130,7 +130,7 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
   return operators;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level, at the cost of one of them.
 template <class SurfaceIntegration>
 Operators assemble_operators(const Spline_space_3& space, int level,
@@ -144,13 +144,13 @@ Operators assemble_operators(const Spline_space_3& space, int level,
   return result;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 inline Operators assemble_operators(const Spline_space_3& space, int level) {
   return assemble_operators(space, level, Cubature(space));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 inline Operators assemble_operators(const Spline_space_3& space) {
   return assemble_operators(space, space.depth());
@@ -225,7 +225,7 @@ Stiffness_and_integrals assemble_stiffness_and_integrals(const Spline_space_3& s
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The stiffness matrix of one level alone: no mass matrix is formed or held meanwhile.
 /// \param normal_stabilization as in `assemble_operators()`; with \f$c > 0\f$ the matrix is
 /// \f$S + \frac{c}{h} N\f$
@@ -243,7 +243,7 @@ Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
   return stiffness;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j \rangle
 /// \f$, positive semi-definite (minus the matrix \f$L\f$ of the paper, equation 5),
 /// `dimension(level)` rows. Constants are in its kernel (not in the space of the paper, where the
@@ -251,13 +251,13 @@ Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
 inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level) {
   return assemble_stiffness_matrix(space, level, Cubature(space));
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space) {
   return assemble_stiffness_matrix(space, space.depth());
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$, `dimension(level)` rows. Its entries sum to the
 /// area.
 inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level) {
@@ -265,7 +265,7 @@ inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level
   assemble_operators(space, level).mass.swap(mass);
   return mass;
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
   return assemble_mass_matrix(space, space.depth());
@@ -345,7 +345,7 @@ Eigen::VectorXd sum_loads(const Spline_space_3& space, int level, double factor,
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ \phi_i = \int_{\mathcal M} f\, b_i \f$ (paper, equation 4), `dimension(level)` entries.
 ///
 /// The Poisson problem \f$\Delta_{\mathcal M} u = f\f$ is \f$S \eta = -\phi\f$.
@@ -372,20 +372,20 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, in
   });
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level) {
   return assemble_load(space, f, level, Cubature(space));
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
   return assemble_load(space, f, space.depth());
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all components of a function in one pass over the surface: \f$ \gamma_{ik} =
 /// \int_{\mathcal M} f_k\, b_i \f$ (paper, section 5.3), a row for each element of `level`, a
 /// column for each component.
@@ -414,7 +414,7 @@ Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space, const Func
   });
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all channels of a vector field in one pass over the surface: \f$ \gamma_{ik} =
 /// \int_{\mathcal M} \langle v_k, \nabla_{\mathcal M} b_i \rangle \f$ (paper, equation 6), a row
 /// for each element of `level`, a column for each channel. In units of \f$v\f$ times length.
@@ -459,14 +459,14 @@ Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const Vecto
   });
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 template <class VectorField>
 Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const VectorField& v) {
   return assemble_gradient_loads(space, v, space.depth(), Cubature(space));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The same for one channel: \f$ \gamma_i = \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i
 /// \rangle \f$, `dimension(level)` entries.
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector
@@ -477,28 +477,28 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
   return assemble_gradient_loads(space, v, level, integration);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 template <class VectorField>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v,
                                        int level) {
   return assemble_gradient_load(space, v, level, Cubature(space));
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 template <class VectorField>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v) {
   return assemble_gradient_load(space, v, space.depth());
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ \int_{\mathcal M} b_i \f$, `dimension(level)` entries: the load of the constant 1. The
 /// surface integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, int level) {
   return assemble_load(space, function_of_degree([](const Surface_point&) { return 1.; }, 0),
                        level);
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \overload
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space) {
   return assemble_element_integrals(space, space.depth());

@@ -27,7 +27,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Which locations of a surface a scan covers, and how well, see `Color_back_projector`.
 struct Back_projection_options {
   /// \f$D\f$: largest distance of a covered vertex from the scan; without a value four times the
@@ -48,7 +48,7 @@ struct Back_projection_options {
   bool with_gradients = true;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The colours of a scan on a surface: of the vertices that it covers, in ascending order.
 struct Back_projection {
   /// numbers of the covered vertices; those of what follows are the positions in this vector
@@ -68,7 +68,7 @@ struct Back_projection {
   std::size_t number_of_facing_vertices = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Takes colours of scans to the vertices of a surface (paper, section 5.2). A scan *covers* a
 /// vertex of the surface if
 /// - the normal of the surface there faces the viewpoint, \f$\cos\theta \ge\f$
@@ -213,7 +213,7 @@ private:
   double m_spacing;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The colours of one scan on a surface, see `Color_back_projector`.
 inline Back_projection
 back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,

@@ -13,6 +13,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// A corner of a fragment: coordinates in units of the cell width, and barycentric coordinates in
 /// the triangle that the fragment was cut from.
 struct Fragment_corner {
@@ -22,6 +23,7 @@ struct Fragment_corner {
   std::array<double, 3> barycentric;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// A convex polygon: the part of one triangle that one cell owns. A triangle cut by six half-spaces
 /// has at most 9 corners; rounding can make a polygon slightly non-convex, hence the reserve.
 struct Fragment {
@@ -143,6 +145,7 @@ inline std::array<double, 2> range(const Fragment& polygon, int axis) {
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Cuts triangles along the walls of the unit grid \f$\{0, \dots, n\}^3\f$ into convex fragments,
 /// each owned by one cell.
 ///

@@ -29,7 +29,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Some eigenpairs \f$S x = \lambda M x\f$.
 struct Eigenpairs {
   /// ascending
@@ -51,7 +51,7 @@ struct Eigenpairs {
   double regularization = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What `smallest_eigenpairs()` does unless told otherwise.
 struct Eigenpairs_options {
   /// of the eigenvalues, relative
@@ -344,7 +344,7 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, const Eigen::MatrixXd
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
 /// for symmetric positive semi-definite matrices.
 ///

@@ -34,7 +34,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// What `fit_function()` did.
 struct Fit_report : Solve_report {
   /// \f$(\int (u_k - f_k)^2 / \mathrm{area})^{1/2}\f$ of each component, in units of \f$f\f$
@@ -51,7 +51,7 @@ struct Fit_report : Solve_report {
   }
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// A fitted function: its coefficients, to be evaluated by `Spline_function_3` or
 /// `Spline_functions_3`.
 struct Function_fit : Fit_report {
@@ -59,7 +59,7 @@ struct Function_fit : Fit_report {
   Eigen::MatrixXd coefficients;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// What a `Function_fitter` does unless told otherwise.
 struct Function_fit_options {
   Function_fit_options() { solver.relative_tolerance = 1e-8; }
@@ -108,7 +108,7 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// Fits functions on a surface by splines: set up once, it fits any number of functions, each a
 /// number or a vector at each point. The fit of \f$f\f$ is the function \f$u\f$ of the space that
 /// minimises, for each component,
@@ -430,7 +430,7 @@ private:
   double m_assembly_seconds = 0, m_setup_seconds = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Fits a function on a surface by a spline: the least-squares projection \f$D \eta = \gamma\f$ of
 /// the paper (section 5.3), if wanted with smoothing. See `Function_fitter`, which does the same
 /// for many functions with one setup.
@@ -460,7 +460,7 @@ Function_fit fit_function(const Spline_space_3& space, const SurfaceIntegration&
       .fit(f);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same by cubature.
 template <class Function, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -502,7 +502,7 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Fits a function on a mesh by a spline, see `Function_fitter`.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles; or a range of oriented points, which take the place of vertices, see
@@ -525,7 +525,7 @@ Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
   return internal::fit_function(internal::mesh_or_point_source(tm), f, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`

@@ -38,7 +38,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// What `integrate_gradient_field()` did.
 struct Gradient_report : Solve_report {
   /// \f$(\int \lvert \nabla u_k - v_k \rvert^2 / \mathrm{area})^{1/2}\f$ for each channel, in units
@@ -53,7 +53,7 @@ struct Gradient_report : Solve_report {
   double details_seconds = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// The functions whose gradients fit a vector field: their coefficients, to be evaluated by
 /// `Spline_function_3` or `Spline_functions_3`.
 struct Gradient_fit : Gradient_report {
@@ -364,7 +364,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Integrates a vector field: finds the functions \f$u_k\f$ of a spline space whose gradients are
 /// closest to the channels \f$v_k\f$ of a tangent vector field (paper, section 5.2, equation 6),
 /// \f[ \int_{\mathcal M} \lvert \nabla u_k - v_k \rvert^2
@@ -429,7 +429,7 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space,
       .fit;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same by cubature.
 template <class VectorField, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -438,7 +438,7 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space, const VectorF
   return integrate_gradient_field(space, Cubature(space), v, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Integrates a vector field on a mesh, see above.
 ///
 /// *Details.* Splines do not resolve what is smaller than a cell. With `vertex_details`, their
@@ -476,7 +476,7 @@ Gradient_report integrate_gradient_field(const FaceGraph& tm, const VectorField&
   return internal::integrate_gradient_field(internal::mesh_or_point_source(tm), v, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`

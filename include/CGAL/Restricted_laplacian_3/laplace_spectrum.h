@@ -34,12 +34,12 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// How `laplace_spectrum()` computes eigenpairs: by `multigrid_eigenpairs()`, by
 /// `smallest_eigenpairs()`, or by the one of them that is faster.
 enum class Eigensolver { automatic, multigrid, shift_invert };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The low end of the spectrum of the Laplace-Beltrami operator.
 struct Laplace_spectrum {
   /// \f$\lambda\f$ with \f$-\Delta u = \lambda u\f$, ascending, in units of 1 / area; the first is
@@ -57,7 +57,7 @@ struct Laplace_spectrum {
   Solve_report report;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The factor \f$c\f$ of the stabilisation of the stiffness matrix, see `assemble_operators()`,
 /// that `laplace_spectrum()` uses unless told otherwise: 1e-5, and 0 in the space of the paper.
 /// With it `multigrid_eigenpairs()` needs few iterations on any surface, while eigenvalues change
@@ -107,7 +107,7 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
 /// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
 /// `vertex_values` remains empty.
@@ -171,7 +171,7 @@ Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
   return spectrum;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
 /// Parameters and exceptions are those of `laplace_eigenpairs()`.
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
@@ -184,7 +184,7 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
   return spectrum;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// \overload
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -208,7 +208,7 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
 /// the natural boundary condition if it is open.
 /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
@@ -221,7 +221,7 @@ Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
   return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, k, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
@@ -234,7 +234,7 @@ Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange&
                                        np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same with the cotangent Laplacian of the triangulation, for comparison.
 /// \param np optional named parameters:
 /// - `lumped_mass`: whether the mass matrix is diagonal; default `false`

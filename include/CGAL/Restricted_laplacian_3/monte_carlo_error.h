@@ -22,7 +22,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Which samples `estimate_operators()` and `estimate_eigenvalues()` take.
 struct Monte_carlo_options {
   /// of all batches together; each has this over `number_of_batches`, rounded down
@@ -36,7 +36,7 @@ struct Monte_carlo_options {
   Sampling sampling = Sampling::independent;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Matrices from samples, and the standard error of each of their entries.
 struct Estimated_operators {
   /// as `assemble_operators()` with `Monte_carlo` gives them
@@ -45,7 +45,7 @@ struct Estimated_operators {
   Operators standard_errors;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Eigenvalues from samples, and their standard errors.
 struct Estimated_eigenvalues {
   /// ascending
@@ -110,7 +110,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level by the sum over random samples (paper, section 4.3), and
 /// how far each entry is from the integral.
 ///
@@ -148,7 +148,7 @@ estimate_operators(const Spline_space_3& space, int level,
   return result;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$ on the finest level by random samples,
 /// and how far each is from that of the integrals.
 ///

@@ -30,7 +30,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What `multigrid_eigenpairs()` does unless told otherwise.
 struct Multigrid_eigenpairs_options {
   /// the largest of `Eigenpairs::residuals` that counts as converged; the error of an eigenvector
@@ -453,7 +453,7 @@ inline void check_levels(const std::vector<Eigen::SparseMatrix<double>>& stiffne
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
 /// for symmetric positive semi-definite matrices that are given on all levels of a hierarchy.
 ///

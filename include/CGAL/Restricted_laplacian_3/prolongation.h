@@ -19,7 +19,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The matrix \f$P\f$ that writes a function of a level in terms of the next finer one:
 /// \f$ \sum_j \eta_j b^l_j = \sum_i (P \eta)_i b^{l+1}_i \f$, `dimension(level + 1)` rows and
 /// `dimension(level)` columns. Its columns hold the \f$4 \times 4 \times 4\f$ stencil
@@ -73,7 +73,7 @@ inline Sparse_matrix prolongation_matrix(const Spline_space_3& space, int level)
   return p;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The prolongations from `coarsest` to `coarsest + 1`, ..., from depth - 1 to depth.
 inline std::vector<Sparse_matrix> prolongation_matrices(const Spline_space_3& space, int coarsest) {
   std::vector<Sparse_matrix> result;

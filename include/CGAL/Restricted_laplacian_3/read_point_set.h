@@ -105,7 +105,7 @@ auto normal_map_of(const PointRange& points, const NamedParameters& np) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Reads a set of oriented points, which stands for a surface without any mesh. Vertices and faces
 /// of the surface are the points, numbered in the order of the range.
 ///

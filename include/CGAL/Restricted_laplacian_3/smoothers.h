@@ -28,7 +28,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Sets of unknowns of one level that are relaxed together, in the order in which this is done.
 ///
 /// Patches that follow each other form a *group*, groups that follow each other a *colour*. No
@@ -119,7 +119,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Point Gauss-Seidel, in single precision. Unknowns are relaxed group by group (see
 /// `Smoothing_patches`), and in a group by decreasing octave of the diagonal entry, see
 /// `internal::order_by_octave_of_diagonal()`; in reverse after the coarse correction, which makes a
@@ -210,7 +210,7 @@ private:
   std::vector<float> m_inverse_diagonal;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Overlapping multiplicative Schwarz: the unknowns of each patch in turn are set to the solution
 /// of their equations, the others fixed; in reverse order after the coarse correction, which makes
 /// a cycle a symmetric operator.

@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The patches of a level on which `Patch_smoother` works: one for each sheet of the next coarser
 /// level, with all elements that act on one of its children. On a smooth surface these are about 50
 /// of the \f$4 \times 4 \times 4\f$ elements around two cells by two by two.
@@ -79,7 +79,7 @@ inline Smoothing_patches smoothing_patches(const Spline_space_3& space, int leve
   return patches;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The patches of the levels `coarsest + 1` ..\ depth.
 inline std::vector<Smoothing_patches> smoothing_patches_of_levels(const Spline_space_3& space,
                                                                   int coarsest) {

@@ -31,7 +31,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The factor \f$c\f$ of the stabilisation, see `assemble_operators()`, that the functions for
 /// Poisson problems use unless told otherwise: 1e-3, and 0 in the space of the paper. The number of
 /// iterations does not depend on the depth of the octree then, while the error of the solution is
@@ -274,7 +274,7 @@ template <class Alpha> void check_screening_weight(const Alpha& alpha) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$A \eta = b\f$ on the finest level of a space, where \f$A\f$ is the stiffness
 /// matrix with other matrices of its pattern added, such as those of `Dirichlet_boundary` and
 /// `Point_constraints`. The matrix is empty afterwards.
@@ -289,7 +289,7 @@ make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
   return internal::poisson_solver(space, std::move(a), {}, element_integrals, alpha, options);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The same with a copy of the matrix.
 inline Poisson_solver
 make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
@@ -298,7 +298,7 @@ make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
   return make_poisson_solver(space, Sparse_matrix(a), element_integrals, alpha, options);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, which assembles the
 /// matrices of all levels in one pass over the surface.
 /// \param alpha screening weight, at least 0, in units of 1 / area
@@ -313,7 +313,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0
   return make_poisson_solver(space, alpha, Cubature(space), np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// \overload
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
@@ -327,7 +327,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
                                   internal::poisson_solver_options(np));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space.
 /// \param alpha screening weight, at least 0, in units of 1 / area
 /// \param operators the matrices of the finest level of `space`
@@ -354,7 +354,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
                              alpha, internal::poisson_solver_options(np));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Solves the Poisson problem \f$\Delta_{\mathcal M} u = f\f$ on a surface (paper, equation 1), in
 /// the form \f$S \eta = -\phi\f$ (the stiffness matrix \f$S\f$ is minus the matrix \f$L\f$ of the
 /// paper).
@@ -399,7 +399,7 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
   return internal::solve_poisson(internal::mesh_or_point_source(tm), f, 0, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
@@ -414,7 +414,7 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
       internal::Soup_source<PointRange, TriangleRange>(points, triangles), f, 0, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Solves the screened Poisson problem \f$\alpha u - \Delta_{\mathcal M} u = f\f$, in the form
 /// \f$(S + \alpha M)\, \eta = \phi\f$. Note the sign of \f$f\f$, which is not that of
 /// `solve_poisson()`.
@@ -436,7 +436,7 @@ Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, cons
   return internal::solve_poisson(internal::mesh_or_point_source(tm), f, alpha, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup.
 template <class PointRange, class TriangleRange, class Function, class Alpha, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,

@@ -89,7 +89,7 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Colours a mesh from several scans without visible seams, see `Color_stitcher`.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
@@ -120,7 +120,7 @@ Stitching_report stitch_colors(const FaceGraph& tm, const std::vector<Colored_sc
   return internal::stitch_colors(internal::Mesh_source<FaceGraph>(tm), scans, colors, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The same on a triangle soup, which need not be a manifold.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`

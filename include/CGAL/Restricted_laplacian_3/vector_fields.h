@@ -24,7 +24,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// A function or vector field that is constant on each triangle, as a function object on
 /// `Surface_point`. Integrals of it are exact up to rounding, and take fewer nodes than others.
 /// \tparam T a number, or a vector type
@@ -42,7 +42,7 @@ private:
   std::vector<T> m_values;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// A vector field that is linear in each triangle, and may jump from one to the next, as a function
 /// object on `Surface_point`: it is given by its values at the corners of the triangles.
 /// \tparam T a vector type, such as `Vector_3` or `Eigen::Matrix<double, 3, K>`
@@ -210,7 +210,7 @@ auto gradients_of_values(const Triangulated_surface_3& surface, const Values& va
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// The gradients of the functions that are linear in each triangle and take the values of a vertex
 /// property map: a vector field that is constant on each triangle, and tangent to it, with the
 /// gradient of component \f$k\f$ as its channel \f$k\f$, in units of the values over length; 0 on
@@ -234,7 +234,7 @@ auto vertex_gradients(const FaceGraph& tm, VertexMap map,
   return internal::gradients_of_values(read_surface(tm, np), values);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// The same on a triangle soup.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
