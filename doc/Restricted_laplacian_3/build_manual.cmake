@@ -23,6 +23,14 @@ if(messages)
   endif()
 endif()
 
+# The tree beside the pages has no room for namespaces.
+file(GLOB trees "${OUTPUT_DIR}/html/group__*.js")
+foreach(tree IN LISTS trees)
+  file(READ "${tree}" text)
+  string(REPLACE "[ \"CGAL::Restricted_laplacian_3::" "[ \"" text "${text}")
+  file(WRITE "${tree}" "${text}")
+endforeach()
+
 # Formulas are drawn as SVG: browsers load no fonts for a page that is opened as a file. That takes
 # a tenth of MathJax.
 if(MATHJAX_DIR)

@@ -91,7 +91,7 @@ struct Color_stitching_options {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// What one scan gave to a surface. Areas are fractions of the area of the surface, 0 .. 1.
+/// What one scan gave to a surface. Areas are fractions of the area of the surface, from 0 to 1.
 struct Scan_usage {
   /// number of vertices that the scan covers; 0 is worth a message
   std::size_t covered_vertices = 0;
@@ -112,7 +112,7 @@ struct Scan_usage {
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Colours of vertices, and where they come from.
 struct Vertex_colors {
-  /// 0 .. 1; black at vertices without a scan
+  /// from 0 to 1; black at vertices without a scan
   std::vector<Rgb_color> colors;
   /// the number of the scan of each vertex, or `no_scan`
   std::vector<std::uint32_t> scans;
@@ -121,7 +121,7 @@ struct Vertex_colors {
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// What a `Color_stitcher` did: the report of the integration, where `components_without_weight` is
 /// the number of connected components without any scan, and what follows. Areas are fractions of
-/// the area of the surface, 0 .. 1.
+/// the area of the surface, from 0 to 1.
 struct Stitching_report : Gradient_report {
   /// what each scan gave, in the order in which the scans were added
   std::vector<Scan_usage> scans;
@@ -131,7 +131,7 @@ struct Stitching_report : Gradient_report {
   std::size_t uncovered_vertices = 0;
   /// length of the sides across which the scan changes, in units of length
   double seam_length = 0;
-  /// components of colours that were outside of 0 .. 1 by more than 0.001 and are cut off
+  /// components of colours that were outside of 0 to 1 by more than 0.001 and are cut off
   std::size_t clamped_values = 0;
   /// `mean_color_jump()` of the colours of the chosen scans across their transitions
   double jump_before = 0;
@@ -146,7 +146,7 @@ struct Stitching_report : Gradient_report {
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Stitched colours, and how they came about.
 struct Stitched_colors : Stitching_report {
-  /// of the vertices, 0 .. 1
+  /// of the vertices, from 0 to 1
   std::vector<Rgb_color> colors;
 };
 

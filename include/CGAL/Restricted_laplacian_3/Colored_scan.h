@@ -88,7 +88,7 @@ inline Scan_pose scan_pose(const std::array<double, 16>& rows) {
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// What a scan says of a location near it.
 struct Scan_sample {
-  /// at the nearest point of the scan, 0 .. 1
+  /// at the nearest point of the scan, from 0 to 1
   Rgb_color color = {0, 0, 0};
   /// surface gradient of the colour there, per length in the world: column \f$k\f$ is that of
   /// channel \f$k\f$
@@ -126,7 +126,7 @@ struct Scan_sample {
 class Colored_scan {
 public:
   /// \param surface in coordinates of the scan
-  /// \param colors of its vertices or points, 0 .. 1
+  /// \param colors of its vertices or points, from 0 to 1
   /// \param pose takes coordinates of the scan to those of the world: a rotation, a translation,
   /// and possibly a positive scale
   /// \param viewpoint in coordinates of the scan
@@ -134,7 +134,7 @@ public:
   /// result is the same
   /// \throws Parameter_error the number of colours is not that of the vertices, `pose` is not a
   /// rotation with a scale and a translation, or `viewpoint` is not finite
-  /// \throws Invalid_vertex_error the colour of a vertex is not in 0 .. 1
+  /// \throws Invalid_vertex_error the colour of a vertex is not from 0 to 1
   /// \throws Input_error the surface in the world has coordinates that are not finite
   Colored_scan(const Triangulated_surface_3& surface, std::vector<Rgb_color> colors,
                const Scan_pose& pose = Scan_pose(CGAL::IDENTITY),
@@ -149,8 +149,8 @@ public:
   /// triangles; or a range of oriented points, see `read_point_set()`
   /// \param color_map a model of `ReadablePropertyMap` with the vertex descriptor as key (or the
   /// element of the range, or its position) and as value `CGAL::IO::Color`, or a `std::array`, a
-  /// vector of Eigen or a 3D vector of \cgal of three components: 0 .. 1, or 0 .. 255 if they are
-  /// integers
+  /// vector of Eigen or a 3D vector of \cgal of three components: from 0 to 1, or from 0 to 255 if
+  /// they are integers
   /// \param np optional named parameters:
   /// - `pose`: a `Scan_pose`, see above; default the identity
   /// - `viewpoint`: a `Point_3` in coordinates of the scan; default the origin

@@ -86,8 +86,8 @@ public:
   /// join
   /// \param is_parallel whether several threads are used, if the program is linked with TBB; the
   /// octree is the same
-  /// \throws Parameter_error if `depth` is not in 1 .. 20, if `cube_scale` is not in 1 .. 1e6, or
-  /// if the octree would have more than `maximum_number_of_sheets` sheets or
+  /// \throws Parameter_error if `depth` is not from 1 to 20, if `cube_scale` is not from 1 to 1e6,
+  /// or if the octree would have more than `maximum_number_of_sheets` sheets or
   /// `maximum_number_of_fragments` fragments
   Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split = true,
            double joining_tolerance = -1, bool is_parallel = false)

@@ -34,7 +34,7 @@ public:
   /// \param space has to outlive this object
   /// \param coefficients \f$\eta\f$, one for each element of `level`
   /// \throws Parameter_error if the number of coefficients is not `space.dimension(level)`, or if
-  /// `level` is not in 0 .. depth
+  /// `level` is not from 0 to depth
   Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients, int level)
     : m_space(&space), m_level(space.checked_level(level)),
       m_coefficients(std::move(coefficients)) {

@@ -49,7 +49,7 @@ public:
   /// \param coefficients \f$H\f$: a row for each element of `level`, a column for each function;
   /// copied
   /// \throws Parameter_error if the number of rows is not `space.dimension(level)`, or if `level`
-  /// is not in 0 .. depth
+  /// is not from 0 to depth
   Spline_functions_3(const Spline_space_3& space,
                      const Eigen::Ref<const Eigen::MatrixXd>& coefficients, int level)
     : m_space(&space), m_level(space.checked_level(level)) {

@@ -183,7 +183,7 @@ public:
   bool is_split() const { return m_octree.is_split(); }
 
   /// `level`
-  /// \throws Parameter_error if it is not in 0 .. depth
+  /// \throws Parameter_error if it is not from 0 to depth
   int checked_level(int level) const {
     if(level < 0 || level > depth())
       throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +

@@ -99,7 +99,7 @@ private:
 template <class Function> class Function_of_degree {
 public:
   /// \param f a function object that takes a `const Surface_point&`
-  /// \param degree 0 .. 6
+  /// \param degree from 0 to 6
   Function_of_degree(Function f, int degree) : m_function(std::move(f)), m_degree(degree) {}
 
   /// the value of the function at a location
@@ -118,7 +118,7 @@ private:
 /// for degree 2 or less. With degree 2 the error of the solution of a Poisson problem remains of
 /// the order \f$h^3\f$ for a smooth function; the time for a right-hand side is halved.
 /// \param f a function object that takes a `const Surface_point&`
-/// \param degree 0 .. 6; 6 is what functions have that are given as they are
+/// \param degree from 0 to 6; 6 is what functions have that are given as they are
 /// \throws Parameter_error if `degree` is outside its domain
 template <class Function> Function_of_degree<Function> function_of_degree(Function f, int degree) {
   if(degree < 0 || degree > 6)

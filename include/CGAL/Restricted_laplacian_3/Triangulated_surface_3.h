@@ -75,7 +75,7 @@ public:
   /// \throws Empty_surface_error, Zero_area_error
   /// \throws Invalid_face_error a face names a vertex that does not exist
   /// \throws Invalid_vertex_error a vertex of a face is not finite
-  /// \throws Parameter_error the extent is outside of `smallest_extent` .. `largest_extent`
+  /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles)
     : m_points(std::move(points)), m_triangles(std::move(triangles)) {
     if(m_triangles.empty())
@@ -95,7 +95,7 @@ public:
   /// \throws Empty_surface_error
   /// \throws Invalid_point_error names the first point that cannot be used
   /// \throws Zero_area_error all points are the same, or all areas 0
-  /// \throws Parameter_error the extent is outside of `smallest_extent` .. `largest_extent`, the
+  /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`, the
   /// sum of the areas is infinite, or the three vectors differ in length
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Vector_3> normals,
                          std::vector<double> areas)

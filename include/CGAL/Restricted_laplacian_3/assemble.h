@@ -66,8 +66,8 @@ inline double checked_normal_stabilization(double c) {
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Assembles stiffness and mass matrices of the levels `coarsest` ..\ `finest`, in this order, in
-/// one pass over the surface.
+/// Assembles stiffness and mass matrices of the levels from `coarsest` to `finest`, in this order,
+/// in one pass over the surface.
 ///
 /// The surface is integrated on the finest level of the octree only; the coarser levels follow from
 /// the moments of the sheets, at a cost that does not depend on the number of triangles. Up to
@@ -102,7 +102,7 @@ inline double checked_normal_stabilization(double c) {
 /// \param stabilized which of the matrices are stabilised
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or
 /// `Monte_carlo`
-/// \throws Parameter_error if a level is not in 0 .. depth, or if `normal_stabilization` is
+/// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
 /// negative or not finite
 template <class SurfaceIntegration>
 std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
@@ -158,8 +158,8 @@ inline Operators assemble_operators(const Spline_space_3& space) {
 
 namespace internal {
 
-/// The matrices \f$\beta S + \alpha M\f$ of the levels `coarsest` ..\ depth, coarsest first, and
-/// the integrals of the elements of the finest level.
+/// The matrices \f$\beta S + \alpha M\f$ of the levels from `coarsest` to depth, coarsest first,
+/// and the integrals of the elements of the finest level.
 struct System_matrices {
   std::vector<Sparse_matrix> matrices;
   Eigen::VectorXd integrals;
@@ -230,7 +230,7 @@ Stiffness_and_integrals assemble_stiffness_and_integrals(const Spline_space_3& s
 /// \param normal_stabilization as in `assemble_operators()`; with \f$c > 0\f$ the matrix is
 /// \f$S + \frac{c}{h} N\f$
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
-/// \throws Parameter_error if the level is not in 0 .. depth, or if `normal_stabilization` is
+/// \throws Parameter_error if the level is not from 0 to depth, or if `normal_stabilization` is
 /// negative or not finite
 template <class SurfaceIntegration>
 Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
@@ -426,7 +426,7 @@ Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space, const Func
 /// of degree at most 6 on each triangle, or of the degree that `function_of_degree()` says. It is
 /// called by several threads at once if `Spline_space_options::is_parallel` is set.
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
-/// \throws Parameter_error if the level is not in 0 .. depth, or if a value of `v` is not finite
+/// \throws Parameter_error if the level is not from 0 to depth, or if a value of `v` is not finite
 template <class VectorField, class SurfaceIntegration>
 Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const VectorField& v,
                                         int level, const SurfaceIntegration& integration) {

@@ -34,9 +34,9 @@ struct Back_projection_options {
   /// larger one of the spacings of scan and surface (`Colored_scan::spacing()`)
   std::optional<double> maximum_distance;
   /// smallest cosine of the angle \f$\theta\f$ between the normal of the surface and the direction
-  /// to the viewpoint, in 0 .. 1
+  /// to the viewpoint, from 0 to 1
   double minimum_facing_cosine = 0.1;
-  /// smallest cosine of the angle between the normals of surface and scan, in -1 .. 1
+  /// smallest cosine of the angle between the normals of surface and scan, from -1 to 1
   double minimum_normal_cosine = 0.5;
   /// \f$B\f$: distance from the boundary of the scan from which on it does not matter; without a
   /// value ten times the spacing of the scan
@@ -53,14 +53,14 @@ struct Back_projection_options {
 struct Back_projection {
   /// numbers of the covered vertices; those of what follows are the positions in this vector
   std::vector<std::uint32_t> vertices;
-  /// of the nearest points of the scan, 0 .. 1
+  /// of the nearest points of the scan, from 0 to 1
   std::vector<Rgb_color> colors;
   /// of the colours of the scan, in the tangent plane of the scan: column \f$k\f$ belongs to
   /// channel \f$k\f$; empty if they were not asked for
   std::vector<Eigen::Matrix3d> gradients;
   /// from the scan
   std::vector<double> distances;
-  /// \f$q\f$, in 0 .. 1
+  /// \f$q\f$, from 0 to 1
   std::vector<double> qualities;
   /// \f$D\f$ of this scan
   double maximum_distance = 0;
@@ -171,7 +171,7 @@ private:
     to.insert(to.end(), from.begin(), from.end());
   }
 
-  /// the vertices `begin` .. `end` - 1
+  /// the vertices from `begin` to `end` - 1
   void project(const Colored_scan& scan, std::size_t begin, std::size_t end,
                Back_projection& result) const {
     constexpr double boundary_spacings = 10;

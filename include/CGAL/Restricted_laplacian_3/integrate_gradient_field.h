@@ -366,14 +366,15 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// Integrates a vector field: finds the functions \f$u_k\f$ of a spline space whose gradients are
-/// closest to the channels \f$v_k\f$ of a tangent vector field (paper, section 5.2, equation 6),
+/// closest to the channels \f$v_k\f$ of a tangent vector field (paper, section 5.2, equation 6).
 /// \f[ \int_{\mathcal M} \lvert \nabla u_k - v_k \rvert^2
 ///     + \int_{\mathcal M} \alpha\, (u_k - g_k)^2 \to \min, \qquad
 ///     (S + M_\alpha)\, \eta_{\cdot k} = \gamma, \quad
 ///     \gamma_i = \int_{\mathcal M} \langle v_k, \nabla b_i \rangle
 ///              + \int_{\mathcal M} \alpha\, g_k\, b_i, \f]
-/// \f$(M_\alpha)_{ij} = \int \alpha\, b_i b_j\f$. All channels share the matrix, one pass over the
-/// surface and each pass of the solver. On boundaries the natural condition holds: the part of
+/// where \f$(M_\alpha)_{ij} = \int \alpha\, b_i b_j\f$. All channels share the matrix, one pass
+/// over the surface and each pass of the solver. On boundaries the natural condition holds: the
+/// part of
 /// \f$\nabla u - v\f$ along the conormal is 0.
 ///
 /// *Means.* Gradients do not tell constants. Without a weight \f$\alpha\f$, the mean of \f$u\f$ on

@@ -26,7 +26,7 @@ namespace Restricted_laplacian_3 {
 /// \f$\frac14 (1\ 3\ 3\ 1)^{\otimes 3}\f$ (paper, section 4.2), as far as the elements exist. Its
 /// transpose restricts residuals. In the space of the paper the stencil is cut off at the boundary
 /// of the grid, and the relation holds only away from it.
-/// \throws Parameter_error if `level` is not in 0 .. depth - 1
+/// \throws Parameter_error if `level` is not from 0 to depth - 1
 inline Sparse_matrix prolongation_matrix(const Spline_space_3& space, int level) {
   if(level < 0 || level >= space.depth())
     throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +

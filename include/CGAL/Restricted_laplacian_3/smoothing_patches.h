@@ -80,7 +80,7 @@ inline Smoothing_patches smoothing_patches(const Spline_space_3& space, int leve
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// The patches of the levels `coarsest + 1` ..\ depth.
+/// The patches of the levels from `coarsest + 1` to depth.
 inline std::vector<Smoothing_patches> smoothing_patches_of_levels(const Spline_space_3& space,
                                                                   int coarsest) {
   std::vector<Smoothing_patches> result;

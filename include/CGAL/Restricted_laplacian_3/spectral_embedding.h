@@ -29,7 +29,7 @@ Eigen::MatrixXd embedding_without_zeros(const Eigen::VectorXd& eigenvalues,
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
-/// The global point signature of Rustamov \cgalCite{Rus07},
+/// The global point signature of Rustamov \cgalCite{Rus07}.
 /// \f[ \mathrm{GPS}(x) = \left( \frac{\phi_i(x)}{\sqrt{\lambda_i}} \right)_{\lambda_i > 0} . \f]
 /// The scalar product of two rows is Green's function
 /// \f$g(x, y) = \sum_i \phi_i(x) \phi_i(y) / \lambda_i\f$ of \f$-\Delta\f$, as far as the sum goes;

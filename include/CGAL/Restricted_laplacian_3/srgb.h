@@ -12,11 +12,11 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// Red, green and blue, 0 .. 1.
+/// Red, green and blue, from 0 to 1.
 using Rgb_color = std::array<double, 3>;
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// Light of a component that is encoded by the curve of sRGB (IEC 61966-2-1), both in 0 .. 1:
+/// Light of a component that is encoded by the curve of sRGB (IEC 61966-2-1), both from 0 to 1:
 /// \f$x / 12.92\f$ up to 0.04045, \f$((x + 0.055) / 1.055)^{2.4}\f$ above. Numbers below 0 and
 /// above 1 take the continuation of their piece.
 inline double srgb_to_linear(double x) {

@@ -96,7 +96,7 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 /// \param scans at least one
 /// \param colors a model of `WritablePropertyMap` with the vertex descriptor as key and a colour as
 /// value: `CGAL::IO::Color`, or a `std::array`, a vector of Eigen or a 3D vector of \cgal of three
-/// components, 0 .. 1, or 0 .. 255 if they are integers
+/// components, from 0 to 1, or from 0 to 255 if they are integers
 /// \param np optional named parameters: those of `Spline_space_3`, and
 /// - `maximum_distance`, `minimum_facing_cosine`, `minimum_normal_cosine`, `boundary_width`,
 ///   `oriented_surface`: as in `Back_projection_options`
