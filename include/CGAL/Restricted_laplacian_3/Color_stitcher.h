@@ -153,6 +153,7 @@ struct Stitched_colors : Stitching_report {
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The edges of a surface, as pairs of vertices in ascending order, whose ends have different
 /// scans.
+/// \param surface a surface of triangles
 /// \param scans of the vertices; edges at vertices with `no_scan` are left out
 /// \throws Parameter_error the number of scans is not that of the vertices
 inline std::vector<std::pair<std::uint32_t, std::uint32_t>>
@@ -177,6 +178,7 @@ scan_transitions(const Triangulated_surface_3& surface, const std::vector<std::u
 /// colours of their ends, \f$\lvert c_v - c_w \rvert_2\f$ over the three channels. What true
 /// colours have there is to be subtracted. 0 if there are no edges.
 /// \param edges such as `scan_transitions()` returns
+/// \param colors of the vertices
 /// \throws Parameter_error an edge names a vertex without a colour
 inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
                               const std::vector<Rgb_color>& colors) {
@@ -212,6 +214,7 @@ public:
   using Options = Color_stitching_options;
 
   /// \param space of a mesh or soup, has to outlive this object
+  /// \param options how scans are chosen and stitched
   /// \throws Input_error the surface is a point set
   /// \throws Parameter_error an option is outside its domain
   explicit Color_stitcher(const Spline_space_3& space, const Options& options = Options())

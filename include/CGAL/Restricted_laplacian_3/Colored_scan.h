@@ -147,6 +147,7 @@ public:
   /// A scan from a mesh or a range of points.
   /// \tparam Surface a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
   /// triangles; or a range of oriented points, see `read_point_set()`
+  /// \param surface the mesh or the range of points; it is read here only
   /// \param color_map a model of `ReadablePropertyMap` with the vertex descriptor as key (or the
   /// element of the range, or its position) and as value `CGAL::IO::Color`, or a `std::array`, a
   /// vector of Eigen or a 3D vector of \cgal of three components: from 0 to 1, or from 0 to 255 if

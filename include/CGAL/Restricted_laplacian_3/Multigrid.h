@@ -192,7 +192,11 @@ public:
   };
 
   /// \f$ x \approx A^{-1} b \f$: one cycle that starts from 0
+  /// \param b \f$K\f$ right-hand sides
+  /// \param x the solutions; its old content does not matter
+  /// \param cycle shape of the cycle
   /// \param steps number of smoothing steps before, and again after the coarse correction
+  /// \param workspace vectors that are reused, of one thread only
   template <int K>
   void apply(const internal::Block_vector<K>& b, internal::Block_vector<K>& x, Cycle cycle,
              int steps, Workspace<K>& workspace) const {

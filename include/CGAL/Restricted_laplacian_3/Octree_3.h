@@ -81,6 +81,10 @@ public:
   /// octree is built.
   static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 26;
 
+  /// \param surface becomes a part of the octree
+  /// \param depth \f$d\f$, from 1 to 20
+  /// \param cube_scale side of the domain cube over the longest side of the bounding box, from 1 to
+  /// 1e6
   /// \param is_split whether the surface in a cell is split into sheets
   /// \param joining_tolerance of `Surface_seams`, in the unit of the coordinates; negative: do not
   /// join

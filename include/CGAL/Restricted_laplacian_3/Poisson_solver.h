@@ -180,6 +180,7 @@ public:
   /// \param prolongations from each level to the next finer one, coarsest first
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param alpha the screening weight that `a` contains, if any
+  /// \param options tolerance, iterations, cycle, smoother, threads
   /// \param patches of each level but the coarsest, coarsest first, see `smoothing_patches()`;
   /// without them, the smoother is point Gauss-Seidel
   /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they
@@ -203,8 +204,14 @@ public:
                      std::move(coarse_matrices)) {}
 
   /// The same with a screening weight that varies over the surface.
+  /// \param a the matrix; it is empty afterwards
+  /// \param prolongations as above
+  /// \param element_integrals as above
   /// \param constant_loads \f$w_i = \int \alpha\, b_i\f$ for each unknown, not negative: what `a`
   /// maps the constant 1 to. On components where all of them are 0, constants are in the kernel.
+  /// \param options tolerance, iterations, cycle, smoother, threads
+  /// \param patches as above
+  /// \param coarse_matrices as above
   Poisson_solver(Sparse_matrix&& a, std::vector<Sparse_matrix> prolongations,
                  const Eigen::VectorXd& element_integrals, const Eigen::VectorXd& constant_loads,
                  const Options& options = Options(), std::vector<Smoothing_patches> patches = {},

@@ -33,6 +33,7 @@ class Spline_function_3 {
 public:
   /// \param space has to outlive this object
   /// \param coefficients \f$\eta\f$, one for each element of `level`
+  /// \param level from 0, the coarsest, to the depth of the space
   /// \throws Parameter_error if the number of coefficients is not `space.dimension(level)`, or if
   /// `level` is not from 0 to depth
   Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients, int level)
@@ -122,6 +123,7 @@ private:
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Writes the values of a function at all vertices into a property map: NaN at vertices that have
 /// no face of positive area.
+/// \param u the function
 /// \param tm the mesh that the space of `u` was made from
 /// \param map a model of `WritablePropertyMap` with the vertex descriptor as key and a number type
 /// as value

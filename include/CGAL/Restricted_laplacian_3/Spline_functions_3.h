@@ -48,6 +48,7 @@ public:
   /// \param space has to outlive this object
   /// \param coefficients \f$H\f$: a row for each element of `level`, a column for each function;
   /// copied
+  /// \param level from 0, the coarsest, to the depth of the space
   /// \throws Parameter_error if the number of rows is not `space.dimension(level)`, or if `level`
   /// is not from 0 to depth
   Spline_functions_3(const Spline_space_3& space,

@@ -120,6 +120,7 @@ public:
 
   /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
   /// triangles; or a model of `ConstRange`, for example `CGAL::Point_set_3`, of oriented points
+  /// \param tm the surface, a mesh or a range of oriented points
   /// \param np optional named parameters:
   /// - `octree_depth`: depth \f$d\f$ of the octree; default 6, or
   ///   `default_octree_depth_of_points()`

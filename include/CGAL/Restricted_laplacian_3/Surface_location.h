@@ -159,6 +159,7 @@ template <class T> int degree_on_triangles(const Linear_surface_function<T>&) { 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The function that is linear in each triangle and takes the values of a vertex property map, as a
 /// function object on `Surface_point`. The values are copied.
+/// \param tm the mesh whose vertices the map knows
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a number type
 /// as value
 template <class FaceGraph, class VertexMap>
@@ -172,6 +173,7 @@ Linear_surface_function<double> vertex_function(const FaceGraph& tm, VertexMap m
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The same for a triangle soup.
+/// \param number_of_points the map is read at all indices below it
 /// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`,
 /// and a number type as value, for example `CGAL::make_property_map()` of a vector
 template <class IndexMap>
@@ -186,6 +188,7 @@ Linear_surface_function<double> index_function(std::size_t number_of_points, Ind
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The vector field that is linear in each triangle and takes the values of a vertex property map,
 /// as a function object on `Surface_point`.
+/// \param tm the mesh whose vertices the map knows
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D vector
 /// type of a \cgal kernel as value
 template <class FaceGraph, class VertexMap>

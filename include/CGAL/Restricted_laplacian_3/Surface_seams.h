@@ -41,6 +41,7 @@ namespace Restricted_laplacian_3 {
 /// to each other.
 class Surface_seams {
 public:
+  /// \param surface a surface of triangles; it is read here only
   /// \param thinness in the unit of the coordinates
   /// \param joining_tolerance in the unit of the coordinates; negative: do not join
   /// \throws Input_error the surface is a point set

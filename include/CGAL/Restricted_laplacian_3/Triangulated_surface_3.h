@@ -90,6 +90,8 @@ public:
 
   /// Oriented points. Points may coincide; normals need not have unit length, and are divided by
   /// their length here.
+  /// \param points the points; their number is that of vertices and faces
+  /// \param normals a normal for each point, of any length but 0
   /// \param areas the area that each point stands for, at least 0, in units of squared coordinates:
   /// areas of other units would change the weight of the stabilisation, and with it the results
   /// \throws Empty_surface_error
@@ -261,6 +263,7 @@ private:
 /// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
+/// \param tm a mesh of triangles
 /// \param np `vertex_point_map`: a model of `ReadablePropertyMap` with a 3D point of any \cgal
 /// kernel as value; default `get_const_property_map(CGAL::vertex_point, tm)`
 /// \throws Invalid_face_error if a face is not a triangle, and what the constructor of

@@ -98,6 +98,11 @@ inline double checked_normal_stabilization(double c) {
 ///
 /// Takes time proportional to the number of fragments of triangles in cells, plus the number of
 /// sheets; holds the matrices (about 75 entries in a row) and little else.
+/// \param space the space whose elements are integrated
+/// \param coarsest from 0, the coarsest, to the depth of the space
+/// \param finest from 0, the coarsest, to the depth of the space; if it is below `coarsest`, the
+/// result is empty
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 /// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
 /// \param stabilized which of the matrices are stabilised
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or
@@ -227,6 +232,9 @@ Stiffness_and_integrals assemble_stiffness_and_integrals(const Spline_space_3& s
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The stiffness matrix of one level alone: no mass matrix is formed or held meanwhile.
+/// \param space the space whose elements are integrated
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 /// \param normal_stabilization as in `assemble_operators()`; with \f$c > 0\f$ the matrix is
 /// \f$S + \frac{c}{h} N\f$
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
@@ -349,10 +357,13 @@ Eigen::VectorXd sum_loads(const Spline_space_3& space, int level, double factor,
 /// \f$ \phi_i = \int_{\mathcal M} f\, b_i \f$ (paper, equation 4), `dimension(level)` entries.
 ///
 /// The Poisson problem \f$\Delta_{\mathcal M} u = f\f$ is \f$S \eta = -\phi\f$.
+/// \param space the space whose elements are integrated
 /// \param f a function object that takes a `const Surface_point&` and returns a number. Exact up to
 /// rounding if it is a polynomial of degree at most 6 on each triangle, or of the degree that
 /// `function_of_degree()` says.
 /// It is called by several threads at once if `Spline_space_options::is_parallel` is set.
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class Function, class SurfaceIntegration>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level,
@@ -389,9 +400,12 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
 /// The loads of all components of a function in one pass over the surface: \f$ \gamma_{ik} =
 /// \int_{\mathcal M} f_k\, b_i \f$ (paper, section 5.3), a row for each element of `level`, a
 /// column for each component.
+/// \param space the space whose elements are integrated
 /// \param f a function object that takes a `const Surface_point&` and returns a number, a
 /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal;
 /// all else as in `assemble_load()`
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 template <class Function, class SurfaceIntegration>
 Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space, const Function& f, int level,
                                          const SurfaceIntegration& integration) {
@@ -420,11 +434,14 @@ Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space, const Func
 /// for each element of `level`, a column for each channel. In units of \f$v\f$ times length.
 ///
 /// The functions whose gradients are closest to \f$v_k\f$ solve \f$S \eta_k = \gamma_k\f$.
+/// \param space the space whose elements are integrated
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal,
 /// a `std::array` of such vectors, or a matrix of Eigen of three rows and a fixed number of
 /// columns; only the parts tangential to the face count. Exact up to rounding if it is a polynomial
 /// of degree at most 6 on each triangle, or of the degree that `function_of_degree()` says. It is
 /// called by several threads at once if `Spline_space_options::is_parallel` is set.
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 /// \throws Parameter_error if the level is not from 0 to depth, or if a value of `v` is not finite
 template <class VectorField, class SurfaceIntegration>
@@ -469,7 +486,10 @@ Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const Vecto
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The same for one channel: \f$ \gamma_i = \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i
 /// \rangle \f$, `dimension(level)` entries.
+/// \param space the space whose elements are integrated
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 template <class VectorField, class SurfaceIntegration>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v, int level,
                                        const SurfaceIntegration& integration) {

@@ -92,6 +92,7 @@ public:
   using Options = Back_projection_options;
 
   /// \param surface has to outlive this object
+  /// \param options which vertices a scan covers
   /// \param is_parallel whether several threads are used, if the program is linked with TBB; the
   /// result is the same
   /// \throws Parameter_error an option is outside its domain

@@ -239,8 +239,10 @@ constexpr std::array<std::array<double, 5>, 5> upper_child_factor() {
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// Adds the moments of a fragment of a triangle.
+/// \param fragment a fragment in coordinates of the grid
 /// \param cell the cell that owns the fragment
 /// \param normal unit normal of the triangle; only \f$n n^T\f$ is used, so its sign does not matter
+/// \param moments what is added to
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
                          const Vector_3& normal, Cell_moments& moments) {
   Cell_moments::Moments own;

@@ -168,6 +168,7 @@ public:
   /// `std::array<int, 3>`. Fragments without area are not reported. The time is proportional to the
   /// number of fragments and to the number of cells between the extremes along the first axis.
   /// \param corners in units of the cell width, inside \f$[0,n]^3\f$ up to rounding
+  /// \param sink the function object that is called
   template <class Sink>
   void operator()(const std::array<std::array<double, 3>, 3>& corners, Sink&& sink) const {
     cut_snapped({snapped(corners[0]), snapped(corners[1]), snapped(corners[2])}, sink);

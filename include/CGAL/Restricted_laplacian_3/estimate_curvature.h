@@ -251,6 +251,7 @@ Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
 /// Estimates the curvature of a surface from a field of normals (paper, section 5.3): the field is
 /// fitted by splines, see `Function_fitter`; the derivative of the fit \f$u\f$ is projected to the
 /// plane that is orthogonal to \f$u\f$, divided by \f$\lvert u \rvert\f$, and symmetrised.
+/// \param space the space in which the normals are fitted
 /// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
 /// about unit length
 /// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
@@ -275,6 +276,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of the surface of a space.
+/// \param space the space in which normals or coordinates are fitted
 /// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
 /// \param np optional named parameters: those above, and
 /// - `curvature_method`: a `Curvature_method`; default `Curvature_method::normals`, with
@@ -350,6 +352,7 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles. The normals are to the side to which the faces are oriented. Or a range of oriented
 /// points, which take the place of vertices, see `read_point_set()`
+/// \param tm the surface, a mesh or a range of oriented points
 /// \param curvatures a model of `WritablePropertyMap` with the vertex descriptor as key and
 /// `Surface_curvature` as value; NaN at vertices without a face of positive area
 /// \param np optional named parameters: those of `Spline_space_3` and of the overloads above, and

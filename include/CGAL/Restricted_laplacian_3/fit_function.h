@@ -148,6 +148,7 @@ public:
   using Options = Function_fit_options;
 
   /// \param space,integration have to outlive this object
+  /// \param options smoothing, refinement, stabilisation and solver
   /// \throws Parameter_error if an option is outside its domain
   Function_fitter(const Spline_space_3& space, const SurfaceIntegration& integration,
                   const Options& options = Options())
@@ -434,6 +435,7 @@ private:
 /// Fits a function on a surface by a spline: the least-squares projection \f$D \eta = \gamma\f$ of
 /// the paper (section 5.3), if wanted with smoothing. See `Function_fitter`, which does the same
 /// for many functions with one setup.
+/// \param space the space that the fit is in
 /// \param f a function object that takes a `const Surface_point&` and returns a number, a
 /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal.
 /// Integrated as in `assemble_load()`.
@@ -507,6 +509,7 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles; or a range of oriented points, which take the place of vertices, see
 /// `read_point_set()`
+/// \param tm the surface, a mesh or a range of oriented points
 /// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key, interpolated
 /// linearly, or a function object that takes a `const Surface_point&`. Values are numbers,
 /// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.

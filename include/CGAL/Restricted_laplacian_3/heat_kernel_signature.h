@@ -33,6 +33,7 @@ enum class Heat_kernel_scaling {
 /// and the first that is not 0 (see `zero_eigenvalue_tolerance`). Before, eigenfunctions that are
 /// not known would count; after, hardly any but the constants is left.
 /// \param eigenvalues ascending, in units of 1 / area
+/// \param number number of times, at least 2
 /// \return ascending, in units of area
 /// \throws Parameter_error if `number` is less than 2, if eigenvalues are not finite, ascending and
 /// not negative, or if all of them are 0

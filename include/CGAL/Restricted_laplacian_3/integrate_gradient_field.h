@@ -386,6 +386,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// of the splines: not split, if `split_elements` is `false`, where two come within three cells of
 /// each other.)
 ///
+/// \param space the space that the solution is in
 /// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal
 /// (one channel), a `std::array` of such vectors, or an `Eigen::Matrix<double, 3, K>`, whose
@@ -454,6 +455,7 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space, const VectorF
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles; or a range of oriented points, which take the place of vertices, see
 /// `read_point_set()`
+/// \param tm the surface
 /// \param v a function object as above; or a model of `ReadablePropertyMap` with such values. Its
 /// key is the vertex descriptor: the field is linear in each triangle, and continuous up to the
 /// projection to the tangent planes; the halfedge descriptor: it is linear in each triangle, with

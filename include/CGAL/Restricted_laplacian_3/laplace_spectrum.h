@@ -111,6 +111,8 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
 /// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
 /// `vertex_values` remains empty.
+/// \param space the space; its finest level is used
+/// \param k number of pairs, positive
 /// \param integration a model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
 /// - `eigensolver`: `Eigensolver::multigrid`, `Eigensolver::shift_invert`, or (default)
@@ -212,6 +214,8 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
 /// the natural boundary condition if it is open.
 /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
+/// \param tm the surface, a mesh or a range of oriented points
+/// \param k number of pairs, positive
 /// \param np optional named parameters: those of `Spline_space_3` and of `laplace_eigenpairs()`
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
@@ -225,6 +229,8 @@ Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
+/// \param k number of pairs, positive
+/// \param np as above, without the vertex point map
 template <class PointRange, class TriangleRange,
           class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
@@ -236,6 +242,8 @@ Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange&
 
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// The same with the cotangent Laplacian of the triangulation, for comparison.
+/// \param tm the surface, a mesh of triangles
+/// \param k number of pairs, positive
 /// \param np optional named parameters:
 /// - `lumped_mass`: whether the mass matrix is diagonal; default `false`
 /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`

@@ -120,6 +120,9 @@ private:
 /// for each entry. The matrix without stabilisation is unbiased.
 ///
 /// Takes the time of one assembly for each batch.
+/// \param space the space whose elements are integrated
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param options number of samples and batches, seed
 /// \param normal_stabilization,stabilized as in `assemble_operators()`
 /// \throws Parameter_error if the level or an option is outside its domain
 inline Estimated_operators
@@ -164,7 +167,9 @@ estimate_operators(const Spline_space_3& space, int level,
 /// by hardly one for 1000.
 ///
 /// Takes the time of two assemblies for each batch and one eigenproblem by `smallest_eigenpairs()`.
+/// \param space the space; its finest level is used
 /// \param k number of eigenvalues, positive
+/// \param options number of samples and batches, seed
 /// \param normal_stabilization of the stiffness matrix, as in `assemble_operators()`
 /// \throws Parameter_error if `k` or an option is outside its domain
 /// \throws Numerical_error if a factorisation fails, or if not all eigenvalues were found

@@ -486,6 +486,7 @@ inline void check_levels(const std::vector<Eigen::SparseMatrix<double>>& stiffne
 /// \param prolongations from each level to the next finer one
 /// \param patches of each level but the coarsest, see `smoothing_patches()`
 /// \param k number of pairs
+/// \param options tolerance, iterations, threads, callback
 /// \return pairs that are orthonormal with respect to \f$M\f$. If not all residuals got below the
 /// tolerance, `converged` is `false` and the pairs are the best approximations that were found.
 /// `iterations` are those on the finest level; 0 if that was solved by `smallest_eigenpairs()`,

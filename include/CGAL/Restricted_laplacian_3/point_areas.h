@@ -176,6 +176,7 @@ inline double tangent_cell_area(std::vector<std::array<double, 2>>& neighbors) {
 /// cell is larger than a disc of twice the local distance of points.
 /// Points that are the same share their cell. A point without neighbours that agree has area 0.
 ///
+/// \param points the points; some may be the same
 /// \param normals of any length, oriented alike
 /// \param number_of_neighbors at least 3
 /// \param is_parallel whether several threads are used, if the program is linked with TBB; the

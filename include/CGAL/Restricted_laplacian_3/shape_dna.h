@@ -56,6 +56,7 @@ inline double fitted_slope(const Eigen::VectorXd& y) {
 ///
 /// \param eigenvalues ascending, in units of 1 / area
 /// \param area of the surface; used with `Shape_dna_normalization::area` only
+/// \param normalization what makes the result independent of size
 /// \throws Parameter_error if eigenvalues are not finite, ascending and not negative; if the area
 /// is needed and is not positive and finite; if the first eigenvalue or the slope is needed, and
 /// all are 0

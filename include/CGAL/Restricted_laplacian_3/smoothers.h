@@ -131,6 +131,10 @@ private:
 /// \cgalModels `MultigridSmoother_3`
 class Gauss_seidel_smoother : public internal::Group_smoother<Gauss_seidel_smoother> {
 public:
+  /// \param a the matrix, see `MultigridSmoother_3`
+  /// \param patches unknowns of a group are relaxed one after the other, groups of a colour at the
+  /// same time; there may be none
+  /// \param is_parallel whether several threads are used; results do not depend on that
   /// \param matrix_is_read called when `a` is no longer read
   Gauss_seidel_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
                         bool is_parallel = false, const std::function<void()>& matrix_is_read = {})
@@ -231,6 +235,9 @@ public:
   /// With it the inverse is never too large, so the smoother converges for any matrix.
   static constexpr double relative_regularization = 1e-5;
 
+  /// \param a the matrix, see `MultigridSmoother_3`
+  /// \param patches what is relaxed together
+  /// \param is_parallel whether several threads are used; results do not depend on that
   /// \param matrix_is_read called when `a` is no longer read, before the inverses are computed
   Patch_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
                  bool is_parallel = false, const std::function<void()>& matrix_is_read = {})

@@ -26,6 +26,7 @@ namespace Restricted_laplacian_3 {
 /// colour is the parity of the coordinates of the block. Two groups of the same colour are 16 cells
 /// apart; an element of a patch reaches 2 cells beyond the coarser cell, and elements that are 3
 /// cells apart are not coupled.
+/// \param space the space whose elements are grouped
 /// \param level not 0
 inline Smoothing_patches smoothing_patches(const Spline_space_3& space, int level) {
   constexpr int log_block_width = 3, number_of_colors = 8;

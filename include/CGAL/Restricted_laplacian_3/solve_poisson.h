@@ -278,8 +278,11 @@ template <class Alpha> void check_screening_weight(const Alpha& alpha) {
 /// A solver for \f$A \eta = b\f$ on the finest level of a space, where \f$A\f$ is the stiffness
 /// matrix with other matrices of its pattern added, such as those of `Dirichlet_boundary` and
 /// `Point_constraints`. The matrix is empty afterwards.
+/// \param space the space; its prolongations and patches make the hierarchy
+/// \param a \f$A\f$; it is empty afterwards
 /// \param element_integrals \f$\int b_i\f$
 /// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
+/// \param options tolerance, iterations, cycle, smoother
 /// \throws Parameter_error if a parameter is outside its domain
 inline Poisson_solver
 make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
@@ -301,6 +304,7 @@ make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, which assembles the
 /// matrices of all levels in one pass over the surface.
+/// \param space the space; its prolongations and patches make the hierarchy
 /// \param alpha screening weight, at least 0, in units of 1 / area
 /// \param np optional named parameters: those of the overload that takes `Operators`, and
 /// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; default
@@ -329,6 +333,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space.
+/// \param space the space; its prolongations and patches make the hierarchy
 /// \param alpha screening weight, at least 0, in units of 1 / area
 /// \param operators the matrices of the finest level of `space`
 /// \param np optional named parameters:
@@ -368,6 +373,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
+/// \param tm the surface, a mesh or a range of oriented points
 /// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key and a number as
 /// value, interpolated linearly; or a function object that takes a `const Surface_point&` and
 /// returns a number
@@ -422,8 +428,12 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
 /// With \f$f = \alpha g\f$ the solution minimises
 /// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled towards \f$g\f$ where
 /// \f$\alpha\f$ is large, a soft constraint.
+/// \param tm the surface, a mesh or a range of oriented points
+/// \param f the right-hand side, as in `solve_poisson()`
 /// \param alpha in units of 1 / area: a positive number (multiply by the area to compare surfaces
 /// of different size); or weights that are not negative, given as `f` is
+/// \param u the solution, as in `solve_poisson()`
+/// \param np optional named parameters, as in `solve_poisson()`
 ///
 /// All else is as in `solve_poisson()`.
 template <class FaceGraph, class Function, class Alpha, class VertexMap,

@@ -93,6 +93,7 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 /// Colours a mesh from several scans without visible seams, see `Color_stitcher`.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
+/// \param tm the surface
 /// \param scans at least one
 /// \param colors a model of `WritablePropertyMap` with the vertex descriptor as key and a colour as
 /// value: `CGAL::IO::Color`, or a `std::array`, a vector of Eigen or a 3D vector of \cgal of three

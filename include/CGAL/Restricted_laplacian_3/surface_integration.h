@@ -128,6 +128,7 @@ public:
     : Monte_carlo(space, sample_surface(space.surface(), number_of_samples, seed, sampling)) {}
 
   /// The same with samples that the caller has drawn, uniformly by area.
+  /// \param space must outlive this object
   /// \param samples at least one
   /// \throws Location_error a sample is not on the surface
   Monte_carlo(const Spline_space_3& space, const std::vector<Surface_location>& samples)

@@ -217,6 +217,7 @@ auto gradients_of_values(const Triangulated_surface_3& surface, const Values& va
 /// degenerate faces. Linear in the number of faces.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
+/// \param tm the mesh whose vertices the map knows
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key; its values are
 /// numbers, `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors of \cgal
 /// \param np `vertex_point_map`, as in `Spline_space_3`

@@ -33,6 +33,7 @@ struct Wave_kernel_energies {
 /// standard deviations. That makes
 /// \f$\delta = \ln(\lambda_{\max} / \lambda_{\min}) / (\mathrm{number} + 27)\f$.
 /// \param eigenvalues ascending, in units of 1 / area; the paper takes 300
+/// \param number number of energies, positive
 /// \throws Parameter_error if `number` is less than 1, if eigenvalues are not finite, ascending and
 /// not negative, or if there are no two different ones but 0
 inline Wave_kernel_energies wave_kernel_energies(const Eigen::VectorXd& eigenvalues,
