@@ -96,6 +96,8 @@ private:
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` together with the degree that `function_of_degree()` says.
+///
+/// \cgalModels `SurfaceFunction_3`
 template <class Function> class Function_of_degree {
 public:
   /// \param f a function object that takes a `const Surface_point&`
@@ -129,6 +131,8 @@ template <class Function> Function_of_degree<Function> function_of_degree(Functi
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` that interpolates values at the vertices linearly in each
 /// triangle. `T` is `double` or a vector type.
+///
+/// \cgalModels `SurfaceFunction_3`
 template <class T> class Linear_surface_function {
 public:
   /// \param values for each vertex, in the order of `vertices(tm)`

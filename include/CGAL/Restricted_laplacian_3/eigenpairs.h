@@ -378,8 +378,8 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, const Eigen::MatrixXd
 /// \param k number of pairs, positive
 /// \param options tolerance, iterations, regularisation, callback
 /// \throws Parameter_error if `k` is not positive, exceeds the number of independent functions, or
-/// is more than a third of more than 10,000 unknowns; if the matrices are not square and of the same
-/// size, or the entries of `m` do not have a positive sum
+/// is more than a third of more than 10,000 unknowns; if the matrices are not square and of the
+/// same size, or the entries of `m` do not have a positive sum
 /// \throws Numerical_error if no factorisation succeeds
 /// \throws Canceled if the callback returned `false`
 inline Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& s,

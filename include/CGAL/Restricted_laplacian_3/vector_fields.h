@@ -28,6 +28,8 @@ namespace Restricted_laplacian_3 {
 /// A function or vector field that is constant on each triangle, as a function object on
 /// `Surface_point`. Integrals of it are exact up to rounding, and take fewer nodes than others.
 /// \tparam T a number, or a vector type
+///
+/// \cgalModels `SurfaceFunction_3`
 template <class T> class Face_function {
 public:
   /// \param values for each face, in the order of `faces(tm)`
@@ -46,6 +48,8 @@ private:
 /// A vector field that is linear in each triangle, and may jump from one to the next, as a function
 /// object on `Surface_point`: it is given by its values at the corners of the triangles.
 /// \tparam T a vector type, such as `Vector_3` or `Eigen::Matrix<double, 3, K>`
+///
+/// \cgalModels `SurfaceFunction_3`
 template <class T> class Corner_vector_field {
 public:
   /// \param values three for each face, in the order of `faces(tm)`, at its vertices `source(h)`,
