@@ -23,6 +23,22 @@ if(messages)
   endif()
 endif()
 
+# For Doxygen, a concept is a class, and each of its models needs a title.
+file(GLOB concepts "${CMAKE_CURRENT_LIST_DIR}/Concepts/*.h")
+foreach(concept IN LISTS concepts)
+  get_filename_component(name "${concept}" NAME_WE)
+  string(REPLACE "_" "__" name "${name}")
+  set(page "${OUTPUT_DIR}/html/class${name}.html")
+  file(READ "${page}" text)
+  string(REPLACE "Class Reference" "Concept Reference" text "${text}")
+  set(title "<dt>Has Model</dt><dd>")
+  set(two_models "(${title}[^\n]*)</dd></dl>\n<dl class=\"section user\">${title}")
+  while(text MATCHES "${two_models}")
+    string(REGEX REPLACE "${two_models}" "\\1<br />" text "${text}")
+  endwhile()
+  file(WRITE "${page}" "${text}")
+endforeach()
+
 # The tree beside the pages has no room for namespaces.
 file(GLOB trees "${OUTPUT_DIR}/html/group__*.js")
 foreach(tree IN LISTS trees)
