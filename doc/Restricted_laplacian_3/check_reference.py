@@ -5,7 +5,8 @@
 check_reference.py TAG_FILE_OF_DOXYGEN PackageDescription.txt
 
 Each class, function, type and constant of the package is in a group, and the classified list of
-PackageDescription.txt names those of a group under the title of that group, and nothing else.
+PackageDescription.txt names those of a group under the title of that group, and nothing else,
+unless it refers to the group as a whole.
 """
 
 import collections
@@ -15,8 +16,6 @@ import sys
 import xml.etree.ElementTree
 
 NAMESPACE = "CGAL::Restricted_laplacian_3"
-# groups that the list refers to as a whole
-NOT_LISTED = ("Exceptions", "Building Blocks")
 
 
 def names_in(compound):
@@ -33,6 +32,7 @@ def main():
     tags = xml.etree.ElementTree.parse(sys.argv[1]).getroot()
     text = pathlib.Path(sys.argv[2]).read_text(encoding="utf-8")
 
+    as_a_whole = re.findall(r"^- \\ref (\w+)$", text, re.M)
     listed = collections.defaultdict(list)
     title = None
     for line in text.split("\n"):
@@ -57,7 +57,7 @@ def main():
             grouped |= names
             title = compound.findtext("title")
             found = listed.pop(title, [])
-            if title in NOT_LISTED:
+            if name in as_a_whole:
                 continue
             # members of members, such as a class in a class, are reached through it
             top = {name for name in names if name.rpartition("::")[0] in ("", NAMESPACE)}
