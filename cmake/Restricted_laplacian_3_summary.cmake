@@ -35,7 +35,8 @@ message(STATUS "Restricted_laplacian_3 ${PROJECT_VERSION}:")
 summarize("build type" "${CMAKE_BUILD_TYPE}")
 summarize("sanitizers" "${RESTRICTED_LAPLACIAN_3_SANITIZE}")
 summarize("CGAL" "${CGAL_VERSION}")
-summarize("Eigen" "${EIGEN3_VERSION}")
+# CGAL 5 finds Eigen by a module of its own.
+summarize("Eigen" "${EIGEN3_VERSION}${Eigen3_VERSION}")
 summarize_package("CHOLMOD" "${CHOLMOD_FOUND}" "${CHOLMOD_LIBRARY}"
   "direct factors are Eigen's")
 if(CHOLMOD_FOUND)

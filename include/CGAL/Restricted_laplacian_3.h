@@ -8,6 +8,7 @@
 /// Includes all public headers of the package. `laplace_spectrum.h` and `monte_carlo_error.h` need
 /// Spectra; without it the rest works, and their functions do not exist.
 
+#include <CGAL/Restricted_laplacian_3/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/spectral_embedding.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
+#include <CGAL/Restricted_laplacian_3/version.h>
 #include <CGAL/Restricted_laplacian_3/wave_kernel_signature.h>
 
 #if defined(__has_include)

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Cells and their keys, the spline in one dimension, cubature rules, samples of a surface.
+// Cells and their keys, the spline in one dimension, cubature rules, samples of a surface, and the
+// version.
 
 #include "catch.h"
 #include "shapes.h"
@@ -11,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/sample_surface.h>
 #include <CGAL/Restricted_laplacian_3/triangle_quadrature.h>
+#include <CGAL/Restricted_laplacian_3/version.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +20,7 @@
 #include <cstdint>
 #include <random>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace {
@@ -297,4 +300,12 @@ TEST_CASE("samples_are_uniform_by_area", "[basics]") {
   CHECK(chi_squared(in_quarter, std::vector<double>(4, number / 4.)) <= chi_squared_bound(3));
   for(double sum : sums) // the integral of b0 b1 is 1/12
     CHECK(sum / number == Approx(1. / 12).epsilon(0.01));
+}
+
+TEST_CASE("version_is_that_of_the_build_system", "[basics]") {
+  CHECK(std::string(CGAL_RESTRICTED_LAPLACIAN_3_VERSION) == RESTRICTED_LAPLACIAN_3_VERSION);
+  CHECK(CGAL_RESTRICTED_LAPLACIAN_3_VERSION_NUMBER(5, 5, 1) == 1050511000); // as of CGAL 5.5.1
+#if CGAL_RESTRICTED_LAPLACIAN_3_VERSION_NR < CGAL_RESTRICTED_LAPLACIAN_3_VERSION_NUMBER(0, 2, 0)
+  FAIL("the version is not at least 0.2.0");
+#endif
 }

@@ -154,7 +154,7 @@ TEST_CASE("one_patch_of_everything_is_the_inverse", "[multigrid]") {
   RL::Smoothing_patches patches = path_patches(n, 2 * n, 1);
   REQUIRE(patches.number_of_patches == 1);
   const RL::Patch_smoother smoother(a, patches);
-  RL::internal::Level_vectors<1> b, x, r;
+  RL::Level_vectors<1> b, x, r;
   b.set_zero(smoother.positions().number_of_positions);
   const Eigen::VectorXd load = random_vector(n, 3);
   for(int i = 0; i < n; ++i)

@@ -5,8 +5,10 @@
 #include "shapes.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
+#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -17,6 +19,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -423,4 +426,41 @@ TEST_CASE("poisson_is_deterministic", "[poisson]") {
   RL::solve_poisson(mesh, f, v, params::octree_depth(4));
   for(Mesh::Vertex_index i : mesh.vertices())
     REQUIRE(u[i] == v[i]);
+}
+
+TEMPLATE_TEST_CASE("a_cycle_preconditions_solvers_of_eigen", "[poisson]", RL::Patch_smoother,
+                   RL::Gauss_seidel_smoother) {
+  using Preconditioner = RL::Multigrid_preconditioner<TestType>;
+  using Sparse_matrix = Eigen::SparseMatrix<double>;
+  const Mesh mesh = shapes::mesh(shapes::sphere(4));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const RL::Operators operators =
+      RL::assemble_operators(space, space.depth(), RL::Cubature(space), 1e-3);
+  const double alpha = 3;
+  const Sparse_matrix a = operators.stiffness + alpha * operators.mass;
+  const Eigen::VectorXd b =
+      RL::assemble_load(space, [](const RL::Surface_point& s) { return harmonic(s.point); });
+
+  const Preconditioner preconditioner(space, a);
+  const Eigen::VectorXd c = a.col(7), bb = preconditioner.solve(b), bc = preconditioner.solve(c);
+  CHECK(std::abs(c.dot(bb) - b.dot(bc)) <= 1e-4 * b.norm() * bc.norm());
+  CHECK(b.dot(bb) > 0);
+
+  Eigen::ConjugateGradient<Sparse_matrix, Eigen::Lower | Eigen::Upper, Preconditioner> solver;
+  solver.preconditioner() = preconditioner;
+  solver.setTolerance(1e-8);
+  solver.compute(a);
+  const Eigen::VectorXd x = solver.solve(b);
+  Eigen::VectorXd expected;
+  REQUIRE(RL::make_poisson_solver(space, alpha, params::relative_tolerance(1e-10))
+              .solve(b, expected)
+              .converged);
+  const Eigen::VectorXd error = x - expected;
+  CHECK(error.dot(operators.mass * error) <= 1e-12 * expected.dot(operators.mass * expected));
+  // A solver without preconditioner takes more than a thousand.
+  CHECK(solver.iterations() <= (std::is_same_v<TestType, RL::Patch_smoother> ? 12 : 200));
+
+  CHECK_THROWS_AS(preconditioner.solve(b.head(5)), RL::Parameter_error);
+  CHECK_THROWS_AS(Preconditioner(space, Sparse_matrix(5, 5)), RL::Parameter_error);
+  CHECK_THROWS_AS(Preconditioner(space, a, false, RL::Cycle::V, 0), RL::Parameter_error);
 }

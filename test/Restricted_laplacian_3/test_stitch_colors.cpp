@@ -381,6 +381,8 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
         [&] { RL::stitch_colors(t.points, t.faces, scans, CGAL::make_property_map(colors), np); });
   };
   CHECK_THAT(message(params::maximum_distance(-1.)), Catch::Contains("maximum_distance"));
+  const auto chain = params::maximum_distance(-1., params::concurrency_tag(CGAL::Sequential_tag()));
+  CHECK_THAT(message(chain), Catch::Contains("maximum_distance"));
   CHECK_THAT(message(params::seam_weight(-1.)), Catch::Contains("seam_weight"));
   CHECK_THAT(message(params::screening_weight(0.)), Catch::Contains("screening_weight"));
   CHECK_THAT(message(params::quality_smoothing_steps(-1)), Catch::Contains("quality_smoothing"));

@@ -17,7 +17,7 @@ positive. Without that it cannot precondition conjugate gradients.
 
 A smoother stores the matrix in a form and order of its own, in single precision, scaled to
 \f$D A D\f$ with a diagonal matrix \f$D\f$ that it chooses. Vectors are passed as
-`internal::Level_vectors<K>`, `K` of them, in the order of `positions()`, and belong to the scaled
+`Level_vectors<K>`, `K` of them, in the order of `positions()`, and belong to the scaled
 matrix.
 
 \cgalRefines `MoveConstructible`
@@ -44,7 +44,7 @@ public:
   where each unknown is in the vectors. Positions of no unknown hold 0 in the vectors that are
   passed, and must hold 0 in those that are returned.
   */
-  const internal::Level_positions& positions() const;
+  const Level_positions& positions() const;
 
   /*!
   the diagonal of \f$D\f$, for each unknown
@@ -57,20 +57,20 @@ public:
   `x` is 0 and `r` is `b`.
   */
   template <int K>
-  void pre_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-                  internal::Level_vectors<K>& r, int steps) const;
+  void pre_smooth(const Level_vectors<K>& b, Level_vectors<K>& x,
+                  Level_vectors<K>& r, int steps) const;
 
   /*!
   makes `steps` smoothing steps from the given `x`, the transposes of those of `pre_smooth()`.
   */
   template <int K>
-  void post_smooth(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+  void post_smooth(const Level_vectors<K>& b, Level_vectors<K>& x,
                    int steps) const;
 
   /*!
   \f$r = b - A x\f$
   */
   template <int K>
-  void residual(const internal::Level_vectors<K>& b, const internal::Level_vectors<K>& x,
-                internal::Level_vectors<K>& r) const;
+  void residual(const Level_vectors<K>& b, const Level_vectors<K>& x,
+                Level_vectors<K>& r) const;
 };

@@ -10,11 +10,9 @@
 #include "poses.h"
 
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/internal/Triangle_tree.h>
 #include <CGAL/Restricted_laplacian_3/vertex_normals.h>
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/random/normal_distribution.hpp>
@@ -145,9 +143,6 @@ inline std::vector<Lighting> make_lightings(const std::vector<double>& exposures
 
 class Virtual_scanner {
   using Kernel = RL::Kernel;
-  using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 public:
   // how steep a triangle of a scan may be: the cosine of the angle of its normal to the ray
@@ -361,9 +356,9 @@ private:
   const RL::Triangulated_surface_3& m_surface;
   const std::vector<Color>& m_colors;
   std::vector<RL::Vector_3> m_vertex_normals;
-  Triangles m_triangles;
+  RL::internal::Triangles_in_tree m_triangles;
   std::vector<std::size_t> m_faces; // of the surface, for each triangle
-  Tree m_tree;
+  RL::internal::Triangle_tree m_tree;
 };
 
 } // namespace examples

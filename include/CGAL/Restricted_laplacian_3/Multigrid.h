@@ -4,11 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_H
 
+#include <CGAL/Restricted_laplacian_3/Level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/internal/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/connected_components.h>
-#include <CGAL/Restricted_laplacian_3/internal/level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/smoothers.h>
 
@@ -181,7 +181,7 @@ public:
   /// vectors of one cycle, kept between cycles
   template <int K> struct Workspace {
     struct Level {
-      internal::Level_vectors<K> b, x, r, left;
+      Level_vectors<K> b, x, r, left;
     };
     /// vectors of each level
     std::vector<Level> levels;
@@ -230,12 +230,12 @@ public:
       return;
     }
     workspace.levels.resize(m_levels.size());
-    std::vector<internal::Level_vectors<K>> loads(m_levels.size());
+    std::vector<Level_vectors<K>> loads(m_levels.size());
     const internal::Block_row<K> scale = import_load<K>(finest, b, loads[finest]);
     for(std::size_t level = finest; level > 0; --level)
       m_levels[level].restriction.template multiply<K, false>(m_is_parallel, loads[level],
                                                               loads[level - 1]);
-    internal::Level_vectors<K> solution, fine, correction;
+    Level_vectors<K> solution, fine, correction;
     solve_coarsest<K>(loads[0], solution, workspace);
     for(std::size_t level = 1;; ++level) {
       m_levels[level].prolongation.template multiply<K, false>(m_is_parallel, solution, fine);
@@ -252,7 +252,7 @@ public:
 
 private:
   struct Level {
-    internal::Row_matrix prolongation, restriction; // from and to the next coarser level
+    Level_matrix prolongation, restriction; // from and to the next coarser level
   };
 
   static void check_sizes(const Sparse_matrix& a, const std::vector<Sparse_matrix>& prolongations,
@@ -277,16 +277,11 @@ private:
   void set_coarsest(const Sparse_matrix& a) {
     m_coarse_inverse = internal::Pseudo_inverse(
         a, m_levels.size() == 1 ? 0 : internal::Pseudo_inverse::single_precision_regularization);
-    m_coarse_scale = internal::balancing_scale(a);
-    m_coarse_positions.of_unknown.resize(a.cols());
-    for(Eigen::Index i = 0; i < a.cols(); ++i)
-      m_coarse_positions.of_unknown[i] = static_cast<std::uint32_t>(i);
-    m_coarse_positions.number_of_positions =
-        (static_cast<std::size_t>(a.cols()) + internal::lanes_of_floats - 1) /
-        internal::lanes_of_floats * internal::lanes_of_floats;
+    m_coarse_scale = balancing_scale(a);
+    m_coarse_positions = Level_positions::consecutive(static_cast<std::size_t>(a.cols()));
   }
 
-  const internal::Level_positions& positions(std::size_t level) const {
+  const Level_positions& positions(std::size_t level) const {
     return level == 0 ? m_coarse_positions : smoother(level).positions();
   }
   const std::vector<double>& scale(std::size_t level) const {
@@ -299,16 +294,16 @@ private:
     for(double& s : inverse_scale)
       s = 1 / s;
     const std::vector<double>& coarse_scale = scale(level - 1);
-    m_levels[level].restriction = internal::Row_matrix::of_transpose(
-        p, positions(level - 1), coarse_scale, positions(level), inverse_scale);
-    m_levels[level].prolongation = internal::Row_matrix::of(p, positions(level), inverse_scale,
-                                                            positions(level - 1), coarse_scale);
+    m_levels[level].restriction = Level_matrix::of_transpose(p, positions(level - 1), coarse_scale,
+                                                             positions(level), inverse_scale);
+    m_levels[level].prolongation =
+        Level_matrix::of(p, positions(level), inverse_scale, positions(level - 1), coarse_scale);
   }
 
   /// scales the columns to largest entry 1, returns the factors
   template <int K>
   internal::Block_row<K> import_load(std::size_t level, const internal::Block_vector<K>& from,
-                                     internal::Level_vectors<K>& to) const {
+                                     Level_vectors<K>& to) const {
     const std::vector<double>& d = scale(level);
     const std::vector<std::uint32_t>& position = positions(level).of_unknown;
     internal::Block_row<K> largest = internal::Block_row<K>::Zero();
@@ -331,7 +326,7 @@ private:
   }
 
   template <int K>
-  void export_solution(std::size_t level, const internal::Level_vectors<K>& from,
+  void export_solution(std::size_t level, const Level_vectors<K>& from,
                        const internal::Block_row<K>& factor, internal::Block_vector<K>& to) const {
     const std::vector<double>& d = scale(level);
     const std::vector<std::uint32_t>& position = positions(level).of_unknown;
@@ -346,14 +341,13 @@ private:
                            });
   }
 
-  template <int K>
-  static void add(const internal::Level_vectors<K>& from, internal::Level_vectors<K>& to) {
+  template <int K> static void add(const Level_vectors<K>& from, Level_vectors<K>& to) {
     for(std::size_t i = 0; i < from.size(); ++i)
       to.data()[i] += from.data()[i];
   }
 
   template <int K>
-  void solve_coarsest(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+  void solve_coarsest(const Level_vectors<K>& b, Level_vectors<K>& x,
                       Workspace<K>& workspace) const {
     const Eigen::Index size = static_cast<Eigen::Index>(m_coarse_scale.size());
     workspace.coarse_b.resize(size, K);
@@ -368,8 +362,8 @@ private:
   }
 
   template <int K>
-  void run(std::size_t level, const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-           Cycle cycle, int steps, Workspace<K>& workspace) const {
+  void run(std::size_t level, const Level_vectors<K>& b, Level_vectors<K>& x, Cycle cycle,
+           int steps, Workspace<K>& workspace) const {
     if(level == 0) {
       solve_coarsest<K>(b, x, workspace);
       return;
@@ -384,7 +378,7 @@ private:
     transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
     if(cycle == Cycle::W && level > 1) {
       // The second visit corrects what the first one left.
-      internal::Level_vectors<K> left;
+      Level_vectors<K> left;
       this->smoother(level - 1).template residual<K>(coarse.b, coarse.x, left);
       run<K>(level - 1, left, coarse.x, cycle, steps, workspace);
       transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
@@ -399,7 +393,7 @@ private:
   std::vector<Level> m_levels;
   std::vector<Smoother> m_smoothers;
   internal::Pseudo_inverse m_coarse_inverse;
-  internal::Level_positions m_coarse_positions;
+  Level_positions m_coarse_positions;
   std::vector<double> m_coarse_scale;
 };
 

@@ -28,6 +28,14 @@
   template <typename T> Named_function_parameters<T, internal_np::NAME##_t> NAME(const T& value) { \
     return Named_function_parameters<T, internal_np::NAME##_t>(value);                             \
   }                                                                                                \
+  }                                                                                                \
+  }                                                                                                \
+  CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER(NAME)
+
+// A parameter that CGAL has, with the function that chains it.
+#define CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER(NAME)                                        \
+  namespace CGAL {                                                                                 \
+  namespace parameters {                                                                           \
   template <typename T, typename NP_T, typename NP_Tag, typename NP_Base>                          \
   Named_function_parameters<T, internal_np::NAME##_t,                                              \
                             Named_function_parameters<NP_T, NP_Tag, NP_Base>>                      \
@@ -58,7 +66,6 @@ CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(smoothing_weight)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(refinement_steps)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(pose)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(viewpoint)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(maximum_distance)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(minimum_facing_cosine)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(minimum_normal_cosine)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(boundary_width)
@@ -74,13 +81,22 @@ CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(screening_weight)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(mean_value)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(vertex_details)
 
-#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(concurrency_tag)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(normal_stabilization)
 CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(smoother)
+
+#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(5, 6, 0)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(maximum_distance)
+#else
+CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER(maximum_distance)
+#endif
+#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
+CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(concurrency_tag)
+#else
+CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER(concurrency_tag)
 #endif
 
 #undef CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER
+#undef CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {

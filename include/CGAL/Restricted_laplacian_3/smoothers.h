@@ -4,11 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SMOOTHERS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SMOOTHERS_H
 
+#include <CGAL/Restricted_laplacian_3/Level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/Cluster_matrix.h>
 #include <CGAL/Restricted_laplacian_3/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/internal/Symmetric_inverse.h>
 #include <CGAL/Restricted_laplacian_3/internal/block_kernels.h>
-#include <CGAL/Restricted_laplacian_3/internal/level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/internal/renumbering.h>
 
@@ -48,8 +48,7 @@ struct Smoothing_patches {
   std::vector<std::uint64_t> neighborhoods;
 };
 
-namespace internal {
-
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Powers of two \f$d_i\f$ with \f$1/2 \le d_i^2 A_{ii} \le 2\f$; 1 where the diagonal entry is not
 /// positive. \f$D A D\f$ fits into single precision, also where elements hardly reach the surface.
 inline std::vector<double> balancing_scale(const Eigen::SparseMatrix<double>& a) {
@@ -62,6 +61,8 @@ inline std::vector<double> balancing_scale(const Eigen::SparseMatrix<double>& a)
       scale[i] = std::ldexp(1., -static_cast<int>(std::lround(std::log2(diagonal[i]) / 2)));
   return scale;
 }
+
+namespace internal {
 
 /// What smoothers that relax groups of unknowns one after the other have in common.
 /// \tparam Derived has `residual()`, and `relax_group()`, which relaxes a group in order or in
@@ -170,7 +171,7 @@ public:
       m_positions.of_unknown[order[i]] = static_cast<std::uint32_t>(i);
     m_positions.number_of_positions =
         (n + internal::lanes_of_floats - 1) / internal::lanes_of_floats * internal::lanes_of_floats;
-    m_matrix = internal::Row_matrix::of(a, m_positions, m_scale, m_positions, m_scale);
+    m_matrix = Level_matrix::of(a, m_positions, m_scale, m_positions, m_scale);
     m_inverse_diagonal.assign(n, 0.f);
     for(std::size_t i = 0; i < n; ++i) {
       const double diagonal = a.coeff(order[i], order[i]) * m_scale[order[i]] * m_scale[order[i]];
@@ -183,8 +184,7 @@ public:
 
   /// \f$r = b - A x\f$
   template <int K>
-  void residual(const internal::Level_vectors<K>& b, const internal::Level_vectors<K>& x,
-                internal::Level_vectors<K>& r) const {
+  void residual(const Level_vectors<K>& b, const Level_vectors<K>& x, Level_vectors<K>& r) const {
     m_matrix.template multiply<K, false>(m_is_parallel, x, r);
     for(std::size_t i = 0; i < r.size(); ++i)
       r.data()[i] = b.data()[i] - r.data()[i];
@@ -194,8 +194,8 @@ private:
   friend class internal::Group_smoother<Gauss_seidel_smoother>;
 
   template <int K>
-  void relax_group(std::size_t group, const internal::Level_vectors<K>& b,
-                   internal::Level_vectors<K>& x, bool is_reversed) const {
+  void relax_group(std::size_t group, const Level_vectors<K>& b, Level_vectors<K>& x,
+                   bool is_reversed) const {
     const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
     for(std::uint32_t k = 0; k < end - begin; ++k) {
       const std::size_t i = is_reversed ? end - 1 - k : begin + k;
@@ -210,7 +210,7 @@ private:
   }
 
   std::vector<std::uint32_t> m_groups;
-  internal::Row_matrix m_matrix;
+  Level_matrix m_matrix;
   std::vector<float> m_inverse_diagonal;
 };
 
@@ -253,8 +253,7 @@ public:
 
   /// \f$r = b - A x\f$
   template <int K>
-  void residual(const internal::Level_vectors<K>& b, const internal::Level_vectors<K>& x,
-                internal::Level_vectors<K>& r) const {
+  void residual(const Level_vectors<K>& b, const Level_vectors<K>& x, Level_vectors<K>& r) const {
     m_matrix.template residual<K>(m_is_parallel, b, x, r);
   }
 
@@ -411,8 +410,8 @@ private:
   }
 
   template <int K>
-  void relax_group(std::size_t group, const internal::Level_vectors<K>& b,
-                   internal::Level_vectors<K>& x, bool is_reversed) const {
+  void relax_group(std::size_t group, const Level_vectors<K>& b, Level_vectors<K>& x,
+                   bool is_reversed) const {
     const std::size_t size = static_cast<std::size_t>(K) * rounded_up(m_largest_size, 8);
     internal::Aligned_floats residuals(size), update(size);
     const std::uint32_t begin = m_groups[group], end = m_groups[group + 1];
@@ -422,8 +421,8 @@ private:
 
   /// \param residuals,update room for `K` vectors
   template <int K>
-  void relax(std::size_t p, const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
-             float* residuals, float* update) const {
+  void relax(std::size_t p, const Level_vectors<K>& b, Level_vectors<K>& x, float* residuals,
+             float* update) const {
     const Patch& patch = m_patches[p];
     const std::uint32_t first = patch.first_part, last = m_patches[p + 1].first_part;
     // residuals of the unknowns, one after the other

@@ -1,8 +1,8 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Installs the project ROOT, configured in BUILD_DIR, into an empty PREFIX. Every header must have
-# gone there, and the CMake files must name no path of this machine.
+# Installs the project ROOT, configured in BUILD_DIR, into an empty PREFIX. Every header and example
+# must have gone there, and what other build systems read must name no path of this machine.
 
 cmake_minimum_required(VERSION 3.16)
 
@@ -13,16 +13,33 @@ if(NOT result EQUAL 0)
   message(FATAL_ERROR "cannot install")
 endif()
 
-file(GLOB_RECURSE headers RELATIVE "${ROOT}/include" "${ROOT}/include/*.h")
-foreach(header IN LISTS headers)
-  if(NOT EXISTS "${PREFIX}/include/${header}")
-    message(SEND_ERROR "${header} was not installed")
+# all_installed(source_dir dir): all files of one folder are in the other
+function(all_installed source_dir dir)
+  file(GLOB_RECURSE files RELATIVE "${source_dir}" "${source_dir}/*")
+  foreach(file IN LISTS files)
+    if(NOT EXISTS "${dir}/${file}")
+      message(SEND_ERROR "${file} was not installed")
+    endif()
+  endforeach()
+endfunction()
+
+set(doc "${PREFIX}/share/doc/Restricted_laplacian_3")
+all_installed("${ROOT}/include" "${PREFIX}/include")
+all_installed("${ROOT}/examples/Restricted_laplacian_3" "${doc}/examples")
+foreach(file IN ITEMS README.md CHANGELOG.md LICENSE)
+  if(NOT EXISTS "${doc}/${file}")
+    message(SEND_ERROR "${file} was not installed")
   endif()
 endforeach()
+set(manual "doc/Restricted_laplacian_3/html/index.html")
+if(EXISTS "${BUILD_DIR}/${manual}" AND NOT EXISTS "${doc}/html/index.html")
+  message(SEND_ERROR "the manual was not installed")
+endif()
 
-file(GLOB_RECURSE files "${PREFIX}/*.cmake")
-if(NOT files)
-  message(SEND_ERROR "no CMake file was installed")
+file(GLOB_RECURSE files "${PREFIX}/*.cmake" "${PREFIX}/*.pc")
+list(LENGTH files number)
+if(number LESS 6)
+  message(SEND_ERROR "CMake's or pkg-config's files were not installed: there are only ${files}")
 endif()
 foreach(file IN LISTS files)
   file(READ "${file}" text)

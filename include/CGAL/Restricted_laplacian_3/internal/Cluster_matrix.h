@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_CLUSTER_MATRIX_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTERNAL_CLUSTER_MATRIX_H
 
+#include <CGAL/Restricted_laplacian_3/Level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/block_kernels.h>
-#include <CGAL/Restricted_laplacian_3/internal/level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
 
 #include <Eigen/Core>

@@ -6,10 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/internal/Nearest_points.h>
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Restricted_laplacian_3/internal/Triangle_tree.h>
 
 #include <algorithm>
 #include <array>
@@ -55,14 +52,9 @@ inline std::array<double, 3> nearest_in_triangle(const Kernel::Triangle_3& t, co
 /// taken relative to the bounding box, so squares of distances neither overflow nor vanish. May be
 /// asked from several threads at once.
 class Scan_search {
-  using Triangles = std::vector<Kernel::Triangle_3>;
-  using Iterator = Triangles::const_iterator;
-  using Tree =
-      CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Iterator>>>;
-
 public:
   /// What the last search found, for the next one: near locations are found faster.
-  using Hint = std::optional<Tree::Point_and_primitive_id>;
+  using Hint = std::optional<Triangle_tree::Point_and_primitive_id>;
 
   explicit Scan_search(const Triangulated_surface_3& surface)
     : m_center(surface.center()), m_scale(1 / surface.extent()),
@@ -129,9 +121,9 @@ private:
   Point_3 m_center;
   double m_scale;
   Vector_3 m_half_sides;
-  Triangles m_triangles; // those that are not degenerate
+  Triangles_in_tree m_triangles; // those that are not degenerate
   std::vector<std::uint32_t> m_faces;
-  std::optional<Tree> m_tree;
+  std::optional<Triangle_tree> m_tree;
   std::vector<Point_3> m_points; // if the surface is given by points
   std::optional<Nearest_points> m_nearest_points;
 };

@@ -1,0 +1,84 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# CPack runs this script on the installed files before it packs them. In a Debian package the
+# documentation has a folder of the package's name, with the licence and the changes in the form
+# that Debian's policy asks for, and the manual uses Debian's MathJax.
+
+if(NOT CPACK_GENERATOR STREQUAL "DEB")
+  return()
+endif()
+
+set(share "${CPACK_TEMPORARY_DIRECTORY}/usr/share")
+set(doc "${share}/doc/${CPACK_DEBIAN_PACKAGE_NAME}")
+file(RENAME "${share}/doc/Restricted_laplacian_3" "${doc}")
+
+file(REMOVE "${doc}/LICENSE")
+file(WRITE "${doc}/copyright"
+"Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+Upstream-Name: Restricted_laplacian_3
+
+Files: *
+Copyright: 2026 The Restricted_laplacian_3 developers
+License: GPL-3.0+
+ This package is free software: you can redistribute it and/or modify it under
+ the terms of the GNU General Public License, version 3 of the License, or (at
+ your option) any later version. It comes without any warranty.
+ .
+ On Debian systems the text of the GNU General Public License version 3 is in
+ /usr/share/common-licenses/GPL-3.
+")
+if(EXISTS "${doc}/html/mathjax/MathJax.js")
+  file(REMOVE_RECURSE "${doc}/html/mathjax")
+  file(CREATE_LINK ../../../javascript/mathjax "${doc}/html/mathjax" SYMBOLIC)
+endif()
+if(IS_DIRECTORY "${doc}/html")
+  file(APPEND "${doc}/copyright"
+"
+Files: usr/share/doc/*/html/*.js
+Copyright: 1997-2020 Dimitri van Heesch
+           OpenJS Foundation and other contributors
+           jQuery Foundation and other contributors
+           Steven Benner
+           Vasil Dinkov, Vadikom Web Ltd.
+License: Expat
+Comment: Doxygen adds these files to the pages that it makes.
+
+License: Expat
+ Permission is hereby granted, free of charge, to any person obtaining a copy of
+ this software and associated documentation files (the \"Software\"), to deal in
+ the Software without restriction, including without limitation the rights to
+ use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of
+ the Software, and to permit persons to whom the Software is furnished to do so,
+ subject to the following conditions:
+ .
+ The above copyright notice and this permission notice shall be included in all
+ copies or substantial portions of the Software.
+ .
+ THE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+ IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS
+ FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+ COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER
+ IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN
+ CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+")
+endif()
+
+file(RENAME "${doc}/CHANGELOG.md" "${doc}/changelog")
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+set(version "${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
+file(WRITE "${doc}/changelog.Debian"
+"${CPACK_DEBIAN_PACKAGE_NAME} (${version}) unstable; urgency=medium
+
+  * Version ${CPACK_PACKAGE_VERSION}; its changes are in changelog.gz.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${date}
+")
+
+file(WRITE "${share}/lintian/overrides/${CPACK_DEBIAN_PACKAGE_NAME}"
+"# CGAL's interval arithmetic needs this option of GCC.
+${CPACK_DEBIAN_PACKAGE_NAME}: pkg-config-bad-directive -frounding-math *
+")
+
+execute_process(COMMAND gzip -9 -n changelog changelog.Debian WORKING_DIRECTORY "${doc}"
+  COMMAND_ERROR_IS_FATAL ANY)

@@ -1,0 +1,46 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# What `cmake --install` installs. Nothing depends on the processor, so all that is not a header
+# goes below share/, and nothing names a path of this machine, so the installation can be moved.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h")
+
+# find_package()
+set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/Restricted_laplacian_3")
+configure_package_config_file(cmake/Restricted_laplacian_3Config.cmake.in
+  "${PROJECT_BINARY_DIR}/Restricted_laplacian_3Config.cmake" INSTALL_DESTINATION "${package_dir}"
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/Restricted_laplacian_3ConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(TARGETS Restricted_laplacian_3 EXPORT Restricted_laplacian_3Targets
+  INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+install(EXPORT Restricted_laplacian_3Targets NAMESPACE Restricted_laplacian_3::
+  DESTINATION "${package_dir}")
+install(FILES
+  "${PROJECT_BINARY_DIR}/Restricted_laplacian_3Config.cmake"
+  "${PROJECT_BINARY_DIR}/Restricted_laplacian_3ConfigVersion.cmake"
+  cmake/Restricted_laplacian_3_optional_dependencies.cmake
+  cmake/FindCHOLMOD.cmake
+  DESTINATION "${package_dir}")
+
+# pkg-config
+file(RELATIVE_PATH pc_to_include "${CMAKE_INSTALL_FULL_DATADIR}/pkgconfig"
+  "${CMAKE_INSTALL_FULL_INCLUDEDIR}")
+configure_file(cmake/restricted_laplacian_3.pc.in "${PROJECT_BINARY_DIR}/restricted_laplacian_3.pc"
+  @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/restricted_laplacian_3.pc"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/pkgconfig")
+
+# documentation
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY examples/Restricted_laplacian_3/ DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples"
+  FILES_MATCHING PATTERN "*.cpp" PATTERN "*.h" PATTERN "*.in" PATTERN "*.cmake"
+  PATTERN CMakeLists.txt)
+if(RESTRICTED_LAPLACIAN_3_BUILD_DOC)
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/doc/Restricted_laplacian_3/html"
+    DESTINATION "${CMAKE_INSTALL_DOCDIR}" OPTIONAL)
+endif()
