@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How accurate are curvatures, and how much do they depend on the triangulation? Three studies,
+// How accurate are curvatures, and how much do they depend on the triangulation? Studies,
 // the peers in the same run: mean curvature by the cotangent Laplacian, Gaussian curvature by angle
 // defects, over mixed areas.
 //
@@ -19,6 +19,13 @@
 //
 // normals: the fit of interpolated and renormalised vertex normals as in the paper's figure 5, and
 // of the normals of the faces; root mean square error, iterations to 1e-8.
+//
+// edges: mean curvature from the Laplacian of the coordinates as in the paper's figure 6, on a mesh
+// whose triangles are larger than the cells. It should vanish but near the edges: at points evenly
+// spread over the faces, by their distance to the nearest edge of the face in units of the cell
+// width h, the share of the area, the share of the integral of |H|, and the root mean square of
+// h H. Last, the integral of H, and half the sum of edge length times dihedral angle, which it
+// approximates.
 //
 // usage: curvature_study [OPTION]...
 
@@ -335,13 +342,112 @@ void study_normals(const Options& o) {
   }
 }
 
+// a location, its part of the area, and its distance to the nearest edge of the face
+struct Spread_point {
+  RL::Surface_location location;
+  double area, distance;
+};
+
+// The centers of the triangles into which a face is divided such that their sides are at most
+// `length`.
+std::vector<Spread_point> spread_points(const RL::Triangulated_surface_3& surface, double length) {
+  std::vector<Spread_point> result;
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    std::array<double, 3> heights;
+    double longest = 0;
+    for(int i = 0; i < 3; ++i) {
+      const double side = std::sqrt(
+          CGAL::squared_distance(surface.point(f, (i + 1) % 3), surface.point(f, (i + 2) % 3)));
+      heights[i] = side > 0 ? 2 * surface.area(f) / side : 0;
+      longest = std::max(longest, side);
+    }
+    const int n = std::max(1, static_cast<int>(std::ceil(longest / length)));
+    const auto add = [&](double a, double b) {
+      const std::array<double, 3> barycentric = {a / n, b / n, 1 - (a + b) / n};
+      double distance = longest;
+      for(int i = 0; i < 3; ++i)
+        distance = std::min(distance, barycentric[i] * heights[i]);
+      result.push_back({{f, barycentric}, surface.area(f) / (n * n), distance});
+    };
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; i + j < n; ++j) {
+        add(i + 1. / 3, j + 1. / 3);
+        if(i + j + 1 < n)
+          add(i + 2. / 3, j + 2. / 3);
+      }
+  }
+  return result;
+}
+
+// half the sum of length times dihedral angle, positive where the surface is convex
+double edge_mean_curvature(const Mesh& mesh) {
+  double sum = 0;
+  for(const Mesh::Edge_index e : mesh.edges()) {
+    if(mesh.is_border(e))
+      continue;
+    const auto h = mesh.halfedge(e), g = mesh.opposite(h);
+    const auto point = [&](Mesh::Halfedge_index i) { return mesh.point(mesh.target(i)); };
+    const auto p = point(g), q = point(h), left = point(mesh.next(h)), right = point(mesh.next(g));
+    const double angle = CGAL::approximate_dihedral_angle(p, q, left, right); // 180: flat
+    sum += std::sqrt(CGAL::squared_distance(p, q)) * (angle < 0 ? -180 - angle : 180 - angle);
+  }
+  return sum * CGAL_PI / 360;
+}
+
+void study_edges(const Options& o) {
+  constexpr double bin_width = 0.5; // in cells
+  constexpr int bins = 8;           // the last one has no end
+  std::printf("# %-16s %5s %8s %-11s %9s %9s %10s\n", "mesh", "depth", "unknowns", "distance/h",
+              "area_%", "abs_H_%", "rms_of_hH");
+  for(const std::string& file : o.meshes) {
+    const auto mesh = find_mesh_file(file);
+    if(!mesh)
+      continue;
+    const std::string name = std::filesystem::path(file).stem();
+    const RL::Triangulated_surface_3 surface = RL::read_surface(*mesh);
+    for(const int depth : o.depths) {
+      const RL::Spline_space_3 space = space_of(surface, depth, o.threads);
+      const double h = space.octree().cell_width(depth);
+      const std::vector<Spread_point> points = spread_points(surface, h / 4);
+      std::vector<RL::Surface_location> locations;
+      for(const Spread_point& p : points)
+        locations.push_back(p.location);
+      const std::vector<double> mean_curvature =
+          separated(curvature(space, RL::Curvature_method::coordinates).at_locations(locations))
+              .mean;
+      std::array<double, bins> areas = {}, integrals = {}, squares = {};
+      double all = 0, integral = 0;
+      for(std::size_t i = 0; i < points.size(); ++i) {
+        const double curvature = mean_curvature[i];
+        const int bin = std::min(bins - 1, static_cast<int>(points[i].distance / (bin_width * h)));
+        areas[bin] += points[i].area;
+        integrals[bin] += points[i].area * std::abs(curvature);
+        squares[bin] += points[i].area * curvature * curvature;
+        all += points[i].area * std::abs(curvature);
+        integral += points[i].area * curvature;
+      }
+      for(int bin = 0; bin < bins && areas[bin] > 0; ++bin) {
+        char distances[32];
+        std::snprintf(distances, sizeof distances, "%.1f-%.1f", bin * bin_width,
+                      bin + 1 < bins ? (bin + 1) * bin_width : HUGE_VAL);
+        std::printf("%-18s %5d %8zu %-11s %9.2f %9.2f %10.4f\n", name.c_str(), depth,
+                    space.dimension(), distances, 100 * areas[bin] / surface.area(),
+                    100 * integrals[bin] / all, h * std::sqrt(squares[bin] / areas[bin]));
+      }
+      std::printf("# %s, depth %d: integral of H %.5g, of the edges %.5g\n", name.c_str(), depth,
+                  integral, edge_mean_curvature(*mesh));
+      std::fflush(stdout);
+    }
+  }
+}
+
 bool read_options(int argc, char* argv[], Options& o) {
   po::options_description all("usage: curvature_study [OPTION]...");
   auto add = all.add_options();
   bool is_quick = false;
   const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
   add("help,h", "show this");
-  add("study", po::value(&o.study)->default_value(o.study), "accuracy, change or normals");
+  add("study", po::value(&o.study)->default_value(o.study), "accuracy, change, normals or edges");
   add("shape", list(o.shapes), "sphere torus ellipsoid saddle");
   add("triangles", list(o.triangles), "20000 80000 320000");
   add("mesh", list(o.meshes), "files, or names in the folder of shared meshes");
@@ -377,6 +483,8 @@ int main(int argc, char* argv[]) {
       study_change(o);
     else if(o.study == "normals")
       study_normals(o);
+    else if(o.study == "edges")
+      study_edges(o);
     else {
       std::fprintf(stderr, "curvature_study: there is no study %s\n", o.study.c_str());
       return 1;

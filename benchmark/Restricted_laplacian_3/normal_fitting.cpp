@@ -24,6 +24,7 @@
 #include "../../examples/Restricted_laplacian_3/support/picture.h"
 #include "support/measure.h"
 #include "support/package.h"
+#include "support/vertex_normals.h"
 
 #include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 
@@ -37,7 +38,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -63,39 +63,6 @@ struct Options {
   std::string pictures;
 };
 
-// Vertex normals, the means of those of the faces around by area, and what follows from them.
-struct Normals {
-  std::vector<RL::Vector_3> at_vertex, gradients_of_face; // of a face: those of x, y and z
-  std::vector<double> areas;                              // of vertices: a third of their faces
-  Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
-
-  explicit Normals(const RL::Triangulated_surface_3& surface)
-    : at_vertex(surface.number_of_vertices(), RL::Vector_3(0, 0, 0)),
-      gradients_of_face(3 * surface.number_of_faces(), RL::Vector_3(0, 0, 0)),
-      areas(surface.number_of_vertices(), 0.) {
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      for(const std::uint32_t v : surface.triangle(f)) {
-        at_vertex[v] += surface.area(f) * surface.normal(f);
-        areas[v] += surface.area(f) / 3;
-      }
-    for(std::size_t v = 0; v < at_vertex.size(); ++v) {
-      const double length = std::sqrt(at_vertex[v].squared_length());
-      if(length > 0)
-        at_vertex[v] = at_vertex[v] / length;
-      for(int k = 0; k < 3; ++k)
-        mean[k] += areas[v] * at_vertex[v][k] / surface.area();
-    }
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      for(int i = 0; i < 3 && !surface.is_degenerate(f); ++i) {
-        const RL::Vector_3 side = surface.point(f, (i + 2) % 3) - surface.point(f, (i + 1) % 3);
-        const RL::Vector_3 gradient =
-            CGAL::cross_product(surface.normal(f), side) / (2 * surface.area(f));
-        for(int k = 0; k < 3; ++k)
-          gradients_of_face[3 * f + k] += at_vertex[surface.triangle(f)[i]][k] * gradient;
-      }
-  }
-};
-
 struct Fit {
   double setup_seconds = 0;
   RL::Solve_report report;
@@ -106,8 +73,8 @@ struct Fit {
 // One space, with what all fits on it share.
 class Fitting {
 public:
-  Fitting(const Options& o, const RL::Triangulated_surface_3& surface, const Normals& normals,
-          const std::string& kind, int depth)
+  Fitting(const Options& o, const RL::Triangulated_surface_3& surface,
+          const Vertex_normals& normals, const std::string& kind, int depth)
     : m_options(o), m_surface(surface), m_normals(normals), m_timer(started()),
       m_space(surface, options(kind, depth, o.threads)) {
     m_space_seconds = m_timer.time();
@@ -205,7 +172,7 @@ private:
 
   const Options& m_options;
   const RL::Triangulated_surface_3& m_surface;
-  const Normals& m_normals;
+  const Vertex_normals& m_normals;
   CGAL::Real_timer m_timer;
   RL::Spline_space_3 m_space;
   RL::Operators m_operators;
@@ -233,7 +200,7 @@ void run(const Options& o, const std::string& mesh) {
   if(!surface)
     return;
   const std::string name = std::filesystem::path(mesh).stem();
-  const Normals normals(*surface);
+  const Vertex_normals normals(*surface);
   for(int depth : o.depths)
     for(const std::string& kind : o.spaces) {
       const Fitting fitting(o, *surface, normals, kind, depth);

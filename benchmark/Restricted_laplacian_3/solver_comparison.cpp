@@ -2,15 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How fast do solvers reach a given residual on the systems of this package? The stiffness matrix
-// of a mesh at some depths, the load of the x coordinate (or, with --rhs random, of random
-// values at the vertices) minus its mean, and for each solver and
-// tolerance: seconds of setup and solution, iterations, the residual that was reached, and memory.
-// After the paper's section 5.4 and table 2 (tolerance 5e-3).
+// of a mesh at some depths, and for each solver and tolerance: seconds of setup and solution,
+// iterations, the residual that was reached, and memory. After the paper's section 5.4 and table 2
+// (tolerance 5e-3). With --screening A the matrix is S + A M / h^2, h the width of the cells, and
+// with --matrix mass it is M / h^2, that of a fit. (In each of them with the stabilisation.)
 //
-// All solvers get the same singular, consistent system: kernel and near-kernel are left in it.
+// The right-hand side (--rhs) is
+// - x: the load of the x coordinate, without screening minus its mean;
+// - random: the same of random values at the vertices;
+// - normals: that of figure 7, the load of the gradient of the x component of the vertex normals,
+//   and with screening A / h^2 times the load of the component itself. For the mass matrix the
+//   latter only.
+//
+// All solvers get the same consistent system: kernel and near-kernel are left in it.
 // - ours, ours_point: the Poisson_solver of this package with the patch smoother, its default, and
 //   with point Gauss-Seidel. It takes the matrices of coarser levels from the assembly; what they
 //   add to the time of the assembly counts as setup.
+// - ours_paper: the algorithm of the paper, W-cycles with point Gauss-Seidel, not accelerated by
+//   conjugate gradients. With --paper also its space, and with --stabilization 0 its matrix.
 // - amg1, amg2, hmis, cgc, alone and as preconditioners of conjugate gradients (_pcg): hypre, see
 //   support/boomer_amg.h. Two threads are two processes: Debian's hypre is built without OpenMP.
 // - cholmod: supernodal factorization of A + 1e-10 diag(A), which preconditions conjugate
@@ -33,10 +42,9 @@
 #include "support/boomer_amg.h"
 #include "support/measure.h"
 #include "support/package.h"
+#include "support/vertex_normals.h"
 
 #include <CGAL/Restricted_laplacian_3/Poisson_solver.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -160,10 +168,9 @@ template <class Solver> std::vector<Record> measure(Solver& solver, const Protoc
 }
 
 template <class Work> double seconds_of(Work&& work) {
-  CGAL::Real_timer timer;
-  timer.start();
+  const double begin = seconds_now();
   work();
-  return timer.time();
+  return seconds_now() - begin;
 }
 
 // what solvers in one process share
@@ -182,19 +189,25 @@ protected:
 class Package_solver : public Local_solver {
 public:
   Package_solver(const RL::Spline_space_3& space, const Matrix& a, const Vector& b,
-                 const Vector& integrals, std::string smoother, int threads, Coarse_levels coarse)
-    : Local_solver(a, b), m_space(space), m_integrals(integrals), m_smoother(std::move(smoother)),
-      m_threads(threads), m_coarse(std::move(coarse)) {}
+                 const Vector& integrals, double screening, std::string name, int threads,
+                 Coarse_levels coarse)
+    : Local_solver(a, b), m_space(space), m_integrals(integrals), m_screening(screening),
+      m_name(std::move(name)), m_threads(threads), m_coarse(std::move(coarse)) {}
 
   // The solver takes the matrices over; the time of copying them is not its own.
   double setup() {
     m_solver.reset();
     Matrix a = *m_a;
     std::vector<Matrix> coarse = m_coarse.matrices;
+    RL::Poisson_solver_options options =
+        solver_options(m_name == "ours" ? "patch" : "point", m_threads, 1e-3, m_maximum_iterations);
+    if(m_name == "ours_paper") {
+      options.stand_alone_multigrid = true;
+      options.cycle = RL::Cycle::W;
+    }
     return m_coarse.seconds + seconds_of([&] {
-             m_solver.emplace(RL::internal::poisson_solver(
-                 m_space, std::move(a), std::move(coarse), m_integrals, 0,
-                 solver_options(m_smoother, m_threads, 1e-3, m_maximum_iterations)));
+             m_solver.emplace(RL::internal::poisson_solver(m_space, std::move(a), std::move(coarse),
+                                                           m_integrals, m_screening, options));
            });
   }
   // The limit is fixed when a solver is made: the time of making another one does not count.
@@ -211,7 +224,8 @@ public:
 private:
   const RL::Spline_space_3& m_space;
   const Vector& m_integrals;
-  std::string m_smoother;
+  double m_screening;
+  std::string m_name;
   int m_threads;
   Coarse_levels m_coarse;
   int m_maximum_iterations = 1000;
@@ -400,10 +414,10 @@ public:
 private:
   template <class Work> static double seconds(Work&& work) {
     MPI_Barrier(MPI_COMM_WORLD);
-    const double begin = MPI_Wtime();
+    const double begin = seconds_now();
     work();
     MPI_Barrier(MPI_COMM_WORLD);
-    return MPI_Wtime() - begin;
+    return seconds_now() - begin;
   }
 
   int m_rank = 0, m_size = 1;
@@ -424,7 +438,8 @@ int hypre_worker(int argc, char* argv[]) {
   protocol.repetitions = std::stoi(argv[4]);
   protocol.maximum_iterations = std::stoi(argv[5]);
   protocol.limit_seconds = std::stod(argv[6]);
-  for(int i = 7; i + 1 < argc; i += 2)
+  counts_processor_time() = std::stoi(argv[7]) != 0;
+  for(int i = 8; i + 1 < argc; i += 2)
     protocol.targets.push_back({std::stod(argv[i]), std::stod(argv[i + 1])});
   Hypre_solver solver(file);
   solver.set_configuration(configuration);
@@ -445,7 +460,8 @@ struct Options {
   std::vector<std::string> solvers = {"ours",     "ours_point", "amg1",    "amg1_pcg", "amg2",
                                       "amg2_pcg", "cgc",        "cgc_pcg", "cholmod",  "ic_cg"};
   double stabilization = default_stabilization();
-  bool is_split = true;
+  bool is_split = true, is_paper = false;
+  System_factors factors;
   double memory_gib = 12;
   std::string rhs = "x";
   std::string mpirun = "mpirun --bind-to none --mca mpi_yield_when_idle 1", ordering = "metis";
@@ -469,13 +485,13 @@ std::string number(double x) {
 
 std::vector<Record> run_hypre(const Options& o, const std::string& program, const std::string& file,
                               const std::string& configuration, int processes, double& peak_mib) {
-  std::string command = "ulimit -d " + std::to_string(static_cast<long>(o.memory_gib * (1 << 20))) +
-                        "; exec timeout " + std::to_string(o.process_seconds()) + " " + o.mpirun +
-                        " -np " + std::to_string(processes) + " " + program + " " + worker_mark +
-                        " " + file + " " + configuration + " " +
-                        std::to_string(o.protocol.repetitions) + " " +
-                        std::to_string(o.protocol.maximum_iterations) + " " +
-                        std::to_string(o.protocol.limit_seconds);
+  std::string command =
+      "ulimit -d " + std::to_string(static_cast<long>(o.memory_gib * (1 << 20))) +
+      "; exec timeout " + std::to_string(o.process_seconds()) + " " + o.mpirun + " -np " +
+      std::to_string(processes) + " " + program + " " + worker_mark + " " + file + " " +
+      configuration + " " + std::to_string(o.protocol.repetitions) + " " +
+      std::to_string(o.protocol.maximum_iterations) + " " +
+      std::to_string(o.protocol.limit_seconds) + " " + std::to_string(int(counts_processor_time()));
   for(const auto& [tolerance, our_seconds] : o.protocol.targets)
     command += " " + number(tolerance) + " " + number(our_seconds);
   std::fflush(nullptr);
@@ -500,14 +516,15 @@ public:
   Comparison(const Options& o, const std::string& program, const std::string& mesh, int depth,
              const RL::Triangulated_surface_3& surface)
     : m_options(o), m_program(program), m_mesh(mesh), m_depth(depth),
-      m_space(surface, space_options(depth, o.is_split, 1)) {
+      m_space(surface, options_of_space(1)) {
     if(m_space.is_split() && m_space.octree().number_of_sheets(0) != 1)
       throw std::runtime_error("the surface has several components");
     RL::Operators both = operators(m_space, o.stabilization);
     m_a = std::move(both.stiffness);
-    m_integrals = both.mass * Vector::Ones(both.mass.cols());
-    m_b = RL::assemble_load(m_space, right_hand_side(surface));
-    m_b -= m_integrals * (m_b.sum() / m_integrals.sum());
+    m_a.coeffs() *= o.factors.stiffness;
+    m_a.coeffs() += screening() * both.mass.coeffs();
+    m_integrals = RL::assemble_element_integrals(m_space);
+    m_b = right_hand_side(surface);
     for(double tolerance : o.tolerances)
       m_options.protocol.targets.push_back({tolerance, 0});
   }
@@ -520,8 +537,8 @@ public:
       file.emplace(m_options.scratch + "/solver_comparison_" + std::to_string(getpid()), m_a, m_b);
     for(int threads : m_options.threads) {
       for(const std::string& solver : m_options.solvers)
-        if(solver == "ours" || solver == "ours_point")
-          run_ours(solver == "ours" ? "patch" : "point", threads);
+        if(solver.rfind("ours", 0) == 0)
+          run_ours(solver, threads);
         else
           run_peer(solver, threads, file ? file->path() : "");
       print_summary(threads);
@@ -532,15 +549,36 @@ public:
   const std::vector<std::string>& summary() const { return m_summary; }
 
 private:
-  // the function f, interpolated between the vertices
-  RL::Linear_surface_function<double>
-  right_hand_side(const RL::Triangulated_surface_3& surface) const {
+  RL::Spline_space_options options_of_space(int threads) const {
+    RL::Spline_space_options options = space_options(m_depth, m_options.is_split, threads);
+    options.paper_space = m_options.is_paper;
+    return options;
+  }
+  // the factor of the mass matrix in units of 1 / length^2
+  double screening() const {
+    const double h = m_space.octree().cell_width(m_depth);
+    return m_options.factors.mass / (h * h);
+  }
+
+  Vector right_hand_side(const RL::Triangulated_surface_3& surface) const {
+    const Vertex_normals normals(surface);
     std::mt19937 generator(1);
     std::normal_distribution<double> distribution;
     std::vector<double> f;
     for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-      f.push_back(m_options.rhs == "x" ? surface.point(v).x() : distribution(generator));
-    return RL::Linear_surface_function<double>(std::move(f));
+      f.push_back(m_options.rhs == "x"         ? surface.point(v).x()
+                  : m_options.rhs == "normals" ? normals.at_vertex[v].x()
+                                               : distribution(generator));
+    Vector b = RL::assemble_load(m_space, RL::Linear_surface_function<double>(std::move(f)));
+    if(m_options.rhs == "normals") {
+      b *= screening();
+      b += m_options.factors.stiffness *
+           RL::assemble_gradient_load(m_space, [&](const RL::Surface_point& p) {
+             return normals.gradients_of_face[3 * p.face];
+           });
+    } else if(screening() == 0)
+      b -= m_integrals * (b.sum() / m_integrals.sum());
+    return b;
   }
 
   static bool is_hypre(const std::string& solver) {
@@ -548,7 +586,9 @@ private:
            solver.rfind("hmis", 0) == 0 || solver.find(':') != std::string::npos;
   }
 
-  void run_ours(const std::string& smoother, int threads) {
+  void run_ours(const std::string& name, int threads) {
+    if(name != "ours" && name != "ours_point" && name != "ours_paper")
+      throw std::invalid_argument("there is no solver " + name);
     if(threads > 1 && !is_parallel_available()) {
       std::printf("# ours has no threads\n");
       return;
@@ -559,18 +599,17 @@ private:
     const std::vector<Record> records =
         in_child_process<Record>(m_options.process_seconds(), peak, [&] {
           [[maybe_unused]] const auto limited = limit_threads(threads);
-          const RL::Spline_space_3 space(m_space.surface(),
-                                         space_options(m_depth, m_options.is_split, threads));
-          Package_solver solver(space, m_a, m_b, m_integrals, smoother, threads,
-                                coarse_levels(space, m_options.stabilization));
+          const RL::Spline_space_3 space(m_space.surface(), options_of_space(threads));
+          Package_solver solver(space, m_a, m_b, m_integrals, screening(), name, threads,
+                                coarse_levels(space, m_options.factors, m_options.stabilization));
           return measure(solver, m_options.protocol);
         });
-    if(smoother == "patch")
+    if(name == "ours")
       for(std::size_t k = 0; k < records.size(); ++k) {
         m_our_seconds[k] = records[k].setup_seconds + records[k].solve_seconds;
         m_our_reached[k] = records[k].is_reached;
       }
-    print(smoother == "patch" ? "ours" : "ours_point", threads, records, peak);
+    print(name, threads, records, peak);
   }
 
   void run_peer(const std::string& solver, int threads, const std::string& file) {
@@ -663,6 +702,7 @@ bool read_options(int argc, char* argv[], Options& o) {
   po::options_description all("usage: solver_comparison [OPTION]... [MESH]...");
   auto add = all.add_options();
   bool is_quick = false, is_unsplit = false;
+  std::string matrix = "stiffness";
   const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
   add("help,h", "show this");
   add("mesh", list(o.meshes), "files, or names in the folder of shared meshes");
@@ -670,20 +710,25 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("threads", list(o.threads), "1 2");
   add("tolerance", list(o.tolerances), "5e-3 1e-5 1e-8");
   add("solver", list(o.solvers),
-      "ours ours_point amg1 amg1_pcg amg2 amg2_pcg hmis hmis_pcg cgc cgc_pcg cholmod ic_cg, ours "
-      "the first; "
-      "or a "
-      "configuration of support/boomer_amg.h");
+      "ours ours_point ours_paper amg1 amg1_pcg amg2 amg2_pcg hmis hmis_pcg cgc cgc_pcg cholmod "
+      "ic_cg, ours the first; or a configuration of support/boomer_amg.h");
   add("repetitions", po::value(&o.protocol.repetitions)->default_value(o.protocol.repetitions));
   add("iterations",
       po::value(&o.protocol.maximum_iterations)->default_value(o.protocol.maximum_iterations));
   add("limit", po::value(&o.protocol.limit_seconds)->default_value(o.protocol.limit_seconds),
       "least number of seconds after which a peer is stopped");
   add("rhs", po::value(&o.rhs)->default_value(o.rhs),
-      "x: the coordinate; random: independent normal values at the vertices");
+      "x: the coordinate; random: independent normal values at the vertices; normals: the gradient "
+      "of the x component of the vertex normals");
+  add("matrix", po::value(&matrix)->default_value(matrix), "stiffness or mass");
+  add("screening", po::value(&o.factors.mass)->default_value(o.factors.mass),
+      "weight of the mass matrix, in units of 1 / h^2");
   add("stabilization", po::value(&o.stabilization)->default_value(o.stabilization),
       "of the normal derivative; 0 is the system of the paper");
   add("unsplit", po::bool_switch(&is_unsplit), "elements are not split");
+  add("paper", po::bool_switch(&o.is_paper), "the space of the paper");
+  add("processor-time", po::bool_switch(&counts_processor_time()),
+      "seconds of the processor, for one thread on a machine that is busy otherwise");
   add("ordering", po::value(&o.ordering)->default_value(o.ordering), "of cholmod: metis or amd");
   add("memory", po::value(&o.memory_gib)->default_value(o.memory_gib),
       "GiB that a process of hypre may take");
@@ -705,9 +750,17 @@ bool read_options(int argc, char* argv[], Options& o) {
     if(given.count("mesh") == 0)
       o.meshes.resize(1);
   }
-  o.is_split = !is_unsplit;
-  if(o.rhs != "x" && o.rhs != "random")
-    throw std::invalid_argument("--rhs is x or random");
+  if(counts_processor_time() && given.count("threads") == 0)
+    o.threads = {1};
+  if(counts_processor_time() && o.threads != std::vector<int>{1})
+    throw std::invalid_argument("--processor-time is for one thread");
+  o.is_split = !is_unsplit && !o.is_paper;
+  if(o.rhs != "x" && o.rhs != "random" && o.rhs != "normals")
+    throw std::invalid_argument("--rhs is x, random or normals");
+  if(matrix != "stiffness" && matrix != "mass")
+    throw std::invalid_argument("--matrix is stiffness or mass");
+  if(matrix == "mass")
+    o.factors = {0, 1};
   return true;
 }
 
@@ -718,9 +771,11 @@ int compare(int argc, char* argv[]) {
   set_blas_threads(1);
   const std::string program = std::filesystem::read_symlink("/proc/self/exe");
   print_header(argc, argv);
-  std::printf("# median of %d repetitions; %s elements; stabilization %g; hypre %s, one process "
-              "for each thread\n",
-              o.protocol.repetitions, o.is_split ? "split" : "unsplit", o.stabilization,
+  std::printf("# median of %d repetitions, %s; %s elements; stabilization %g; hypre %s, one "
+              "process for each thread\n",
+              o.protocol.repetitions,
+              counts_processor_time() ? "processor time" : "wall-clock time",
+              o.is_paper ? "paper's" : (o.is_split ? "split" : "unsplit"), o.stabilization,
               HYPRE_RELEASE_VERSION);
   std::printf("# %-16s %5s %8s %9s %-12s %2s %7s %8s %8s %8s %5s %9s %3s %9s %7s %8s\n", "mesh",
               "depth", "unknowns", "entries", "solver", "th", "tol", "setup_s", "solve_s",
@@ -756,7 +811,7 @@ int compare(int argc, char* argv[]) {
 
 int main(int argc, char* argv[]) {
   try {
-    if(argc > 7 && std::string(argv[1]) == worker_mark)
+    if(argc > 8 && std::string(argv[1]) == worker_mark)
       return hypre_worker(argc, argv);
     return compare(argc, argv);
   } catch(const std::exception& e) {

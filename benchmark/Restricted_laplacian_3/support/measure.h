@@ -12,6 +12,7 @@
 #include <dlfcn.h>
 #include <malloc.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -53,6 +54,19 @@ inline void print_header(int argc, char* argv[]) {
     std::printf(" %s", argument.substr(i == 0 ? argument.rfind('/') + 1 : 0).c_str());
   }
   std::printf("\n");
+}
+
+/// Whether `seconds_now()` counts the time of the processor, which other programs on the machine
+/// hardly change, in place of that on the wall. Meant for one thread.
+inline bool& counts_processor_time() {
+  static bool is_set = false;
+  return is_set;
+}
+
+inline double seconds_now() {
+  timespec now = {};
+  clock_gettime(counts_processor_time() ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// the middle one, or the mean of the two middle ones; NaN if there is none

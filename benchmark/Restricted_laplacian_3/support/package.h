@@ -6,12 +6,11 @@
 
 // How the comparisons call the package: one function for each choice that they compare.
 
+#include "measure.h"
 #include "meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/assemble.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
-
-#include <CGAL/Real_timer.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -72,27 +71,37 @@ inline RL::Poisson_solver_options solver_options(const std::string& smoother, in
   return options;
 }
 
-/// What the solver of the package needs besides the matrix of the finest level: the matrices of the
-/// coarser ones, which the assembly makes in the same pass, and the seconds that this adds to it.
-struct Coarse_levels {
-  std::vector<RL::Sparse_matrix> matrices;
-  double seconds;
+/// The matrix of a problem, `stiffness` \f$S\f$ + `mass` \f$M / h^2\f$, \f$h\f$ the width of the
+/// finest cells: Poisson, screened, or a fit.
+struct System_factors {
+  double stiffness = 1, mass = 0;
 };
 
-inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, double stabilization) {
-  const RL::Cubature cubature(space);
+/// What the solver of the package needs besides the matrix of the finest level: the matrices of the
+/// coarser ones, which the assembly makes in the same pass, and the seconds that this adds to it.
+/// None in the space of the paper, where the solver makes them.
+struct Coarse_levels {
+  std::vector<RL::Sparse_matrix> matrices;
+  double seconds = 0;
+};
+
+inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System_factors& factors,
+                                   double stabilization) {
   Coarse_levels result;
+  if(space.is_paper_space())
+    return result;
+  const RL::Cubature cubature(space);
+  const double h = space.octree().cell_width(space.depth());
   std::array<double, 2> seconds = {1e9, 1e9};
   for(int repetition = 0; repetition < 3; ++repetition)
     for(int is_all = 0; is_all < 2; ++is_all) {
-      CGAL::Real_timer timer;
-      timer.start();
+      const double begin = seconds_now();
       auto matrices =
           RL::internal::assemble_system(
               space, is_all ? RL::internal::coarsest_multigrid_level(space) : space.depth(),
-              cubature, 0, stabilization)
+              cubature, factors.mass / (h * h), stabilization, factors.stiffness)
               .matrices;
-      seconds[is_all] = std::min(seconds[is_all], timer.time());
+      seconds[is_all] = std::min(seconds[is_all], seconds_now() - begin);
       if(is_all)
         result.matrices = std::move(matrices);
     }
