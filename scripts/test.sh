@@ -5,9 +5,10 @@
 # Usage: scripts/test.sh
 #
 # Installs what is missing, builds examples and tests in build/ with warnings as errors, runs the
-# tests, then builds the unit tests in build/sanitizers/ with AddressSanitizer and
-# UndefinedBehaviorSanitizer, runs them, and compiles each header alone. The last line counts both
-# runs together. JOBS in the environment is the number of parallel jobs, 2 if not set.
+# tests, which build and check the manual, too, then builds the unit tests in build/sanitizers/ with
+# AddressSanitizer and UndefinedBehaviorSanitizer, runs them, and compiles each header alone. The last
+# line counts both runs together. JOBS in the environment is the number of parallel jobs, 2 if not
+# set.
 
 set -euo pipefail
 

@@ -66,11 +66,11 @@ def check_folder(folder, report):
         found = re.findall(r"url\(\s*['\"]?([^'\")]+)", path.read_text(encoding="utf-8"))
         links[path] = [(link, True) for link in found]
     # The scripts of Doxygen name the pages of the navigation tree and those that a search finds. Its
-    # navtreeindex files are no links: they tell where pages are in the tree.
+    # index of the tree is no link: it tells where pages are in the tree.
     for path in folder.rglob("*.js"):
         if MATHJAX not in path.relative_to(folder).parts and "navtreeindex" not in path.name:
-            found = re.findall(r"['\"]([^'\"\s<>]+\.html(?:#[^'\"\s<>]*)?)['\"]",
-                               path.read_text(encoding="utf-8"))
+            text = path.read_text(encoding="utf-8").split("var NAVTREEINDEX")[0]
+            found = re.findall(r"['\"]([^'\"\s<>]+\.html(?:#[^'\"\s<>]*)?)['\"]", text)
             links[path] = [(link, False) for link in found]
 
     for path, found in links.items():

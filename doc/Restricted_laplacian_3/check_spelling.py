@@ -22,6 +22,7 @@ DICTIONARY = "en_GB"
 NO_PROSE = [
     r"<!--.*?-->",
     r"^```.*?^```",
+    r"(?<=\n\n)(    [^\n]*\n)+",
     r"[\\@]code\b.*?[\\@]endcode",
     r"[\\@]verbatim\b.*?[\\@]endverbatim",
     r"[\\@]f\[.*?[\\@]f\]",

@@ -150,13 +150,13 @@ Operators assemble_operators(const Spline_space_3& space, int level,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same by cubature, without stabilisation.
 inline Operators assemble_operators(const Spline_space_3& space, int level) {
   return assemble_operators(space, level, Cubature(space));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same on the finest level.
 inline Operators assemble_operators(const Spline_space_3& space) {
   return assemble_operators(space, space.depth());
 }
@@ -260,7 +260,7 @@ inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int 
   return assemble_stiffness_matrix(space, level, Cubature(space));
 }
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same on the finest level.
 inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space) {
   return assemble_stiffness_matrix(space, space.depth());
 }
@@ -274,7 +274,7 @@ inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level
   return mass;
 }
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same on the finest level.
 inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
   return assemble_mass_matrix(space, space.depth());
 }
@@ -384,13 +384,13 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, in
 }
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same by cubature.
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level) {
   return assemble_load(space, f, level, Cubature(space));
 }
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same by cubature, on the finest level.
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
   return assemble_load(space, f, space.depth());
@@ -477,7 +477,7 @@ Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const Vecto
 }
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same by cubature, on the finest level.
 template <class VectorField>
 Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const VectorField& v) {
   return assemble_gradient_loads(space, v, space.depth(), Cubature(space));
@@ -498,14 +498,14 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
 }
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same by cubature.
 template <class VectorField>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v,
                                        int level) {
   return assemble_gradient_load(space, v, level, Cubature(space));
 }
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same by cubature, on the finest level.
 template <class VectorField>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v) {
   return assemble_gradient_load(space, v, space.depth());
@@ -519,7 +519,7 @@ inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, i
                        level);
 }
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// \overload
+/// The same on the finest level.
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space) {
   return assemble_element_integrals(space, space.depth());
 }

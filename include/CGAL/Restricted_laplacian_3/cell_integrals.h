@@ -411,7 +411,7 @@ inline void stiffness_block(const Cell_moments::Tensor_moments& tensor, Cell_blo
 }
 
 /// \ingroup PkgRestrictedLaplacian3Dev
-/// \overload
+/// The same from all moments, of which the mass is not read.
 inline void stiffness_block(const Cell_moments& moments, Cell_block& block) {
   stiffness_block(moments.tensor, block);
 }

@@ -187,7 +187,7 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// \overload
+/// The same by cubature.
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,

@@ -48,7 +48,7 @@ struct Smoothing_patches {
   std::vector<std::uint64_t> neighborhoods;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Powers of two \f$d_i\f$ with \f$1/2 \le d_i^2 A_{ii} \le 2\f$; 1 where the diagonal entry is not
 /// positive. \f$D A D\f$ fits into single precision, also where elements hardly reach the surface.
 inline std::vector<double> balancing_scale(const Eigen::SparseMatrix<double>& a) {

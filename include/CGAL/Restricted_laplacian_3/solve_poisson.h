@@ -318,7 +318,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// \overload
+/// The same with an integration that the caller chooses.
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<SurfaceIntegration> = 0>
