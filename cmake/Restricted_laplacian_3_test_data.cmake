@@ -4,13 +4,15 @@
 # The meshes of tests, benchmarks and the demonstration. Sets
 #
 # RESTRICTED_LAPLACIAN_3_DATA_DIR       folder with the meshes below, taken out of the archive of
-#                                       CGAL's data; empty if there is no archive
+#                                       CGAL's data, beside points_3 with the points; empty if
+#                                       there is no archive
 # RESTRICTED_LAPLACIAN_3_SHARED_MESHES  folder with a larger set of meshes; may be empty
 
-set(RESTRICTED_LAPLACIAN_3_DATA_MESHES
+set(meshes
   armadillo.off bear.off blade.off boeing.off bunny00.off camel.off cow.off degtri_sliding.off
   elephant.off elephant-with-holes.off fandisk.off fandisk_large.off lion-head.off
   mannequin-devil.off rotor.off rotor_small.off turbine.off)
+set(points kitten.xyz)
 
 set(RESTRICTED_LAPLACIAN_3_DATA_ARCHIVE "/usr/share/doc/libcgal-dev/data.tar.gz" CACHE FILEPATH
   "CGAL's data, as Debian's package libcgal-demo installs it")
@@ -35,13 +37,15 @@ if(CMAKE_VERSION VERSION_LESS 3.18)
 endif()
 
 set(RESTRICTED_LAPLACIAN_3_DATA_DIR "${PROJECT_BINARY_DIR}/data/meshes")
-set(missing_meshes "")
-foreach(mesh IN LISTS RESTRICTED_LAPLACIAN_3_DATA_MESHES)
-  if(NOT EXISTS "${RESTRICTED_LAPLACIAN_3_DATA_DIR}/${mesh}")
-    list(APPEND missing_meshes "data/meshes/${mesh}")
+list(TRANSFORM meshes PREPEND data/meshes/)
+list(TRANSFORM points PREPEND data/points_3/)
+set(missing_files "")
+foreach(file IN LISTS meshes points)
+  if(NOT EXISTS "${PROJECT_BINARY_DIR}/${file}")
+    list(APPEND missing_files "${file}")
   endif()
 endforeach()
-if(missing_meshes)
+if(missing_files)
   file(ARCHIVE_EXTRACT INPUT "${RESTRICTED_LAPLACIAN_3_DATA_ARCHIVE}"
-    DESTINATION "${PROJECT_BINARY_DIR}" PATTERNS ${missing_meshes})
+    DESTINATION "${PROJECT_BINARY_DIR}" PATTERNS ${missing_files})
 endif()

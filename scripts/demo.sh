@@ -17,18 +17,24 @@ cmake -S . -B build
 cmake --build build --parallel "${JOBS:-2}" --target solve_poisson laplace_spectrum
 
 programs=$PWD/build/examples/Restricted_laplacian_3
-mesh=$PWD/build/data/meshes/bunny00.off
+mesh=../build/data/meshes/bunny00.off
 mkdir -p demo_output
 cd demo_output
 
+# run PROGRAM ARGUMENT...: shows the call
+run() {
+  echo "\$ $*"
+  "$programs/$1" "${@:2}"
+}
+
 echo
 echo "Laplacian u = z on the bunny:"
-"$programs/solve_poisson" "$mesh" --rhs z --depth 7 \
+run solve_poisson "$mesh" --rhs z --depth 7 \
   --output poisson.ply --picture poisson.png --csv poisson.csv
 echo
 echo "The twelve smallest eigenvalues of its Laplacian, and the eigenfunction of the seventh:"
-"$programs/laplace_spectrum" "$mesh" --count 12 --depth 6 --eigenfunction 6 \
+run laplace_spectrum "$mesh" --count 12 --depth 6 --eigenfunction 6 \
   --output eigenfunction.ply --picture eigenfunction.png --csv spectrum.csv
 echo
-echo "In $PWD:"
+echo "Pictures (PNG), coloured meshes (PLY) and tables (CSV) are in $PWD:"
 ls -l

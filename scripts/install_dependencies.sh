@@ -2,11 +2,10 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Usage: scripts/install_dependencies.sh [--benchmark] [--doc]
+# Usage: scripts/install_dependencies.sh [--benchmark]
 #
-# Installs the Debian 12 packages that the library, its examples and its tests need, and with the
-# options those for the benchmarks and the manual. Needs root or sudo, and only where a package is
-# missing.
+# Installs the Debian 12 packages that the library, its examples, its manual and its tests need, and
+# with the option those for the benchmarks. Needs root or sudo, and only where a package is missing.
 
 set -euo pipefail
 
@@ -16,11 +15,11 @@ packages=(
   libcgal-dev libcgal-demo libeigen3-dev libboost-program-options-dev
   libsuitesparse-dev libopenblas-dev libspectra-dev libtbb-dev
   libopenmesh-dev libpng-dev catch2
+  doxygen libjs-mathjax python3 hunspell hunspell-en-gb
 )
 for option in "$@"; do
   case "$option" in
     --benchmark) packages+=(libbenchmark-dev libhypre-dev gnuplot-nox python3-vtk9 xvfb xauth) ;;
-    --doc) packages+=(doxygen libjs-mathjax) ;;
     *)
       sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
       exit 2

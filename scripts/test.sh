@@ -5,9 +5,10 @@
 # Usage: scripts/test.sh
 #
 # Installs what is missing, builds examples and tests in build/ with warnings as errors, runs the
-# tests, then builds the unit tests in build/sanitizers/ with AddressSanitizer and
-# UndefinedBehaviorSanitizer, runs them, and compiles each header alone. The last line counts both
-# runs together. JOBS in the environment is the number of parallel jobs, 2 if not set.
+# tests, which build and check the manual, too, then builds the unit tests in build/sanitizers/ with
+# AddressSanitizer and UndefinedBehaviorSanitizer, runs them, and compiles each header alone. The last
+# line counts both runs together. JOBS in the environment is the number of parallel jobs, 2 if not
+# set.
 
 set -euo pipefail
 
@@ -43,7 +44,8 @@ bash scripts/install_dependencies.sh
 unity=(-DCMAKE_UNITY_BUILD=ON)
 
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
-  -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON "${unity[@]}"
+  -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON \
+  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON "${unity[@]}"
 cmake --build build --parallel "$jobs"
 run_tests build --label-exclude '^headers$'
 
@@ -53,6 +55,7 @@ cmake -S . -B build/sanitizers -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=D
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DRESTRICTED_LAPLACIAN_3_SANITIZE=address,undefined \
   -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON \
   -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF \
+  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF \
   "${unity[@]}"
 cmake --build build/sanitizers --parallel "$jobs" --target test_restricted_laplacian_3
 ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \

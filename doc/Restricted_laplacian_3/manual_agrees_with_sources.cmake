@@ -60,6 +60,16 @@ all_matches("${doc}/examples.txt" "\\\\example Restricted_laplacian_3/([a-z0-9_]
 file(GLOB in_sources RELATIVE "${examples}" "${examples}/*.cpp")
 require_same("examples" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
 
+# pages and how they are reached
+set(in_manual "")
+file(GLOB files "${doc}/*.txt")
+foreach(file IN LISTS files)
+  all_matches("${file}" "\\\\page ([A-Za-z_]+)" found)
+  list(APPEND in_manual ${found})
+endforeach()
+all_matches("${doc}/DoxygenLayout.xml" "url=\"@ref ([A-Za-z_]+)\"" in_navigation)
+require_same("pages in DoxygenLayout.xml" IN_MANUAL ${in_navigation} IN_SOURCES ${in_manual})
+
 # named parameters; the manual also describes those of CGAL that the package uses
 all_matches("${doc}/PackageDescription.txt" "\\\\cgalParamNBegin\\{([a-z_]+)\\}" in_manual)
 all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/parameters.h"

@@ -29,20 +29,23 @@
 
 using namespace examples;
 
-const char* const usage =
-    "usage: bake_scans MESH FOLDER [OPTION]...\n"
-    "\n"
-    "Takes range images with colors of MESH (off, obj, ply, stl, ts) from cameras around it, and\n"
-    "writes them to FOLDER, which is made: scan_00.ply, scan_01.ply, ..., each in the frame of "
-    "its\n"
-    "camera, poses.conf with the matrices that take them to the frame of MESH, and truth.ply, the\n"
-    "mesh with its colors. They are those of the vertices of MESH, a PLY file, or a pattern.\n"
-    "\n"
-    "Example: bake_scans spot.ply scans --views 8 --exposure-range 0.3\n"
-    "         stitch_colors spot.ply scans/scan_*.ply --poses scans/poses.conf --output "
-    "spot_s.ply\n"
-    "\n"
-    "Exit status: 0 if all went well; 1 on an error.\n";
+const Help help = {"bake_scans MESH FOLDER [OPTION]...", R"(
+Takes synthetic range images with colors of a mesh from cameras around it: input for
+stitch_colors of which the truth is known.
+
+MESH is a file of one of the formats off, obj, ply, stl and ts. The colors are those of the
+vertices of MESH, a PLY file, or a pattern. FOLDER is made, and gets scan_00.ply,
+scan_01.ply, ..., each in the frame of its camera; poses.conf with the matrices that take
+them to the frame of MESH; and truth.ply, the mesh with its colors.
+)",
+                   R"(  bake_scans elephant.off scans --views 6 --exposure-range 0.3
+      scans with exposures of their own, of which the largest is 1.3 times the smallest
+  bake_scans elephant.off points --points --noise 0.5 --resolution 256
+      noisy points with normals
+)",
+                   R"(  0  all went well
+  1  an error, which one line on the error stream names
+)"};
 
 struct Options {
   std::string mesh, folder;
@@ -66,8 +69,10 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("points", po::bool_switch(&o.points), "write points with normals instead of meshes");
   add("noise", po::value(&o.noise)->value_name("S")->default_value(o.noise),
       "standard deviation of normal noise of the depth, in units of the width of a pixel");
-  po::options_description light("Exposure and light", help_width);
+  po::options_description light("Colors and light", help_width);
   add = light.add_options();
+  add("pattern", po::bool_switch(&o.pattern),
+      "a pattern of waves in place of the colors of MESH; always if it has none");
   add("exposure-range",
       po::value(&o.exposure_range)->value_name("E")->default_value(o.exposure_range),
       "the largest exposure is 1, and 1 + E times the smallest one; they are spread evenly, in an "
@@ -82,21 +87,19 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("linear-light", po::bool_switch(&o.in_linear_light),
       "factors apply to linear light, and colors are sRGB; by default they apply to the colors as "
       "they are stored");
-  po::options_description others("Others", help_width);
-  add = others.add_options();
-  add("pattern", po::bool_switch(&o.pattern),
-      "a pattern of waves in place of the colors of MESH; always if it has none");
+  po::options_description general("General", help_width);
+  add = general.add_options();
   add("seed", po::value(&o.seed)->value_name("N")->default_value(o.seed),
       "seed of everything random");
   add("quiet", po::bool_switch(&o.quiet), "print errors only");
   add("help", "print this text");
   po::options_description all(help_width), arguments;
-  all.add(cameras).add(light).add(others);
+  all.add(cameras).add(light).add(general);
   arguments.add_options()("mesh", po::value(&o.mesh))("folder", po::value(&o.folder));
   po::positional_options_description positional;
   positional.add("mesh", 1).add("folder", 1);
   po::variables_map given;
-  if(!parse_arguments(argc, argv, usage, all, arguments, positional, given))
+  if(!parse_arguments(argc, argv, help, all, arguments, positional, given))
     return false;
 
   const auto is_in = [](double x, double low, double high) { return x >= low && x <= high; };

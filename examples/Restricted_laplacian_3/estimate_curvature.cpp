@@ -27,19 +27,18 @@
 using namespace examples;
 namespace params = CGAL::parameters;
 
-const char* const usage =
-    "usage: estimate_curvature MESH [OPTION]...\n"
-    "\n"
-    "Estimates the mean curvature H and the Gaussian curvature K of the surface of MESH (off,\n"
-    "obj, ply, stl, ts, xyz) at its vertices. A sphere of radius r whose normals point outward\n"
-    "has H = 1 / r; if they point inward, H = -1 / r.\n"
-    "Methods: normals, the derivative of a fit of vertex normals; face-normals, the same with the\n"
-    "normals of the faces; coordinates, the Laplacian of the coordinates, which gives H only, and\n"
-    "NaN for K. The faces must be oriented alike.\n"
-    "The values are NaN at vertices that have no face, or only faces without area.\n"
-    "\n"
-    "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
-    "the output was written.\n";
+const Help help = {"estimate_curvature MESH [OPTION]...", std::string(R"(
+Estimates the mean curvature H and the Gaussian curvature K of a surface at its vertices.
+
+A sphere of radius r whose normals point outward has H = 1 / r; if they point inward, it has
+H = -1 / r. The faces must be oriented alike. The values are NaN at vertices that have no
+face, or only faces without area.
+)") + about_meshes + about_points,
+                   R"(  estimate_curvature elephant.off --picture mean.png
+      a picture of the mean curvature
+  estimate_curvature elephant.off --show gaussian --csv curvature.csv --output curvature.ply
+      a table of both curvatures, and a mesh colored by Gaussian curvature
+)"};
 
 struct Options : Common_options, Point_options, Solver_options {
   Options() : Solver_options(RL::Function_fit_options().solver.relative_tolerance) {}
@@ -53,9 +52,9 @@ struct Options : Common_options, Point_options, Solver_options {
 bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
   auto add = problem.add_options();
-  add("method",
-      po::value(&o.method)->value_name("normals|face-normals|coordinates")->default_value(o.method),
-      "how curvature is estimated");
+  add("method", po::value(&o.method)->value_name("METHOD")->default_value(o.method),
+      "normals: the derivative of a fit of vertex normals; face-normals: the same with the normals "
+      "of the faces; coordinates: the Laplacian of the coordinates, which gives H, and NaN for K");
   add("smoothing", po::value(&o.smoothing)->value_name("W"),
       "weight of the squared gradient of the normals, in units of the squared width of a cell; by "
       "default 1, and 0 on surfaces with a boundary and on points");
@@ -68,12 +67,14 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   po::options_description all(help_width);
   all.add(problem)
       .add(space_options(o))
+      .add(integration_options(o))
       .add(point_options(o, o))
       .add(solver_options(o, "default 0.01"))
       .add(colors)
-      .add(output_options(o));
+      .add(output_options(o, "vertex, mean, gaussian", "the properties mean and gaussian"))
+      .add(general_options(o));
 
-  if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
+  if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   require_choice("method", o.method, {"normals", "face-normals", "coordinates"});
   require_choice("show", o.show, {"mean", "gaussian"});

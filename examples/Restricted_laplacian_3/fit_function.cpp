@@ -33,21 +33,21 @@
 
 using namespace examples;
 
-const char* const usage =
-    "usage: fit_function MESH --property NAME[,NAME...] [OPTION]...\n"
-    "       fit_function MESH --normals [OPTION]...\n"
-    "\n"
-    "Fits functions on the surface of MESH (off, obj, ply, stl, ts, xyz) by splines: the functions "
-    "of\n"
-    "the space for which the integral of the squared difference is smallest. They are given at "
-    "the\n"
-    "vertices, and interpolated linearly.\n"
-    "With --smoothing W the integral of W times the squared gradient is added, W in units of the\n"
-    "squared width of a cell.\n"
-    "The value is NaN at vertices that have no face, or only faces without area.\n"
-    "\n"
-    "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
-    "the output was written.\n";
+const Help help = {"fit_function MESH --property NAME[,NAME...] [OPTION]...\n"
+                   "       fit_function MESH --normals [OPTION]...",
+                   std::string(R"(
+Fits functions on a surface by splines: those for which the integral of the squared
+difference is smallest.
+
+The functions are given at the vertices, and interpolated linearly. With --smoothing W the
+integral of W times the squared gradient is added. A fit is NaN at vertices that have no
+face, or only faces without area.
+)") + about_meshes + about_points,
+                   R"(  fit_function elephant.off --normals --depth 5 --picture normals.png
+      smooth normals, shown as red, green and blue
+  fit_function elephant.off --property x,y --smoothing 1 --csv fit.csv
+      smooth coordinates x and y
+)"};
 
 struct Options : Common_options, Point_options, Solver_options {
   Options() : Solver_options(RL::Function_fit_options().solver.relative_tolerance) {}
@@ -72,11 +72,14 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   po::options_description all(help_width);
   all.add(problem)
       .add(space_options(o))
+      .add(integration_options(o))
       .add(point_options(o, o))
       .add(solver_options(o, "by default it is chosen for each function: small for smooth ones"))
-      .add(output_options(o));
+      .add(output_options(o, "vertex and, for each function, fit_NAME",
+                          "a property fit_NAME for each function"))
+      .add(general_options(o));
 
-  if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
+  if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   require(o.normals || given.count("property") == 1, "give --property or --normals");
   require(!o.normals || given.count("property") == 0, "give --property or --normals, not both");
@@ -196,9 +199,9 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   summary.add("rms_error", fit.root_mean_square_error());
 
   Outcome result;
-  result.names = functions.names;
-  if(result.names.size() == 1)
-    result.names[0] = "value";
+  // the functions themselves may be in the same file: coordinates, normals, colors
+  for(const std::string& name : functions.names)
+    result.names.push_back("fit_" + name);
   result.values = RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
   result.colors = colors(o, result.values);
   if(!fit.converged)

@@ -25,24 +25,29 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iomanip>
 #include <iostream>
 #include <string>
 #include <vector>
 
 using namespace examples;
 
-const char* const usage =
-    "usage: laplace_spectrum MESH [OPTION]...\n"
-    "\n"
-    "Computes the smallest numbers l with -Laplacian u = l u on the surface of MESH (off, obj,\n"
-    "ply, stl, ts, xyz): 0, 2, 2, 2, 6, ... on the unit sphere. Boundaries have the natural\n"
-    "condition: u does not change across them.\n"
-    "\n"
-    "With --operator cotangent the functions are linear in each triangle, and the options of the\n"
-    "finite elements have no meaning.\n"
-    "\n"
-    "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
-    "what it found was written.\n";
+const Help help = {"laplace_spectrum MESH [OPTION]...", std::string(R"(
+Computes the smallest eigenvalues of the Laplacian on a surface: the smallest numbers l for
+which -Laplacian u = l u has a solution.
+
+They are 0, 2, 2, 2, 6, ... on the unit sphere, and in units of 1 / area. Boundaries have
+the natural condition: u does not change across them. With --operator cotangent the
+functions are linear in each triangle, and the options of finite elements and integration
+have no meaning.
+)") + about_meshes + about_points,
+                   R"(  laplace_spectrum elephant.off --count 50 --depth 5 --csv eigenvalues.csv
+      a table of 50 eigenvalues
+  laplace_spectrum elephant.off --count 10 --eigenfunction 5 --isolines 12 --picture u5.png
+      a picture of eigenfunction 5, with level lines
+  laplace_spectrum elephant.off --operator cotangent --count 10
+      the usual operator, for comparison
+)"};
 
 struct Options : Common_options, Point_options, Eigensolver_options {
   int count = 20;
@@ -66,10 +71,12 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   all.add(problem)
       .add(eigensolver_options(o))
       .add(space_options(o))
+      .add(integration_options(o))
       .add(point_options(o, o))
-      .add(output_options(o));
+      .add(output_options(o, "index, eigenvalue", "the property value, the eigenfunction"))
+      .add(general_options(o));
 
-  if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
+  if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   require(o.count > 0, "the argument of --count must be positive");
   require_choice("operator", o.operator_name, {"restricted", "cotangent"});
@@ -129,9 +136,11 @@ RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const 
 void print_eigenvalues(std::ostream& out, const std::vector<double>& values) {
   constexpr std::size_t largest_number = 20;
   for(std::size_t i = 0; i < std::min(values.size(), largest_number); ++i)
-    out << (i == 0 ? "eigenvalues" : "           ") << "         " << values[i] << '\n';
+    out << std::left << std::setw(value_column) << (i == 0 ? "eigenvalues" : "") << values[i]
+        << '\n';
   if(values.size() > largest_number)
-    out << "                    ... (--csv writes all)\n";
+    out << std::setw(value_column) << ""
+        << "... (--csv writes all)\n";
 }
 
 Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,

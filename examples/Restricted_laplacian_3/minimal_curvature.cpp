@@ -26,16 +26,16 @@ int main(int argc, char* argv[]) {
   // mean, Gaussian and principal curvatures, principal directions and normals
   auto curvature = mesh.add_property_map<Mesh::Vertex_index, RL::Surface_curvature>("v:c").first;
   RL::estimate_curvature(mesh, curvature, np);
-  const auto [flattest, most_curved] =
+  const auto [lowest, highest] =
       std::minmax_element(curvature.begin(), curvature.end(),
                           [](const auto& a, const auto& b) { return a.mean < b.mean; });
-  std::cout << "mean curvature is between " << flattest->mean << " and " << most_curved->mean
-            << '\n';
+  std::cout << "mean curvature is between " << lowest->mean << " and " << highest->mean << '\n';
 
   // the normals of the faces, as three functions that are smooth and defined everywhere
   auto normal = mesh.add_property_map<Mesh::Vertex_index, RL::Vector_3>("v:n").first;
   const RL::Fit_report report = RL::fit_function(
       mesh, [](const RL::Surface_point& p) { return p.normal; }, normal, np);
-  std::cout << "normals are fitted with an error of " << report.root_mean_square_error() << '\n';
+  std::cout << "normals are fitted with a root mean square error of "
+            << report.root_mean_square_error() << '\n';
   return report.converged ? 0 : 1;
 }

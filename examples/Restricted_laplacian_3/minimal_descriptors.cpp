@@ -28,13 +28,13 @@ int main(int argc, char* argv[]) {
   const Eigen::VectorXd times = RL::heat_kernel_times(spectrum, 5);
   const Eigen::MatrixXd hks = RL::heat_kernel_signature(spectrum, times);
   for(Eigen::Index j = 0; j < times.size(); ++j)
-    std::cout << "time " << times[j] << ": from " << hks.col(j).minCoeff() << " to "
-              << hks.col(j).maxCoeff() << '\n';
+    std::cout << "heat kernel signature at time " << times[j] << ": from " << hks.col(j).minCoeff()
+              << " to " << hks.col(j).maxCoeff() << '\n';
 
   // the biharmonic distance of two vertices is that of their rows
   const Eigen::MatrixXd points = RL::biharmonic_embedding(spectrum);
   const Eigen::Index last = points.rows() - 1;
-  std::cout << "distance of the first vertex from the last: "
+  std::cout << "biharmonic distance of the first vertex from the last: "
             << (points.row(0) - points.row(last)).norm() << '\n';
 
   // eigenvalues times area

@@ -21,9 +21,11 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   // the area that each point stands for is estimated; there is no mesh
-  const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(points, 10);
+  const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(points, 8);
+  std::cout << "eigenvalues on an area of " << spectrum.area << ':';
   for(double eigenvalue : spectrum.eigenvalues)
-    std::cout << eigenvalue << '\n';
+    std::cout << ' ' << eigenvalue;
+  std::cout << '\n';
 
   auto u = points.add_property_map<double>("u", 0).first;
   const auto f = [](const RL::Surface_point& s) { return s.point.z(); };

@@ -23,8 +23,8 @@ int main(int argc, char* argv[]) {
 
   // eigenvalues are in units of 1 / area; column i of vertex_values is eigenfunction i
   for(Eigen::Index i = 0; i < spectrum.eigenvalues.size(); ++i)
-    std::cout << i << ' ' << spectrum.eigenvalues[i] << ' '
-              << spectrum.vertex_values.col(i).minCoeff() << ' '
+    std::cout << "eigenvalue " << i << ": " << spectrum.eigenvalues[i] << ", eigenfunction from "
+              << spectrum.vertex_values.col(i).minCoeff() << " to "
               << spectrum.vertex_values.col(i).maxCoeff() << '\n';
   return spectrum.report.converged ? 0 : 1;
 }

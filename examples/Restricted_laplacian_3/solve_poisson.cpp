@@ -35,21 +35,23 @@
 using namespace examples;
 namespace params = CGAL::parameters;
 
-const char* const usage =
-    "usage: solve_poisson MESH [OPTION]...\n"
-    "\n"
-    "Solves Laplacian u = f on the surface of MESH (off, obj, ply, stl, ts, xyz). The Laplacian "
-    "is\n"
-    "the divergence of the gradient: it is negative, and on the unit sphere f = z gives\n"
-    "u = -z / 2. On each connected component of the surface the mean of f is subtracted, and u\n"
-    "has mean 0.\n"
-    "With --alpha A it solves (A / area) u - Laplacian u = f instead, where the mean of f on the\n"
-    "whole surface is subtracted; note the sign.\n"
-    "Boundaries of the surface have the natural condition: u does not change across them.\n"
-    "The value is NaN at vertices that have no face, or only faces without area.\n"
-    "\n"
-    "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
-    "the output was written.\n";
+const Help help = {"solve_poisson MESH [OPTION]...", std::string(R"(
+Solves Laplacian u = f on a surface, or with --alpha A the screened problem
+(A / area) u - Laplacian u = f; note the sign.
+
+The Laplacian is the divergence of the gradient: it is negative, and on the unit sphere
+f = z gives u = -z / 2. On each connected component of the surface the mean of f is
+subtracted, and u has mean 0. With --alpha the mean of f on the whole surface is subtracted.
+Boundaries of the surface have the natural condition: u does not change across them. u is
+NaN at vertices that have no face, or only faces without area.
+)") + about_meshes + about_points,
+                   R"(  solve_poisson elephant.off --rhs x --isolines 20 --picture u.png --csv u.csv
+      a picture of the solution for f = x, with level lines, and a table
+  solve_poisson elephant.off --alpha 100 --depth 7 --output u.ply
+      a screened problem on a finer grid, and a colored mesh
+  solve_poisson ../points_3/kitten.xyz --csv u.csv
+      on points with normals
+)"};
 
 struct Options : Common_options, Point_options, Solver_options {
   Options() : Solver_options(RL::Poisson_solver_options().relative_tolerance) {}
@@ -77,11 +79,13 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   po::options_description all(help_width);
   all.add(problem)
       .add(space_options(o))
+      .add(integration_options(o))
       .add(point_options(o, o))
       .add(solver)
-      .add(output_options(o));
+      .add(output_options(o, "vertex, value", "the property value"))
+      .add(general_options(o));
 
-  if(!parse_command_line(argc, argv, usage + std::string("\n") + about_points, all, o, given))
+  if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   require_choice("rhs", o.rhs, {"x", "y", "z", "random"});
   require(given["rhs"].defaulted() || given.count("rhs-property") == 0,

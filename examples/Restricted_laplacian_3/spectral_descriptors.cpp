@@ -36,27 +36,32 @@
 
 using namespace examples;
 
-const char* const usage =
-    "usage: spectral_descriptors MESH [OPTION]...\n"
-    "\n"
-    "Computes from the first eigenvalues and eigenfunctions of the Laplacian on the surface of "
-    "MESH\n"
-    "(off, obj, ply, stl, ts) a descriptor of each vertex, or of the whole surface:\n"
-    "\n"
-    "  hks         heat kernel signature, a column for each time\n"
-    "  wks         wave kernel signature, a column for each energy\n"
-    "  gps         global point signature: eigenfunctions over square roots of eigenvalues\n"
-    "  biharmonic  eigenfunctions over eigenvalues: coordinates for the biharmonic distance\n"
-    "  diffusion   diffusion map: coordinates for the diffusion distance at --time\n"
-    "  shape-dna   the eigenvalues in a form that does not depend on size\n"
-    "\n"
-    "Times are in units of the area of the surface, and energies are natural logarithms of\n"
-    "eigenvalues times area: they mean the same for surfaces of different size. The values of "
-    "hks,\n"
-    "wks and the coordinates are in the units of MESH.\n"
-    "\n"
-    "Exit status: 0 if all went well; 1 on an error; 2 if the solver did not converge, after\n"
-    "what it found was written.\n";
+const Help help = {
+    "spectral_descriptors MESH [OPTION]...", std::string(R"(
+Computes from the first eigenvalues and eigenfunctions of the Laplacian on a surface a
+descriptor of each vertex, or of the whole surface.
+
+The descriptors are
+
+  hks         heat kernel signature, a column for each time
+  wks         wave kernel signature, a column for each energy
+  gps         global point signature: eigenfunctions over square roots of eigenvalues
+  biharmonic  eigenfunctions over eigenvalues: coordinates for the biharmonic distance
+  diffusion   diffusion map: coordinates for the diffusion distance at --time
+  shape-dna   the eigenvalues in a form that does not depend on size
+
+Times are in units of the area of the surface, and energies are natural logarithms of
+eigenvalues times area: they mean the same for surfaces of different size. The values of hks
+and wks and the coordinates are in the units of MESH.
+)") + about_meshes,
+    R"(  spectral_descriptors elephant.off --count 50 --depth 5 --time 0.01 --picture hks.png
+      a picture of the heat kernel signature at one time
+  spectral_descriptors elephant.off --descriptor biharmonic --depth 5 --csv biharmonic.csv
+      coordinates of each vertex, of which the biharmonic distance is the usual one
+  spectral_descriptors elephant.off --descriptor shape-dna --count 20 --depth 5 \
+    --compare elephant-with-holes.off
+      how far the spectra of two shapes differ
+)"};
 
 struct Options : Common_options, Eigensolver_options {
   int count = 100;
@@ -112,10 +117,16 @@ bool read_options(int argc, char* argv[], Options& o) {
       "index, from 0, of the column for --output and --picture (default: the middle one of hks and "
       "wks, the first of others)");
   po::options_description all(help_width);
-  all.add(problem).add(eigensolver_options(o)).add(space_options(o)).add(output_options(o));
+  all.add(problem)
+      .add(eigensolver_options(o))
+      .add(space_options(o))
+      .add(integration_options(o))
+      .add(output_options(o, "vertex and those of the descriptor, or index, shape_dna",
+                          "the property value, one column of the descriptor"))
+      .add(general_options(o));
 
   po::variables_map given;
-  if(!parse_command_line(argc, argv, usage, all, o, given))
+  if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   require_choice("descriptor", o.descriptor,
                  {"hks", "wks", "gps", "biharmonic", "diffusion", "shape-dna"});

@@ -36,22 +36,27 @@
 
 using namespace examples;
 
-const char* const usage =
-    "usage: stitch_colors MESH SCAN... --poses FILE [OPTION]...\n"
-    "\n"
-    "Colors the vertices of MESH (off, obj, ply, stl, ts) from scans: PLY files with the vertex\n"
-    "properties red, green and blue, meshes or points, each in a frame of its own with the eye of\n"
-    "the camera at the origin. For each triangle a scan is chosen that sees it well; the colors\n"
-    "are those whose gradients are nearest to those of the chosen scans. Steps of the exposure or\n"
-    "the light between scans vanish. Parts of MESH that no scan covers are filled smoothly.\n"
-    "\n"
-    "FILE of --poses has a line for each scan: the name of its file, and 16 numbers, row by row,\n"
-    "of the matrix that takes its coordinates to those of MESH.\n"
-    "\n"
-    "Example: stitch_colors head.ply scan_*.ply --poses poses.conf --depth 8 --output colored.ply\n"
-    "\n"
-    "Exit status: 0 if all went well; 1 on an error, and then nothing is written; 2 if the solver\n"
-    "did not converge, after the output was written.\n";
+const Help help = {
+    "stitch_colors MESH SCAN... --poses FILE [OPTION]...", std::string(R"(
+Colors the vertices of a mesh from several colored scans, without visible seams.
+
+A SCAN is a PLY file with the vertex properties red, green and blue, a mesh or points, in a
+frame of its own with the eye of the camera at the origin. For each triangle of MESH a scan
+is chosen that sees it well; the colors are those whose gradients are nearest to those of
+the chosen scans. Steps of the exposure or the light between scans vanish. Parts of MESH
+that no scan covers are filled smoothly.
+
+FILE of --poses has a line for each scan: the name of its file, and 16 numbers, row by row,
+of the matrix that takes its coordinates to those of MESH. Lines that begin with # are
+comments.
+)") + about_meshes,
+    R"(  stitch_colors elephant.off scans/scan_*.ply --poses scans/poses.conf --depth 6 \
+    --picture colored.png --output colored.ply
+      colors from the scans that the first example of bake_scans --help makes
+  stitch_colors elephant.off scans/scan_*.ply --poses scans/poses.conf --depth 6 \
+    --method nearest --truth scans/truth.ply
+      the error of a simpler method, for comparison
+)"};
 
 struct Options : Common_options, Solver_options {
   Options() : Solver_options(RL::Poisson_solver_options().relative_tolerance) {
@@ -75,13 +80,12 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("frame", po::value(&o.frame)->value_name("NAME"),
       "MESH is in the coordinates of the scan of this name in --poses; by default it is in those "
       "of the world");
-  add("method",
-      po::value(&o.method)->value_name("gradients|chosen|nearest")->default_value(o.method),
+  add("method", po::value(&o.method)->value_name("METHOD")->default_value(o.method),
       "gradients: as above; for comparison, chosen: the colors of the chosen scans as they are; "
       "nearest: those of the scan that is nearest to each vertex");
-  add("gradients",
-      po::value(&o.gradients)->value_name("back-projection|scans")->default_value(o.gradients),
-      "gradients of the colors that a scan gives to the vertices, or its own gradients there");
+  add("gradients", po::value(&o.gradients)->value_name("KIND")->default_value(o.gradients),
+      "back-projection: gradients of the colors that a scan gives to the vertices; scans: its own "
+      "gradients there");
   add("alpha", po::value(&o.alpha)->value_name("A")->default_value(o.alpha),
       "how strongly the result is drawn to the colors of the chosen scans, in units of 1 / area");
   add("maximum-distance", po::value(&o.maximum_distance)->value_name("D"),
@@ -107,10 +111,12 @@ bool read_options(int argc, char* argv[], Options& o) {
   all.add(problem)
       .add(space_options(o))
       .add(solver_options(o, "default 0.001, or 0 with --paper"))
-      .add(output_options(o));
+      .add(output_options(o, "vertex, red, green, blue",
+                          "the property scan, the number of the chosen scan"))
+      .add(general_options(o));
 
   po::variables_map given;
-  if(!parse_command_line(argc, argv, usage, all, o, given, &o.scans))
+  if(!parse_command_line(argc, argv, help, all, o, given, &o.scans))
     return false;
   require(!o.scans.empty(), "no scan is given; --help shows the options");
   require(!o.poses.empty(), "no poses of the scans are given: --poses FILE");
@@ -120,7 +126,6 @@ bool read_options(int argc, char* argv[], Options& o) {
   require_positive(given, "maximum-distance", o.maximum_distance);
   require(o.normal_angle > 0 && o.normal_angle <= 180,
           "the argument of --normal-angle must be in (0, 180]");
-  require(o.assembly == "cubature", "--assembly monte-carlo is not for colors");
   check_solver_options(o, given);
   return true;
 }

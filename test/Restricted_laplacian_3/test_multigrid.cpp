@@ -192,7 +192,7 @@ TEST_CASE("half_of_a_matrix_has_the_products_of_the_whole", "[multigrid]") {
     CHECK(a.nonZeros() == 0);
     CHECK(half.upper_half().nonZeros() <= (whole.nonZeros() + n) / 2);
     RL::internal::Block_vector<8> x(n, 8), y, r;
-    for(int c = 0; c < 4; ++c)
+    for(int c = 0; c < 8; ++c)
       x.col(c) = random_vector(n, 20 + c);
     half.multiply<8>(x, y, false);
     CHECK((y - whole * x).norm() <= 1e-14 * y.norm());

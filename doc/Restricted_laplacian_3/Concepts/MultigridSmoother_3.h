@@ -28,9 +28,9 @@ matrix.
 class MultigridSmoother_3 {
 public:
   /*!
-  prepares the smoother for a matrix. It is symmetric and positive semi-definite, all of its entries
-  are stored, and the rows of each column are sorted; rows may be empty. The smoother must not refer
-  to the matrix afterwards.
+  prepares the smoother for a matrix, to which it must not refer afterwards.
+  \param a a symmetric and positive semi-definite matrix. All of its entries are stored, and the rows
+  of each column are sorted; rows may be empty.
   \param patches sets of unknowns that may be relaxed together, groups of them that may be relaxed at
   the same time; there may be none
   \param is_parallel whether to use several threads. Results must not depend on their number.

@@ -40,6 +40,20 @@ struct Common_options {
   bool quiet = false;
 };
 
+// What --help prints around the options.
+struct Help {
+  // the forms of a call
+  std::string usage;
+  // what the program does, in one sentence, and then what one has to know about it
+  std::string description;
+  // calls, each indented by two spaces, and behind it, indented by six, what it is good for
+  std::string examples;
+  std::string exit_status = R"(  0  all went well
+  1  an error, which one line on the error stream names
+  2  the solver did not converge; what it found was written
+)";
+};
+
 inline po::options_description space_options(Common_options& o) {
   po::options_description description("Finite elements", help_width);
   auto add = description.add_options();
@@ -59,6 +73,12 @@ inline po::options_description space_options(Common_options& o) {
       "this");
   add("paper", po::bool_switch(&o.space.paper_space),
       "the space of the paper: only elements that are centred in the 2^D grid, unsplit");
+  return description;
+}
+
+inline po::options_description integration_options(Common_options& o) {
+  po::options_description description("Integration", help_width);
+  auto add = description.add_options();
   add("assembly", po::value(&o.assembly)->value_name("METHOD")->default_value(o.assembly),
       "cubature: integrals over the triangles, or sums over the points; monte-carlo: sums over "
       "random samples");
@@ -68,24 +88,33 @@ inline po::options_description space_options(Common_options& o) {
       "samples that are independent, or stratified: one in each of N parts of equal area");
   add("seed", po::value(&o.seed)->value_name("N")->default_value(o.seed),
       "seed of everything random");
-  add("threads", po::value(&o.threads)->value_name("N"),
-      "number of threads, at most; by default all processors are used. The result does not "
-      "depend on it");
   return description;
 }
 
-inline po::options_description output_options(Common_options& o) {
+// `table` says what --csv writes, and `properties` which properties of vertices --output writes.
+inline po::options_description output_options(Common_options& o, const std::string& table,
+                                              const std::string& properties) {
   po::options_description description("Output", help_width);
   auto add = description.add_options();
-  add("csv", po::value(&o.csv)->value_name("FILE"), "write the result as a table");
+  add("csv", po::value(&o.csv)->value_name("FILE"),
+      ("write a CSV table with the columns " + table).c_str());
   add("output", po::value(&o.output)->value_name("FILE"),
-      "write the mesh as binary PLY, with colors and the scalar vertex property \"value\"");
+      ("write the mesh as binary PLY, with colors and, at its vertices, " + properties).c_str());
   add("picture", po::value(&o.picture)->value_name("FILE"),
       "write a PNG picture of the colored mesh");
   add("up", po::value(&o.up)->value_name("y|z")->default_value(o.up),
       "the axis that points up in the picture");
   add("isolines", po::value(&o.isolines)->value_name("N")->default_value(o.isolines),
       "draw level lines in the picture that divide the range of values into about N bands");
+  return description;
+}
+
+inline po::options_description general_options(Common_options& o) {
+  po::options_description description("General", help_width);
+  auto add = description.add_options();
+  add("threads", po::value(&o.threads)->value_name("N"),
+      "number of threads, at most; by default all processors are used. The result does not "
+      "depend on it");
   add("quiet", po::bool_switch(&o.quiet), "print errors only");
   add("help", "print this text");
   return description;
@@ -116,17 +145,18 @@ inline void require_not_negative(const po::variables_map& given, const std::stri
           "the argument of --" + option + " must be a number that is not negative");
 }
 
-const char* const about_meshes =
-    "The surface is taken as it is in the file: nothing is merged, cut or turned. It continues\n"
-    "across an edge from each of its faces to each other one, any number of them, whatever their\n"
-    "orientation. Vertices at the same place remain different vertices, and the edges between\n"
-    "them different edges, unless --join is given. Faces that are not triangles are triangulated,\n"
-    "and faces without area are left out of all integrals.\n";
+const char* const about_meshes = R"(
+MESH is a file of one of the formats off, obj, ply, stl and ts. The surface is taken as it
+is in the file: nothing is merged, cut or turned. It continues across an edge from each of
+its faces to each other one, any number of them, whatever their orientation. Vertices at the
+same place remain different vertices, and the edges between them different edges, unless
+--join is given. Faces that are not triangles are triangulated, and faces without area are
+left out of all integrals.
+)";
 
 // Reads a command line. Arguments without a name fill the options of `arguments`, which --help does
-// not list, in the order of `positional`. Returns false if --help was given: the usage and the
-// options of `visible` have been printed then.
-inline bool parse_arguments(int argc, char* argv[], const std::string& usage,
+// not list, in the order of `positional`. Returns false if --help was given, and prints it.
+inline bool parse_arguments(int argc, char* argv[], const Help& help,
                             const po::options_description& visible,
                             const po::options_description& arguments,
                             const po::positional_options_description& positional,
@@ -139,16 +169,32 @@ inline bool parse_arguments(int argc, char* argv[], const std::string& usage,
       po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
       given);
   if(given.count("help")) {
-    std::cout << usage << '\n' << visible;
+    std::cout << "usage: " << help.usage << '\n'
+              << help.description << "\nThe value after = is the default.\n"
+              << visible << "\nExamples:\n"
+              << help.examples << "\nExit status:\n"
+              << help.exit_status;
     return false;
   }
   po::notify(given);
   return true;
 }
 
+inline void check_integration_options(const Common_options& o, const po::variables_map& given) {
+  require_choice("assembly", o.assembly, {"cubature", "monte-carlo"});
+  require(given["samples"].defaulted() || o.assembly == "monte-carlo",
+          "--samples needs --assembly monte-carlo");
+  require_choice("sampling", o.sampling, {"independent", "stratified"});
+  require(given["sampling"].defaulted() || o.assembly == "monte-carlo",
+          "--sampling needs --assembly monte-carlo");
+  require_positive(given, "samples", static_cast<double>(o.samples));
+  require(o.seed >= 0 && o.seed <= std::numeric_limits<unsigned int>::max(),
+          "the argument of --seed must lie between 0 and 4294967295");
+}
+
 // Reads the command line of a program that works on one mesh, the first argument without a name.
 // The others are `rest`, if the program takes any. Returns false if --help was given, see above.
-inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
+inline bool parse_command_line(int argc, char* argv[], const Help& help,
                                const po::options_description& visible, Common_options& o,
                                po::variables_map& given, std::vector<std::string>* rest = nullptr) {
   po::options_description arguments;
@@ -159,8 +205,7 @@ inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
     arguments.add_options()("rest", po::value(rest));
     positional.add("rest", -1);
   }
-  if(!parse_arguments(argc, argv, usage + "\n" + about_meshes, visible, arguments, positional,
-                      given))
+  if(!parse_arguments(argc, argv, help, visible, arguments, positional, given))
     return false;
 
   require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
@@ -170,15 +215,8 @@ inline bool parse_command_line(int argc, char* argv[], const std::string& usage,
   require(given.count("join") == 0 ||
               (o.space.joining_tolerance >= 0 && std::isfinite(o.space.joining_tolerance)),
           "the argument of --join must be a number that is not negative");
-  require_choice("assembly", o.assembly, {"cubature", "monte-carlo"});
-  require(given["samples"].defaulted() || o.assembly == "monte-carlo",
-          "--samples needs --assembly monte-carlo");
-  require_choice("sampling", o.sampling, {"independent", "stratified"});
-  require(given["sampling"].defaulted() || o.assembly == "monte-carlo",
-          "--sampling needs --assembly monte-carlo");
-  require_positive(given, "samples", static_cast<double>(o.samples));
-  require(o.seed >= 0 && o.seed <= std::numeric_limits<unsigned int>::max(),
-          "the argument of --seed must lie between 0 and 4294967295");
+  if(given.count("assembly"))
+    check_integration_options(o, given);
   require_positive(given, "threads", o.threads);
   require_choice("up", o.up, {"y", "z"});
   require(o.isolines >= 0, "the argument of --isolines must not be negative");

@@ -38,12 +38,12 @@ inline po::options_description point_options(Point_options& p, Common_options& o
   return options;
 }
 
-const char* const about_points =
-    "A file .xyz with lines of six numbers, x y z nx ny nz, or a PLY file without faces but with\n"
-    "the properties nx, ny, nz of its vertices, is a set of points with normals, and stands for a\n"
-    "surface without any mesh. Normals must be oriented alike. Unless --depth is given, the depth "
-    "is\n"
-    "the largest up to 6 that gives 50 points to a cell.\n";
+const char* const about_points = R"(
+In place of a mesh, a file .xyz with lines of six numbers, x y z nx ny nz, or a PLY file
+without faces but with the properties nx, ny, nz of its vertices, is a set of points with
+normals, and stands for a surface without any mesh. Normals must be oriented alike. Unless
+--depth is given, the depth is the largest up to 6 that gives 50 points to a cell.
+)";
 
 namespace internal {
 

@@ -21,6 +21,9 @@
 
 namespace examples {
 
+// where values begin in the lines of the short table
+constexpr int value_column = 24;
+
 // What a program knows about its result, in the order in which it is printed.
 class Summary {
 public:
@@ -49,7 +52,7 @@ public:
   // as a table for people
   void print(std::ostream& out) const {
     for(const Line& line : m_lines)
-      out << std::left << std::setw(22) << line.name << line.brief << '\n';
+      out << std::left << std::setw(value_column) << line.name << line.brief << '\n';
   }
 
   // as comments at the beginning of a file for programs

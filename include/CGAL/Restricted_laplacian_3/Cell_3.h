@@ -10,6 +10,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// largest depth of an octree: coordinates of cells, shifted by one so that the elements centred
 /// one cell outside the grid are included, take 21 bits each, and three of them one 64-bit key
 constexpr int maximum_octree_depth = 20;
@@ -40,6 +41,7 @@ inline std::uint64_t gather_every_third_bit(std::uint64_t x) {
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Morton key (z-order) of three coordinates in \f$[0, 2^{21})\f$: bit \f$3k + a\f$ of the key is
 /// bit \f$k\f$ of coordinate \f$a\f$. Keys of the 8 children of a cell are 8 consecutive numbers.
 inline std::uint64_t morton_key(const std::array<int, 3>& index) {
@@ -48,6 +50,7 @@ inline std::uint64_t morton_key(const std::array<int, 3>& index) {
          internal::spread_bits_by_three(static_cast<std::uint64_t>(index[2])) << 2;
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// inverse of `morton_key()`
 inline std::array<int, 3> morton_index(std::uint64_t key) {
   return {static_cast<int>(internal::gather_every_third_bit(key)),
@@ -55,18 +58,24 @@ inline std::array<int, 3> morton_index(std::uint64_t key) {
           static_cast<int>(internal::gather_every_third_bit(key >> 2))};
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// A cell of the grid of \f$2^l \times 2^l \times 2^l\f$ cells at level \f$l\f$ of the octree.
 /// The coordinates may lie outside the grid: the element centred on such a cell can still meet the
 /// surface.
 struct Cell_3 {
+  /// level \f$l\f$ of the octree, 0 for the root
   int level = 0;
+  /// coordinates along the three axes, in units of the cell width: \f$0 \dots 2^l - 1\f$ inside the
+  /// grid
   std::array<int, 3> index = {0, 0, 0};
 
+  /// the cell of a level whose `key()` is given
   static Cell_3 from_key(int level, std::uint64_t key) { return {level, morton_index(key)}; }
 
   /// Morton key; requires `is_inside_grid()`
   std::uint64_t key() const { return morton_key(index); }
 
+  /// whether all three coordinates are in \f$0 \dots 2^l - 1\f$
   bool is_inside_grid() const {
     const int n = 1 << level;
     return index[0] >= 0 && index[0] < n && index[1] >= 0 && index[1] < n && index[2] >= 0 &&
@@ -80,12 +89,14 @@ struct Cell_3 {
   /// \f$a\f$
   int octant() const { return (index[0] & 1) | (index[1] & 1) << 1 | (index[2] & 1) << 2; }
 
+  /// the child whose `octant()` is given, a cell of the next finer level
   Cell_3 child(int octant) const {
     return {level + 1,
             {2 * index[0] + (octant & 1), 2 * index[1] + (octant >> 1 & 1),
              2 * index[2] + (octant >> 2 & 1)}};
   }
 
+  /// the cell of the same level at an offset in cells; it may lie outside the grid
   Cell_3 neighbor(int dx, int dy, int dz) const {
     return {level, {index[0] + dx, index[1] + dy, index[2] + dz}};
   }

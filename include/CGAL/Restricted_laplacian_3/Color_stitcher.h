@@ -43,11 +43,11 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The scan of a face or vertex that has none.
 constexpr std::uint32_t no_scan = internal::no_scan_number;
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Where the vector field that is integrated comes from.
 enum class Gradient_source {
   /// gradients of the colours of the chosen scan at its points nearest to the three vertices,
@@ -58,13 +58,14 @@ enum class Gradient_source {
   back_projection
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// What a `Color_stitcher` does unless told otherwise.
 struct Color_stitching_options {
   Color_stitching_options() { solver.relative_tolerance = internal::default_gradient_tolerance; }
 
   /// which vertices a scan covers
   Back_projection_options back_projection;
+  /// where the vector field that is integrated comes from
   Gradient_source gradient_source = Gradient_source::back_projection;
   /// \f$w \ge 0\f$: weight of seams in the choice of scans
   double seam_weight = 0.05;
@@ -89,8 +90,8 @@ struct Color_stitching_options {
   static constexpr double default_screening = 10;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// What one scan gave to a surface. Areas are fractions of the area of the surface, 0 .. 1.
+/// \ingroup PkgRestrictedLaplacian3Colors
+/// What one scan gave to a surface. Areas are fractions of the area of the surface, from 0 to 1.
 struct Scan_usage {
   /// number of vertices that the scan covers; 0 is worth a message
   std::size_t covered_vertices = 0;
@@ -108,20 +109,21 @@ struct Scan_usage {
   Rgb_color gains = {1, 1, 1};
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Colours of vertices, and where they come from.
 struct Vertex_colors {
-  /// 0 .. 1; black at vertices without a scan
+  /// from 0 to 1; black at vertices without a scan
   std::vector<Rgb_color> colors;
   /// the number of the scan of each vertex, or `no_scan`
   std::vector<std::uint32_t> scans;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// What a `Color_stitcher` did: the report of the integration, where `components_without_weight` is
 /// the number of connected components without any scan, and what follows. Areas are fractions of
-/// the area of the surface, 0 .. 1.
+/// the area of the surface, from 0 to 1.
 struct Stitching_report : Gradient_report {
+  /// what each scan gave, in the order in which the scans were added
   std::vector<Scan_usage> scans;
   /// triangles without a scan: filled by harmonic functions
   double uncovered_area = 0;
@@ -129,7 +131,7 @@ struct Stitching_report : Gradient_report {
   std::size_t uncovered_vertices = 0;
   /// length of the sides across which the scan changes, in units of length
   double seam_length = 0;
-  /// components of colours that were outside of 0 .. 1 by more than 0.001 and are cut off
+  /// components of colours that were outside of 0 to 1 by more than 0.001 and are cut off
   std::size_t clamped_values = 0;
   /// `mean_color_jump()` of the colours of the chosen scans across their transitions
   double jump_before = 0;
@@ -141,16 +143,17 @@ struct Stitching_report : Gradient_report {
   double choice_seconds = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Stitched colours, and how they came about.
 struct Stitched_colors : Stitching_report {
-  /// of the vertices, 0 .. 1
+  /// of the vertices, from 0 to 1
   std::vector<Rgb_color> colors;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The edges of a surface, as pairs of vertices in ascending order, whose ends have different
 /// scans.
+/// \param surface a surface of triangles
 /// \param scans of the vertices; edges at vertices with `no_scan` are left out
 /// \throws Parameter_error the number of scans is not that of the vertices
 inline std::vector<std::pair<std::uint32_t, std::uint32_t>>
@@ -170,11 +173,12 @@ scan_transitions(const Triangulated_surface_3& surface, const std::vector<std::u
   return edges;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The visible contrast of seams: the mean over edges of the length of the difference of the
 /// colours of their ends, \f$\lvert c_v - c_w \rvert_2\f$ over the three channels. What true
 /// colours have there is to be subtracted. 0 if there are no edges.
 /// \param edges such as `scan_transitions()` returns
+/// \param colors of the vertices
 /// \throws Parameter_error an edge names a vertex without a colour
 inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
                               const std::vector<Rgb_color>& colors) {
@@ -187,7 +191,7 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
   return edges.empty() ? 0 : sum / static_cast<double>(edges.size());
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Colours a surface from several scans without visible seams (paper, section 5.2), in steps, so
 /// that progress can be shown between them: `add()` each scan, `choose()`, `stitch()`.
 ///
@@ -196,7 +200,7 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 /// -# Exposures are matched: each channel of each scan is multiplied by a factor, such that the
 ///    median of the ratios of the colours is 1 where two scans overlap, in the least-squares sense
 ///    over all pairs. The logarithms of the factors sum to 0; scans without overlap keep 1.
-/// -# The function \f$u\f$ is found that minimizes, for each channel,
+/// -# The function \f$u\f$ is found that minimises, for each channel,
 ///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal C} (u - g)^2, \f]
 ///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`,
 ///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. In the others
@@ -206,16 +210,20 @@ inline double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::ui
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
 public:
+  /// what the constructor takes
   using Options = Color_stitching_options;
 
   /// \param space of a mesh or soup, has to outlive this object
+  /// \param options how scans are chosen and stitched
   /// \throws Input_error the surface is a point set
   /// \throws Parameter_error an option is outside its domain
   explicit Color_stitcher(const Spline_space_3& space, const Options& options = Options())
     : m_space(&space), m_options(checked(options)),
       m_projector(space.surface(), back_projection_options(options), space.options().is_parallel) {}
 
+  /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
+  /// the options, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// Takes the colours of a scan to the surface. The scan is not needed any more then.
@@ -244,6 +252,7 @@ public:
     return usage;
   }
 
+  /// how many scans were added
   std::size_t number_of_scans() const { return m_projections.size(); }
   /// The colours of a scan on the surface, in linear light if that is asked for.
   const Back_projection& back_projection(std::size_t scan) const { return m_projections[scan]; }

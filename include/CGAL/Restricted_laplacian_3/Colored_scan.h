@@ -34,7 +34,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Takes coordinates of a scan to those of the world.
 using Scan_pose = CGAL::Aff_transformation_3<Kernel>;
 
@@ -71,7 +71,7 @@ inline const Scan_pose& checked_pose(const Scan_pose& pose) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The pose that a matrix of four rows stands for, which takes columns \f$(x, y, z, 1)^T\f$ of the
 /// scan's coordinates to those of the world.
 /// \param rows the 16 entries, row by row
@@ -85,10 +85,10 @@ inline Scan_pose scan_pose(const std::array<double, 16>& rows) {
       Scan_pose(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11]));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// What a scan says of a location near it.
 struct Scan_sample {
-  /// at the nearest point of the scan, 0 .. 1
+  /// at the nearest point of the scan, from 0 to 1
   Rgb_color color = {0, 0, 0};
   /// surface gradient of the colour there, per length in the world: column \f$k\f$ is that of
   /// channel \f$k\f$
@@ -104,7 +104,7 @@ struct Scan_sample {
   bool is_beyond_boundary = false;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// A scan: a triangulated surface or a set of oriented points with a colour at each vertex, placed
 /// in the world, and the point that it was seen from.
 ///
@@ -126,7 +126,7 @@ struct Scan_sample {
 class Colored_scan {
 public:
   /// \param surface in coordinates of the scan
-  /// \param colors of its vertices or points, 0 .. 1
+  /// \param colors of its vertices or points, from 0 to 1
   /// \param pose takes coordinates of the scan to those of the world: a rotation, a translation,
   /// and possibly a positive scale
   /// \param viewpoint in coordinates of the scan
@@ -134,7 +134,7 @@ public:
   /// result is the same
   /// \throws Parameter_error the number of colours is not that of the vertices, `pose` is not a
   /// rotation with a scale and a translation, or `viewpoint` is not finite
-  /// \throws Invalid_vertex_error the colour of a vertex is not in 0 .. 1
+  /// \throws Invalid_vertex_error the colour of a vertex is not from 0 to 1
   /// \throws Input_error the surface in the world has coordinates that are not finite
   Colored_scan(const Triangulated_surface_3& surface, std::vector<Rgb_color> colors,
                const Scan_pose& pose = Scan_pose(CGAL::IDENTITY),
@@ -147,10 +147,11 @@ public:
   /// A scan from a mesh or a range of points.
   /// \tparam Surface a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
   /// triangles; or a range of oriented points, see `read_point_set()`
+  /// \param surface the mesh or the range of points; it is read here only
   /// \param color_map a model of `ReadablePropertyMap` with the vertex descriptor as key (or the
   /// element of the range, or its position) and as value `CGAL::IO::Color`, or a `std::array`, a
-  /// vector of Eigen or a 3D vector of \cgal of three components: 0 .. 1, or 0 .. 255 if they are
-  /// integers
+  /// vector of Eigen or a 3D vector of \cgal of three components: from 0 to 1, or from 0 to 255 if
+  /// they are integers
   /// \param np optional named parameters:
   /// - `pose`: a `Scan_pose`, see above; default the identity
   /// - `viewpoint`: a `Point_3` in coordinates of the scan; default the origin
@@ -200,10 +201,12 @@ private:
   struct Data;
 
 public:
+  /// \ingroup PkgRestrictedLaplacian3Colors
   /// Takes samples of a scan. Locations that follow each other are found faster if they are near
   /// each other. Every thread needs a sampler of its own; the scan must outlive it.
   class Sampler {
   public:
+    /// a sampler for one thread; takes constant time
     explicit Sampler(const Colored_scan& scan) : m_data(scan.m_data.get()) {}
 
     /// \return whether the scan comes within `maximum_distance` of the location; else the sample

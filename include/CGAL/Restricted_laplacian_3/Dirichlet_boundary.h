@@ -59,7 +59,7 @@ inline std::vector<Face_side> boundary_sides(const Spline_space_3& space) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Prescribes the values \f$u = g\f$ on the boundary of an open surface, by the symmetric method of
 /// Nitsche. With the outward conormal \f$\nu\f$ (unit, tangential to the surface) it adds
 /// \f[ A_{ij} = \int_{\partial \mathcal M} -\partial_\nu b_i\, b_j - b_i\, \partial_\nu b_j
@@ -68,7 +68,7 @@ inline std::vector<Face_side> boundary_sides(const Spline_space_3& space) {
 /// to the stiffness matrix and to the right-hand side of \f$S \eta = \dots\f$. The solution of the
 /// differential equation satisfies the discrete equations exactly (the method is consistent), so
 /// the order of convergence is that of the space; values on the boundary are met up to the
-/// discretization error, not to rounding.
+/// discretisation error, not to rounding.
 ///
 /// \f$\beta\f$ is \f$2 \lambda\f$, one for each sheet of the finest level, with the largest
 /// \f$\lambda\f$ for which
@@ -89,6 +89,7 @@ inline std::vector<Face_side> boundary_sides(const Spline_space_3& space) {
 /// part V: boundary conditions", 2003.
 class Dirichlet_boundary {
 public:
+  /// upper bound of \f$\beta\f$ times the cell width of the finest level
   static constexpr double largest_penalty = 1000;
 
   /// Takes time proportional to the number of faces, and for each sheet at the boundary that of the

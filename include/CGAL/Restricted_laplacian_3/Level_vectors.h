@@ -31,7 +31,7 @@ using Aligned_floats = std::vector<float, boost::alignment::aligned_allocator<fl
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// `K` vectors of a level of a hierarchy, side by side, in single precision: the `K` numbers of a
 /// position follow each other. `K` is 1 or 8; with 8 a position fills a vector register. Eight
 /// consecutive positions form a *cluster*.
@@ -64,7 +64,7 @@ private:
   internal::Aligned_floats m_values;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Where the unknowns of a level are in its vectors. The number of positions is a multiple of
 /// eight. A cluster may have less than eight unknowns; they come first in it, and what is at the
 /// positions that belong to no unknown has no meaning.
@@ -88,7 +88,7 @@ struct Level_positions {
   }
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A sparse matrix in single precision, row by row, between the positions of two levels, or of one.
 class Level_matrix {
 public:

@@ -26,7 +26,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// shape of a multigrid cycle: how often the next coarser level is visited
 enum class Cycle { V = 1, W = 2 };
 
@@ -106,7 +106,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A multigrid hierarchy for a symmetric positive semi-definite matrix, and one cycle of it as a
 /// linear operator that approximates the inverse.
 ///
@@ -123,6 +123,7 @@ private:
 /// \tparam Smoother a model of `MultigridSmoother_3`
 template <class Smoother = Patch_smoother> class Multigrid {
 public:
+  /// all entries of a matrix, column by column, in double precision
   using Sparse_matrix = Eigen::SparseMatrix<double>;
 
   /// an empty hierarchy
@@ -169,23 +170,33 @@ public:
     }
   }
 
+  /// number of levels, the coarsest and the finest included; 0 if the hierarchy is empty
   std::size_t number_of_levels() const { return m_levels.size(); }
   /// number of rows of the finest matrix
   Eigen::Index size() const { return m_size; }
   /// the smoother of a level; 0 is the coarsest, which has none
   const Smoother& smoother(std::size_t level) const { return m_smoothers[level - 1]; }
 
+  /// \ingroup PkgRestrictedLaplacian3Solvers
   /// vectors of one cycle, kept between cycles
   template <int K> struct Workspace {
     struct Level {
       Level_vectors<K> b, x, r, left;
     };
+    /// vectors of each level
     std::vector<Level> levels;
-    internal::Block_vector<K> coarse_b, coarse_x;
+    /// right-hand side of the coarsest level
+    internal::Block_vector<K> coarse_b;
+    /// solution of the coarsest level
+    internal::Block_vector<K> coarse_x;
   };
 
   /// \f$ x \approx A^{-1} b \f$: one cycle that starts from 0
+  /// \param b \f$K\f$ right-hand sides
+  /// \param x the solutions; its old content does not matter
+  /// \param cycle shape of the cycle
   /// \param steps number of smoothing steps before, and again after the coarse correction
+  /// \param workspace vectors that are reused, of one thread only
   template <int K>
   void apply(const internal::Block_vector<K>& b, internal::Block_vector<K>& x, Cycle cycle,
              int steps, Workspace<K>& workspace) const {

@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A multigrid cycle as a preconditioner of Eigen's iterative solvers, for a system in a space of
 /// splines and with any smoother:
 /// \code
@@ -78,6 +78,7 @@ public:
   /// \name Interface of Eigen
   /// Eigen's solvers call these for a matrix; the hierarchy remains that of the constructor.
   /// @{
+
   /// does nothing
   template <class Matrix> Multigrid_preconditioner& analyzePattern(const Matrix&) { return *this; }
   /// does nothing

@@ -34,6 +34,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// The sparse octree of the cells that meet a surface, with every level, and the sheets in them.
 ///
 /// The root is the domain cube: axis-aligned, centred on the bounding box of the surface, its side
@@ -72,20 +73,25 @@ public:
   /// neighbours, see `Surface_seams`.
   static constexpr double thin_face_height = 1e-6;
 
-  /// Number of sheets and number of fragments beyond which an octree is refused instead of filling
-  /// the memory. About 3 elements belong to a sheet and 75 entries to a row, so more sheets would
-  /// give matrices of more than \f$2^{31}\f$ entries. A fragment takes 32 bytes while the octree is
-  /// built.
+  /// Number of sheets beyond which an octree is refused instead of filling the memory. About 3
+  /// elements belong to a sheet and 75 entries to a row, so more sheets would give matrices of more
+  /// than \f$2^{31}\f$ entries.
   static constexpr std::size_t maximum_number_of_sheets = std::size_t(1) << 23;
+  /// Number of fragments beyond which an octree is refused. A fragment takes 32 bytes while the
+  /// octree is built.
   static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 26;
 
+  /// \param surface becomes a part of the octree
+  /// \param depth \f$d\f$, from 1 to 20
+  /// \param cube_scale side of the domain cube over the longest side of the bounding box, from 1 to
+  /// 1e6
   /// \param is_split whether the surface in a cell is split into sheets
   /// \param joining_tolerance of `Surface_seams`, in the unit of the coordinates; negative: do not
   /// join
   /// \param is_parallel whether several threads are used, if the program is linked with TBB; the
   /// octree is the same
-  /// \throws Parameter_error if `depth` is not in 1 .. 20, if `cube_scale` is not in 1 .. 1e6, or
-  /// if the octree would have more than `maximum_number_of_sheets` sheets or
+  /// \throws Parameter_error if `depth` is not from 1 to 20, if `cube_scale` is not from 1 to 1e6,
+  /// or if the octree would have more than `maximum_number_of_sheets` sheets or
   /// `maximum_number_of_fragments` fragments
   Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split = true,
            double joining_tolerance = -1, bool is_parallel = false)
@@ -117,7 +123,9 @@ public:
       build_coarser_level(level, places);
   }
 
+  /// depth \f$d\f$, the finest level
   int depth() const { return m_depth; }
+  /// the surface, as given to the constructor
   const Triangulated_surface_3& surface() const { return m_surface; }
 
   /// side of the domain cube

@@ -20,8 +20,8 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// Prescribes values at single points by a penalty: minimizes the energy plus
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// Prescribes values at single points by a penalty: minimises the energy plus
 /// \f$ \sum_k w_k (u(p_k) - g_k)^2 \f$, which adds \f$ \sum_k w_k b(p_k) b(p_k)^T \f$ to the matrix
 /// and \f$ \sum_k w_k g_k b(p_k) \f$ to the right-hand side.
 ///
@@ -56,6 +56,7 @@ public:
     m_constraints.push_back({sheet, t, value, weight});
   }
 
+  /// number of prescribed values
   std::size_t size() const { return m_constraints.size(); }
 
   /// adds to a matrix of the finest level that has the pattern of the stiffness matrix

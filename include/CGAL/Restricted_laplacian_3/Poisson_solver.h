@@ -28,17 +28,18 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// which smoother a `Poisson_solver` uses: `Patch_smoother` or `Gauss_seidel_smoother`
 enum class Smoother { patch, point };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What a `Poisson_solver` does unless told otherwise.
 struct Poisson_solver_options {
   /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration
   double relative_tolerance = 1e-3;
   /// the iteration ends after this many cycles, converged or not
   int maximum_iterations = 1000;
+  /// shape of the multigrid cycle
   Cycle cycle = Cycle::V;
   /// smoothing steps before, and again after the coarse correction
   int smoothing_steps = 1;
@@ -149,7 +150,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Solves \f$A x = b\f$ for a symmetric positive semi-definite matrix by conjugate gradients that
 /// are preconditioned with a multigrid cycle, from a first guess by nested iteration:
 /// \f$A = S\f$ for the Poisson problem, \f$A = S + \alpha M\f$ for the screened one. It is set up
@@ -170,13 +171,16 @@ private:
 /// information, and do not change the function on the surface.
 class Poisson_solver {
 public:
+  /// all entries of a matrix, column by column, in double precision
   using Sparse_matrix = Eigen::SparseMatrix<double>;
+  /// what the constructors take
   using Options = Poisson_solver_options;
 
   /// \param a the matrix
   /// \param prolongations from each level to the next finer one, coarsest first
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param alpha the screening weight that `a` contains, if any
+  /// \param options tolerance, iterations, cycle, smoother, threads
   /// \param patches of each level but the coarsest, coarsest first, see `smoothing_patches()`;
   /// without them, the smoother is point Gauss-Seidel
   /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they
@@ -200,8 +204,14 @@ public:
                      std::move(coarse_matrices)) {}
 
   /// The same with a screening weight that varies over the surface.
+  /// \param a the matrix; it is empty afterwards
+  /// \param prolongations as above
+  /// \param element_integrals as above
   /// \param constant_loads \f$w_i = \int \alpha\, b_i\f$ for each unknown, not negative: what `a`
   /// maps the constant 1 to. On components where all of them are 0, constants are in the kernel.
+  /// \param options tolerance, iterations, cycle, smoother, threads
+  /// \param patches as above
+  /// \param coarse_matrices as above
   Poisson_solver(Sparse_matrix&& a, std::vector<Sparse_matrix> prolongations,
                  const Eigen::VectorXd& element_integrals, const Eigen::VectorXd& constant_loads,
                  const Options& options = Options(), std::vector<Smoothing_patches> patches = {},
@@ -226,6 +236,8 @@ public:
     m_setup_seconds = timer.time();
   }
 
+  /// The options that are used: those given to the constructor, but with `Smoother::point` if there
+  /// are no patches.
   const Options& options() const { return m_options; }
   /// the entries of the matrix on and above its diagonal
   const Sparse_matrix& upper_half() const { return m_matrix.upper_half(); }

@@ -9,7 +9,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What a solver did. A solver that does not reach its tolerance says so here; it does not throw.
 struct Solve_report {
   /// whether the relative residual is at most the tolerance, for every right-hand side
@@ -26,7 +26,7 @@ struct Solve_report {
   double space_seconds = 0;
   /// wall-clock seconds: matrices and right-hand sides
   double assembly_seconds = 0;
-  /// wall-clock seconds: hierarchy and smoothers, or factorization
+  /// wall-clock seconds: hierarchy and smoothers, or factorisation
   double setup_seconds = 0;
   /// wall-clock seconds: iterations
   double solve_seconds = 0;

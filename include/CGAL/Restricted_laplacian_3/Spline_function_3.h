@@ -25,7 +25,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The function \f$u = \sum_i \eta_i b_i\f$ on the surface of a spline space. It is \f$C^1\f$ along
 /// the surface as far as the surface is. An evaluation takes a binary search among the cells, plus
 /// 27 products.
@@ -33,8 +33,9 @@ class Spline_function_3 {
 public:
   /// \param space has to outlive this object
   /// \param coefficients \f$\eta\f$, one for each element of `level`
+  /// \param level from 0, the coarsest, to the depth of the space
   /// \throws Parameter_error if the number of coefficients is not `space.dimension(level)`, or if
-  /// `level` is not in 0 .. depth
+  /// `level` is not from 0 to depth
   Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients, int level)
     : m_space(&space), m_level(space.checked_level(level)),
       m_coefficients(std::move(coefficients)) {
@@ -43,11 +44,15 @@ public:
                                                 " entries, but the dimension of the space is " +
                                                 std::to_string(space.dimension(level)));
   }
+  /// The same on the finest level.
   Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients)
     : Spline_function_3(space, std::move(coefficients), space.depth()) {}
 
+  /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
+  /// the level whose elements the coefficients belong to
   int level() const { return m_level; }
+  /// \f$\eta\f$
   const Eigen::VectorXd& coefficients() const { return m_coefficients; }
 
   /// \f$u\f$ at a location
@@ -115,9 +120,10 @@ private:
   Eigen::VectorXd m_coefficients;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Writes the values of a function at all vertices into a property map: NaN at vertices that have
 /// no face of positive area.
+/// \param u the function
 /// \param tm the mesh that the space of `u` was made from
 /// \param map a model of `WritablePropertyMap` with the vertex descriptor as key and a number type
 /// as value

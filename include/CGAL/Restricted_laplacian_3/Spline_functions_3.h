@@ -21,10 +21,11 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Values and derivatives of several functions at several points: a row for each point, a column
 /// for each function.
 struct Spline_jets {
+  /// values of the functions
   Eigen::MatrixXd values;
   /// derivatives along \f$x\f$, \f$y\f$ and \f$z\f$, in units of the function over length. They
   /// are those of the splines in space: the part along a tangent plane of the surface is that of
@@ -32,7 +33,7 @@ struct Spline_jets {
   std::array<Eigen::MatrixXd, 3> derivatives;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Several functions \f$u_k = \sum_i H_{ik} b_i\f$ on the surface of a spline space, for example
 /// eigenfunctions, the columns of `Eigenpairs::vectors`. They are evaluated together: the point is
 /// located, and the 27 elements are evaluated there, once for all of them. Each value is that of a
@@ -47,8 +48,9 @@ public:
   /// \param space has to outlive this object
   /// \param coefficients \f$H\f$: a row for each element of `level`, a column for each function;
   /// copied
+  /// \param level from 0, the coarsest, to the depth of the space
   /// \throws Parameter_error if the number of rows is not `space.dimension(level)`, or if `level`
-  /// is not in 0 .. depth
+  /// is not from 0 to depth
   Spline_functions_3(const Spline_space_3& space,
                      const Eigen::Ref<const Eigen::MatrixXd>& coefficients, int level)
     : m_space(&space), m_level(space.checked_level(level)) {
@@ -58,11 +60,14 @@ public:
                                                 std::to_string(space.dimension(level)));
     m_coefficients = coefficients.transpose();
   }
+  /// The same on the finest level.
   Spline_functions_3(const Spline_space_3& space,
                      const Eigen::Ref<const Eigen::MatrixXd>& coefficients)
     : Spline_functions_3(space, coefficients, space.depth()) {}
 
+  /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
+  /// the level whose elements the coefficients belong to
   int level() const { return m_level; }
   /// \f$K\f$
   std::size_t number_of_functions() const {

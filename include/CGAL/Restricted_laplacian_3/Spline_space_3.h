@@ -26,12 +26,13 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// the 27 elements that can act on a sheet, by the offset of their centre from its cell: number
 /// \f$i = (d_x + 1) + 3 (d_y + 1) + 9 (d_z + 1)\f$ is centred on the neighbour at offset
 /// \f$(d_x, d_y, d_z)\f$
 using Cell_elements = std::array<std::uint32_t, 27>;
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The depth that a set of points allows, for functions that are given no `octree_depth`: the
 /// largest up to 6 at which the cells that hold points have 50 of them each, on average; at least
 /// 1.
@@ -68,7 +69,7 @@ inline int default_octree_depth_of_points(const Triangulated_surface_3& surface,
   }
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Which space a `Spline_space_3` is.
 struct Spline_space_options {
   /// depth \f$d\f$ of the octree
@@ -92,7 +93,7 @@ struct Spline_space_options {
   bool is_parallel = false;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The spaces of restricted splines, one for each level of the octree of a surface.
 ///
 /// The element \f$b_o\f$ of a cell \f$o\f$ is the tensor product of B-splines of degree 2 centred
@@ -119,6 +120,7 @@ public:
 
   /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
   /// triangles; or a model of `ConstRange`, for example `CGAL::Point_set_3`, of oriented points
+  /// \param tm the surface, a mesh or a range of oriented points
   /// \param np optional named parameters:
   /// - `octree_depth`: depth \f$d\f$ of the octree; default 6, or
   ///   `default_octree_depth_of_points()`
@@ -170,15 +172,19 @@ public:
 
   /// the options, without defaults that depend on others
   const Spline_space_options& options() const { return m_options; }
+  /// depth \f$d\f$ of the octree, the finest level
   int depth() const { return m_octree.depth(); }
+  /// the octree, with the sheets of all levels
   const Octree_3& octree() const { return m_octree; }
+  /// the surface that the splines are restricted to
   const Triangulated_surface_3& surface() const { return m_octree.surface(); }
+  /// whether only elements centred inside the grid exist, unsplit
   bool is_paper_space() const { return m_options.paper_space; }
   /// whether elements are split by the components of the surface in their support
   bool is_split() const { return m_octree.is_split(); }
 
   /// `level`
-  /// \throws Parameter_error if it is not in 0 .. depth
+  /// \throws Parameter_error if it is not from 0 to depth
   int checked_level(int level) const {
     if(level < 0 || level > depth())
       throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +

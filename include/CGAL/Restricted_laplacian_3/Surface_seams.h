@@ -21,6 +21,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Along which of their sides the faces of a surface are joined.
 ///
 /// A seam is a set of sides of faces that run along the same line in space; the surface continues
@@ -40,6 +41,7 @@ namespace Restricted_laplacian_3 {
 /// to each other.
 class Surface_seams {
 public:
+  /// \param surface a surface of triangles; it is read here only
   /// \param thinness in the unit of the coordinates
   /// \param joining_tolerance in the unit of the coordinates; negative: do not join
   /// \throws Input_error the surface is a point set
@@ -54,6 +56,7 @@ public:
       renumber(sets);
   }
 
+  /// number of seams; a side that is joined to no other is one as well
   std::size_t number_of_seams() const { return m_number_of_seams; }
 
   /// number of the seam that a side belongs to

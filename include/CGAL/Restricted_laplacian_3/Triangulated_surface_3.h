@@ -47,6 +47,7 @@ inline Vector_3 unit_vector(const Vector_3& v) {
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// The surface as the floors above see it: points, index triples, unit normals and areas in double
 /// precision, independent of the type of the mesh that it was read from.
 ///
@@ -56,6 +57,7 @@ inline Vector_3 unit_vector(const Vector_3& v) {
 /// normal, its area and the values at its corners calls `require_triangles()`.
 class Triangulated_surface_3 {
 public:
+  /// numbers of the three vertices of a triangle, counted from 0
   using Triangle = std::array<std::uint32_t, 3>;
 
   /// A triangle whose height over its longest side is below this fraction of that side is
@@ -66,13 +68,14 @@ public:
   /// Longest side of the bounding box that is accepted: squares (areas) must neither overflow nor
   /// become subnormal.
   static constexpr double largest_extent = 1e100;
+  /// shortest longest side of the bounding box that is accepted, for the same reason
   static constexpr double smallest_extent = 1e-100;
 
   /// The triangles need not form a manifold, nor be oriented alike, nor differ from each other.
   /// \throws Empty_surface_error, Zero_area_error
   /// \throws Invalid_face_error a face names a vertex that does not exist
   /// \throws Invalid_vertex_error a vertex of a face is not finite
-  /// \throws Parameter_error the extent is outside of `smallest_extent` .. `largest_extent`
+  /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles)
     : m_points(std::move(points)), m_triangles(std::move(triangles)) {
     if(m_triangles.empty())
@@ -87,12 +90,14 @@ public:
 
   /// Oriented points. Points may coincide; normals need not have unit length, and are divided by
   /// their length here.
+  /// \param points the points; their number is that of vertices and faces
+  /// \param normals a normal for each point, of any length but 0
   /// \param areas the area that each point stands for, at least 0, in units of squared coordinates:
   /// areas of other units would change the weight of the stabilisation, and with it the results
   /// \throws Empty_surface_error
   /// \throws Invalid_point_error names the first point that cannot be used
   /// \throws Zero_area_error all points are the same, or all areas 0
-  /// \throws Parameter_error the extent is outside of `smallest_extent` .. `largest_extent`, the
+  /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`, the
   /// sum of the areas is infinite, or the three vectors differ in length
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Vector_3> normals,
                          std::vector<double> areas)
@@ -128,21 +133,27 @@ public:
       throw Input_error("the surface is a point set, but " + who + " needs triangles");
   }
 
+  /// number of points, also of those that no face uses
   std::size_t number_of_vertices() const { return m_points.size(); }
+  /// number of triangles, degenerate ones included; of a point set, number of points
   std::size_t number_of_faces() const { return m_triangles.size(); }
 
   /// number of faces of area zero, up to `degenerate_height_tolerance`. They are left out of all
   /// integrals.
   std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
 
+  /// the point of a vertex
   const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  /// the point of a corner of a face; `corner` is 0, 1 or 2
   const Point_3& point(std::size_t face, int corner) const {
     return m_points[m_triangles[face][corner]];
   }
+  /// the vertices of a face
   const Triangle& triangle(std::size_t face) const { return m_triangles[face]; }
 
   /// unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate
   const Vector_3& normal(std::size_t face) const { return m_normals[face]; }
+  /// whether the area of a face is zero, up to `degenerate_height_tolerance`
   bool is_degenerate(std::size_t face) const { return m_normals[face] == CGAL::NULL_VECTOR; }
 
   /// area of a face; 0 if it is degenerate
@@ -150,9 +161,11 @@ public:
   /// area of the surface
   double area() const { return m_area; }
 
-  /// corners and centre of the bounding box of the vertices that have a face
+  /// lower corner of the bounding box of the vertices that have a face
   const Point_3& bounding_box_min() const { return m_min; }
+  /// upper corner of that bounding box
   const Point_3& bounding_box_max() const { return m_max; }
+  /// centre of that bounding box
   Point_3 center() const {
     return {m_min.x() / 2 + m_max.x() / 2, m_min.y() / 2 + m_max.y() / 2,
             m_min.z() / 2 + m_max.z() / 2};
@@ -246,9 +259,11 @@ private:
   bool m_is_point_set = false;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
+/// \param tm a mesh of triangles
 /// \param np `vertex_point_map`: a model of `ReadablePropertyMap` with a 3D point of any \cgal
 /// kernel as value; default `get_const_property_map(CGAL::vertex_point, tm)`
 /// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
@@ -283,6 +298,7 @@ Triangulated_surface_3 read_surface(const FaceGraph& tm,
   return Triangulated_surface_3(std::move(points), std::move(triangles));
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Reads a triangle soup: a surface that need not be a manifold.
 /// \param points a range of 3D points of any \cgal kernel
 /// \param triangles a range of ranges of three indices into `points`, each of any integer type

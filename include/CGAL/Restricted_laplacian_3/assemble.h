@@ -30,12 +30,12 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Type of all sparse matrices. Those of operators are symmetric and stored in full, so their
 /// columns are their rows.
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level. They have the same pattern.
 struct Operators {
   /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j\rangle
@@ -46,7 +46,7 @@ struct Operators {
   Sparse_matrix mass;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The matrices to which `assemble_operators()` adds the stabilisation.
 enum class Stabilized { stiffness_and_mass, stiffness };
 
@@ -65,9 +65,9 @@ inline double checked_normal_stabilization(double c) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// Assembles stiffness and mass matrices of the levels `coarsest` ..\ `finest`, in this order, in
-/// one pass over the surface.
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// Assembles stiffness and mass matrices of the levels from `coarsest` to `finest`, in this order,
+/// in one pass over the surface.
 ///
 /// The surface is integrated on the finest level of the octree only; the coarser levels follow from
 /// the moments of the sheets, at a cost that does not depend on the number of triangles. Up to
@@ -98,11 +98,16 @@ inline double checked_normal_stabilization(double c) {
 ///
 /// Takes time proportional to the number of fragments of triangles in cells, plus the number of
 /// sheets; holds the matrices (about 75 entries in a row) and little else.
+/// \param space the space whose elements are integrated
+/// \param coarsest from 0, the coarsest, to the depth of the space
+/// \param finest from 0, the coarsest, to the depth of the space; if it is below `coarsest`, the
+/// result is empty
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 /// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
 /// \param stabilized which of the matrices are stabilised
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`: `Cubature` (exact) or
 /// `Monte_carlo`
-/// \throws Parameter_error if a level is not in 0 .. depth, or if `normal_stabilization` is
+/// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
 /// negative or not finite
 template <class SurfaceIntegration>
 std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
@@ -130,7 +135,7 @@ std::vector<Operators> assemble_operators(const Spline_space_3& space, int coars
   return operators;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level, at the cost of one of them.
 template <class SurfaceIntegration>
 Operators assemble_operators(const Spline_space_3& space, int level,
@@ -144,22 +149,22 @@ Operators assemble_operators(const Spline_space_3& space, int level,
   return result;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same by cubature, without stabilisation.
 inline Operators assemble_operators(const Spline_space_3& space, int level) {
   return assemble_operators(space, level, Cubature(space));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same on the finest level.
 inline Operators assemble_operators(const Spline_space_3& space) {
   return assemble_operators(space, space.depth());
 }
 
 namespace internal {
 
-/// The matrices \f$\beta S + \alpha M\f$ of the levels `coarsest` ..\ depth, coarsest first, and
-/// the integrals of the elements of the finest level.
+/// The matrices \f$\beta S + \alpha M\f$ of the levels from `coarsest` to depth, coarsest first,
+/// and the integrals of the elements of the finest level.
 struct System_matrices {
   std::vector<Sparse_matrix> matrices;
   Eigen::VectorXd integrals;
@@ -225,12 +230,15 @@ Stiffness_and_integrals assemble_stiffness_and_integrals(const Spline_space_3& s
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The stiffness matrix of one level alone: no mass matrix is formed or held meanwhile.
+/// \param space the space whose elements are integrated
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 /// \param normal_stabilization as in `assemble_operators()`; with \f$c > 0\f$ the matrix is
 /// \f$S + \frac{c}{h} N\f$
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
-/// \throws Parameter_error if the level is not in 0 .. depth, or if `normal_stabilization` is
+/// \throws Parameter_error if the level is not from 0 to depth, or if `normal_stabilization` is
 /// negative or not finite
 template <class SurfaceIntegration>
 Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
@@ -243,7 +251,7 @@ Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
   return stiffness;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j \rangle
 /// \f$, positive semi-definite (minus the matrix \f$L\f$ of the paper, equation 5),
 /// `dimension(level)` rows. Constants are in its kernel (not in the space of the paper, where the
@@ -251,13 +259,13 @@ Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
 inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level) {
   return assemble_stiffness_matrix(space, level, Cubature(space));
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same on the finest level.
 inline Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space) {
   return assemble_stiffness_matrix(space, space.depth());
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$, `dimension(level)` rows. Its entries sum to the
 /// area.
 inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level) {
@@ -265,8 +273,8 @@ inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level
   assemble_operators(space, level).mass.swap(mass);
   return mass;
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same on the finest level.
 inline Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
   return assemble_mass_matrix(space, space.depth());
 }
@@ -345,14 +353,17 @@ Eigen::VectorXd sum_loads(const Spline_space_3& space, int level, double factor,
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ \phi_i = \int_{\mathcal M} f\, b_i \f$ (paper, equation 4), `dimension(level)` entries.
 ///
 /// The Poisson problem \f$\Delta_{\mathcal M} u = f\f$ is \f$S \eta = -\phi\f$.
+/// \param space the space whose elements are integrated
 /// \param f a function object that takes a `const Surface_point&` and returns a number. Exact up to
 /// rounding if it is a polynomial of degree at most 6 on each triangle, or of the degree that
 /// `function_of_degree()` says.
 /// It is called by several threads at once if `Spline_space_options::is_parallel` is set.
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class Function, class SurfaceIntegration>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level,
@@ -372,26 +383,29 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, in
   });
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same by cubature.
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f, int level) {
   return assemble_load(space, f, level, Cubature(space));
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same by cubature, on the finest level.
 template <class Function>
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Function& f) {
   return assemble_load(space, f, space.depth());
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all components of a function in one pass over the surface: \f$ \gamma_{ik} =
 /// \int_{\mathcal M} f_k\, b_i \f$ (paper, section 5.3), a row for each element of `level`, a
 /// column for each component.
+/// \param space the space whose elements are integrated
 /// \param f a function object that takes a `const Surface_point&` and returns a number, a
 /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal;
 /// all else as in `assemble_load()`
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 template <class Function, class SurfaceIntegration>
 Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space, const Function& f, int level,
                                          const SurfaceIntegration& integration) {
@@ -414,19 +428,22 @@ Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space, const Func
   });
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all channels of a vector field in one pass over the surface: \f$ \gamma_{ik} =
 /// \int_{\mathcal M} \langle v_k, \nabla_{\mathcal M} b_i \rangle \f$ (paper, equation 6), a row
 /// for each element of `level`, a column for each channel. In units of \f$v\f$ times length.
 ///
 /// The functions whose gradients are closest to \f$v_k\f$ solve \f$S \eta_k = \gamma_k\f$.
+/// \param space the space whose elements are integrated
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal,
 /// a `std::array` of such vectors, or a matrix of Eigen of three rows and a fixed number of
 /// columns; only the parts tangential to the face count. Exact up to rounding if it is a polynomial
 /// of degree at most 6 on each triangle, or of the degree that `function_of_degree()` says. It is
 /// called by several threads at once if `Spline_space_options::is_parallel` is set.
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
-/// \throws Parameter_error if the level is not in 0 .. depth, or if a value of `v` is not finite
+/// \throws Parameter_error if the level is not from 0 to depth, or if a value of `v` is not finite
 template <class VectorField, class SurfaceIntegration>
 Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const VectorField& v,
                                         int level, const SurfaceIntegration& integration) {
@@ -459,17 +476,20 @@ Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const Vecto
   });
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same by cubature, on the finest level.
 template <class VectorField>
 Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const VectorField& v) {
   return assemble_gradient_loads(space, v, space.depth(), Cubature(space));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The same for one channel: \f$ \gamma_i = \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i
 /// \rangle \f$, `dimension(level)` entries.
+/// \param space the space whose elements are integrated
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param integration where the nodes of the integrals lie, for example `Cubature(space)`
 template <class VectorField, class SurfaceIntegration>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v, int level,
                                        const SurfaceIntegration& integration) {
@@ -477,29 +497,29 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
   return assemble_gradient_loads(space, v, level, integration);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same by cubature.
 template <class VectorField>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v,
                                        int level) {
   return assemble_gradient_load(space, v, level, Cubature(space));
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same by cubature, on the finest level.
 template <class VectorField>
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const VectorField& v) {
   return assemble_gradient_load(space, v, space.depth());
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ \int_{\mathcal M} b_i \f$, `dimension(level)` entries: the load of the constant 1. The
 /// surface integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, int level) {
   return assemble_load(space, function_of_degree([](const Surface_point&) { return 1.; }, 0),
                        level);
 }
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The same on the finest level.
 inline Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space) {
   return assemble_element_integrals(space, space.depth());
 }

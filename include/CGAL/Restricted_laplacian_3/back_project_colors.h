@@ -27,16 +27,16 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Which locations of a surface a scan covers, and how well, see `Color_back_projector`.
 struct Back_projection_options {
   /// \f$D\f$: largest distance of a covered vertex from the scan; without a value four times the
   /// larger one of the spacings of scan and surface (`Colored_scan::spacing()`)
   std::optional<double> maximum_distance;
   /// smallest cosine of the angle \f$\theta\f$ between the normal of the surface and the direction
-  /// to the viewpoint, in 0 .. 1
+  /// to the viewpoint, from 0 to 1
   double minimum_facing_cosine = 0.1;
-  /// smallest cosine of the angle between the normals of surface and scan, in -1 .. 1
+  /// smallest cosine of the angle between the normals of surface and scan, from -1 to 1
   double minimum_normal_cosine = 0.5;
   /// \f$B\f$: distance from the boundary of the scan from which on it does not matter; without a
   /// value ten times the spacing of the scan
@@ -48,19 +48,19 @@ struct Back_projection_options {
   bool with_gradients = true;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The colours of a scan on a surface: of the vertices that it covers, in ascending order.
 struct Back_projection {
   /// numbers of the covered vertices; those of what follows are the positions in this vector
   std::vector<std::uint32_t> vertices;
-  /// of the nearest points of the scan, 0 .. 1
+  /// of the nearest points of the scan, from 0 to 1
   std::vector<Rgb_color> colors;
   /// of the colours of the scan, in the tangent plane of the scan: column \f$k\f$ belongs to
   /// channel \f$k\f$; empty if they were not asked for
   std::vector<Eigen::Matrix3d> gradients;
   /// from the scan
   std::vector<double> distances;
-  /// \f$q\f$, in 0 .. 1
+  /// \f$q\f$, from 0 to 1
   std::vector<double> qualities;
   /// \f$D\f$ of this scan
   double maximum_distance = 0;
@@ -68,7 +68,7 @@ struct Back_projection {
   std::size_t number_of_facing_vertices = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Takes colours of scans to the vertices of a surface (paper, section 5.2). A scan *covers* a
 /// vertex of the surface if
 /// - the normal of the surface there faces the viewpoint, \f$\cos\theta \ge\f$
@@ -88,9 +88,11 @@ struct Back_projection {
 /// \f$O(\log n)\f$ for each vertex that faces its viewpoint.
 class Color_back_projector {
 public:
+  /// what the constructor takes
   using Options = Back_projection_options;
 
   /// \param surface has to outlive this object
+  /// \param options which vertices a scan covers
   /// \param is_parallel whether several threads are used, if the program is linked with TBB; the
   /// result is the same
   /// \throws Parameter_error an option is outside its domain
@@ -99,7 +101,9 @@ public:
     : m_surface(&surface), m_options(checked(options)), m_is_parallel(is_parallel),
       m_normals(vertex_normals(surface)), m_spacing(spacing_of(surface)) {}
 
+  /// the surface that colours are taken to
   const Triangulated_surface_3& surface() const { return *m_surface; }
+  /// the options, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// \f$D\f$ of a scan
@@ -168,7 +172,7 @@ private:
     to.insert(to.end(), from.begin(), from.end());
   }
 
-  /// the vertices `begin` .. `end` - 1
+  /// the vertices from `begin` to `end` - 1
   void project(const Colored_scan& scan, std::size_t begin, std::size_t end,
                Back_projection& result) const {
     constexpr double boundary_spacings = 10;
@@ -210,7 +214,7 @@ private:
   double m_spacing;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The colours of one scan on a surface, see `Color_back_projector`.
 inline Back_projection
 back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,

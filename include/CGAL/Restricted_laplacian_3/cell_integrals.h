@@ -17,6 +17,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Moments of the surface in one cell.
 ///
 /// On a cell all products of two elements or of their derivatives are polynomials of degree at most
@@ -35,15 +36,19 @@ namespace Restricted_laplacian_3 {
 /// relative accuracy. With powers they would be the rounding errors of large numbers: the matrix
 /// would no longer be positive semi-definite after scaling, and no smoother would converge.
 struct Cell_moments {
+  /// number of products of three Bernstein polynomials, \f$5^3\f$
   static constexpr int size = 125;
   /// number \f$a + 5 b + 25 c\f$
   using Moments = std::array<double, size>;
   /// tensor components xx, yy, zz, xy, xz, yz
   using Tensor_moments = std::array<Moments, 6>;
 
+  /// \f$m\f$, in units of the squared cell width; not initialised, see `clear()`
   Moments mass;
+  /// \f$T\f$, in the same units
   Tensor_moments tensor;
 
+  /// sets all moments to 0
   void clear() {
     mass.fill(0);
     for(Moments& t : tensor)
@@ -232,9 +237,12 @@ constexpr std::array<std::array<double, 5>, 5> upper_child_factor() {
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Adds the moments of a fragment of a triangle.
+/// \param fragment a fragment in coordinates of the grid
 /// \param cell the cell that owns the fragment
 /// \param normal unit normal of the triangle; only \f$n n^T\f$ is used, so its sign does not matter
+/// \param moments what is added to
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
                          const Vector_3& normal, Cell_moments& moments) {
   Cell_moments::Moments own;
@@ -248,6 +256,7 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
     internal::add_scaled(own, projector[k], moments.tensor[k]);
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Adds one sample of the surface: local coordinate in the cell; unit normal; weight in units of
 /// the squared cell width.
 inline void add_sample(const std::array<double, 3>& t, const Vector_3& normal, double weight,
@@ -319,6 +328,7 @@ inline std::array<double, 6> surface_stabilization_moments(const Cell_moments& m
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Adds the moments of a child to those of its parent, each times `factor`.
 inline void add_child_moments(const Cell_moments::Moments& child, int octant, double factor,
                               Cell_moments::Moments& parent) {
@@ -332,6 +342,7 @@ inline void add_child_moments(const Cell_moments::Moments& child, int octant, do
   internal::add_scaled(shifted, factor, parent);
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Adds the moments of a child to those of its parent, whose area unit is four times that of the
 /// child.
 inline void add_child_moments(const Cell_moments& child, int octant, Cell_moments& parent) {
@@ -340,9 +351,11 @@ inline void add_child_moments(const Cell_moments& child, int octant, Cell_moment
     add_child_moments(child.tensor[k], octant, 0.25, parent.tensor[k]);
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// A symmetric 27 x 27 block: entry \f$27 i + j\f$, elements numbered as in `Cell_elements`.
 using Cell_block = std::array<double, 27 * 27>;
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// \f$\int b_i b_j\f$ over the surface in one cell, in units of the squared cell width.
 inline void mass_block(const Cell_moments& moments, Cell_block& block) {
   const auto& v = internal::Spline_products::values;
@@ -360,6 +373,7 @@ inline void mass_block(const Cell_moments& moments, Cell_block& block) {
           }
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// \f$\int \nabla b_i^T (I - n n^T) \nabla b_j\f$ over the surface in one cell; it has no unit.
 inline void stiffness_block(const Cell_moments::Tensor_moments& tensor, Cell_block& block) {
   const auto& v = internal::Spline_products::values;
@@ -396,11 +410,13 @@ inline void stiffness_block(const Cell_moments::Tensor_moments& tensor, Cell_blo
           }
 }
 
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Dev
+/// The same from all moments, of which the mass is not read.
 inline void stiffness_block(const Cell_moments& moments, Cell_block& block) {
   stiffness_block(moments.tensor, block);
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// \f$\int b_i\f$ over the surface in one cell, in units of the squared cell width: Bernstein
 /// polynomials of degree 2 are combinations, without negative coefficients, of those of degree 4.
 inline std::array<double, 27> element_integrals(const Cell_moments& moments) {

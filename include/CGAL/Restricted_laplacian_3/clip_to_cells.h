@@ -13,31 +13,43 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// A corner of a fragment: coordinates in units of the cell width, and barycentric coordinates in
 /// the triangle that the fragment was cut from.
 struct Fragment_corner {
+  /// coordinates in the grid, in units of the cell width
   std::array<double, 3> position;
+  /// barycentric coordinates in the triangle; they sum to 1, up to rounding
   std::array<double, 3> barycentric;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// A convex polygon: the part of one triangle that one cell owns. A triangle cut by six half-spaces
 /// has at most 9 corners; rounding can make a polygon slightly non-convex, hence the reserve.
 struct Fragment {
+  /// largest number of corners
   static constexpr std::size_t capacity = 16;
+  /// number of corners; 0 if the triangle has no part in the cell
   std::size_t size = 0;
+  /// the corners in order, by the orientation of the triangle; those from `size` on are not
+  /// initialised
   std::array<Fragment_corner, capacity> corners;
 
+  /// a polygon without corners
   Fragment() = default;
-  // Most fragments have 3 to 5 corners: copying the others would take most of the time of clipping.
+  /// Copies the corners that exist. Most fragments have 3 to 5: copying the whole array would take
+  /// most of the time of clipping.
   Fragment(const Fragment& other) : size(other.size) {
     std::copy_n(other.corners.begin(), other.size, corners.begin());
   }
+  /// copies the corners that exist, as the constructor does
   Fragment& operator=(const Fragment& other) {
     size = other.size;
     std::copy_n(other.corners.begin(), other.size, corners.begin());
     return *this;
   }
 
+  /// adds a corner, if there are less than `capacity` of them
   void push_back(const Fragment_corner& corner) {
     if(size < capacity)
       corners[size++] = corner;
@@ -133,6 +145,7 @@ inline std::array<double, 2> range(const Fragment& polygon, int axis) {
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Cuts triangles along the walls of the unit grid \f$\{0, \dots, n\}^3\f$ into convex fragments,
 /// each owned by one cell.
 ///
@@ -155,6 +168,7 @@ public:
   /// `std::array<int, 3>`. Fragments without area are not reported. The time is proportional to the
   /// number of fragments and to the number of cells between the extremes along the first axis.
   /// \param corners in units of the cell width, inside \f$[0,n]^3\f$ up to rounding
+  /// \param sink the function object that is called
   template <class Sink>
   void operator()(const std::array<std::array<double, 3>, 3>& corners, Sink&& sink) const {
     cut_snapped({snapped(corners[0]), snapped(corners[1]), snapped(corners[2])}, sink);

@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of the piecewise linear functions on the triangulation, for
 /// comparison: the cotangent Laplacian, with the sign and the units of `assemble_operators()`. One
 /// row for each vertex, in the order of `vertices(tm)`; degenerate faces are left out, and a vertex

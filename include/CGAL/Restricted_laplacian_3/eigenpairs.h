@@ -29,7 +29,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Some eigenpairs \f$S x = \lambda M x\f$.
 struct Eigenpairs {
   /// ascending
@@ -51,11 +51,12 @@ struct Eigenpairs {
   double regularization = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What `smallest_eigenpairs()` does unless told otherwise.
 struct Eigenpairs_options {
   /// of the eigenvalues, relative
   double tolerance = 1e-10;
+  /// restarts of the Lanczos iteration after which it ends, converged or not
   int maximum_iterations = 1000;
   /// \f$\tau\f$ of the first attempt
   double regularization = 1e-12;
@@ -70,7 +71,7 @@ namespace internal {
 /// \f$P K P^T = L L^T\f$ by CHOLMOD. Eigen's interface offers the whole solve only.
 class Sparse_cholesky : public Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> {
 public:
-  /// By default CHOLMOD writes a warning to the standard output when a factorization fails.
+  /// By default CHOLMOD writes a warning to the standard output when a factorisation fails.
   Sparse_cholesky() { this->cholmod().print = 0; }
 
   /// \f$L^{-1} P b\f$
@@ -112,7 +113,7 @@ public:
 #endif
 
 /// The operator \f$C = R^{-T} M R^{-1}\f$ in the form that Spectra takes, where
-/// \f$R^T R = K = S - \sigma M + \tau D\f$, \f$D = \mathrm{diag}(S - \sigma M)\f$, is factorized.
+/// \f$R^T R = K = S - \sigma M + \tau D\f$, \f$D = \mathrm{diag}(S - \sigma M)\f$, is factorised.
 ///
 /// The eigenvalues \f$\nu = 1 / (\lambda - \sigma)\f$ of \f$C\f$ are those of \f$K^{-1} M\f$, the
 /// eigenvectors \f$y = R x\f$ are orthogonal in the plain scalar product. An iteration with
@@ -204,8 +205,8 @@ private:
 /// two eigenvalues the same everywhere (Weyl's law).
 inline double natural_shift(double area) { return -4 * 3.14159265358979323846 / area; }
 
-/// Normalizes the vectors, replaces each value by the Rayleigh quotient
-/// \f$x^T S x / x^T M x\f$ of its vector, in which the regularization appears squared only, and
+/// Normalises the vectors, replaces each value by the Rayleigh quotient
+/// \f$x^T S x / x^T M x\f$ of its vector, in which the regularisation appears squared only, and
 /// sorts.
 inline void finish_eigenpairs(const Eigen::SparseMatrix<double>& s,
                               const Eigen::SparseMatrix<double>& m, Eigen::MatrixXd vectors,
@@ -343,13 +344,13 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, const Eigen::MatrixXd
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
 /// for symmetric positive semi-definite matrices.
 ///
 /// By Spectra, a restarted Lanczos iteration for \f$K^{-1} M\f$, in the symmetric form
 /// \f$R^{-T} M R^{-1}\f$, where \f$ R^T R = K = S - \sigma M + \tau\, \mathrm{diag}(S - \sigma M)
-/// \f$ is factorized once, by CHOLMOD if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is
+/// \f$ is factorised once, by CHOLMOD if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is
 /// defined, else by Eigen.
 ///
 /// *Shift.* \f$\sigma = -4 \pi / \sum_{ij} M_{ij}\f$: below the spectrum by about the mean distance
@@ -361,11 +362,11 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, const Eigen::MatrixXd
 /// regular by \f$\tau = 10^{-12}\f$, relative to each diagonal entry. For them \f$K\f$ is then
 /// dominated by \f$\tau\f$ while \f$M\f$ is zero to rounding, so \f$K^{-1} M\f$ sends them to 0,
 /// the far end of the spectrum. The values returned are Rayleigh quotients with \f$S\f$ itself, in
-/// which \f$\tau\f$ enters squared only. Should a factorization fail, \f$\tau\f$ is multiplied by
+/// which \f$\tau\f$ enters squared only. Should a factorisation fail, \f$\tau\f$ is multiplied by
 /// 100, up to \f$10^{-8}\f$; the result reports the value used.
 ///
 /// *Kernel.* Functions that are constant on a connected component of the graph of \f$S\f$ and in
-/// its kernel are recognized and returned as they are.
+/// its kernel are recognised and returned as they are.
 ///
 /// *Multiplicity.* A second iteration, with all pairs found so far deflated, looks for copies of a
 /// multiple eigenvalue that the first one missed, and is repeated until it finds none.
@@ -374,8 +375,12 @@ inline Eigen::MatrixXd all_copies(Inverted_pencil& pencil, const Eigen::MatrixXd
 /// densely.
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
-/// \throws Parameter_error if `k` is not positive or exceeds the number of independent functions
-/// \throws Numerical_error if no factorization succeeds
+/// \param k number of pairs, positive
+/// \param options tolerance, iterations, regularisation, callback
+/// \throws Parameter_error if `k` is not positive, exceeds the number of independent functions, or
+/// is more than a third of more than 10,000 unknowns; if the matrices are not square and of the
+/// same size, or the entries of `m` do not have a positive sum
+/// \throws Numerical_error if no factorisation succeeds
 /// \throws Canceled if the callback returned `false`
 inline Eigenpairs smallest_eigenpairs(const Eigen::SparseMatrix<double>& s,
                                       const Eigen::SparseMatrix<double>& m, int k,

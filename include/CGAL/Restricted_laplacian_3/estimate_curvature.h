@@ -29,7 +29,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// How `estimate_curvature()` works.
 enum class Curvature_method {
   /// The derivative of a fit of normals that are given at the vertices and interpolated: the most
@@ -42,12 +42,12 @@ enum class Curvature_method {
   coordinates
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// Factor of the stabilisation for `estimate_curvature()` unless told otherwise: larger than for
 /// other fits, because it is the derivatives that count.
 constexpr double default_curvature_stabilization = 0.01;
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// The curvature of a surface at a point.
 ///
 /// *Sign.* \f$\kappa\f$ is the derivative of the unit normal \f$n\f$ along a unit tangent vector
@@ -114,7 +114,7 @@ inline Surface_curvature curvature_of_vector(const Eigen::Vector3d& n,
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// The curvature of a surface as a function on it, see `estimate_curvature()`.
 class Curvature_field {
 public:
@@ -247,10 +247,11 @@ Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of a surface from a field of normals (paper, section 5.3): the field is
 /// fitted by splines, see `Function_fitter`; the derivative of the fit \f$u\f$ is projected to the
 /// plane that is orthogonal to \f$u\f$, divided by \f$\lvert u \rvert\f$, and symmetrised.
+/// \param space the space in which the normals are fitted
 /// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
 /// about unit length
 /// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
@@ -273,8 +274,9 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
                  .fit(normals));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of the surface of a space.
+/// \param space the space in which normals or coordinates are fitted
 /// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
 /// \param np optional named parameters: those above, and
 /// - `curvature_method`: a `Curvature_method`; default `Curvature_method::normals`, with
@@ -299,7 +301,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
                             internal::Interpolated_normals(vertex_normals(space.surface())), np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same by cubature.
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -345,11 +347,12 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of a mesh at its vertices.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles. The normals are to the side to which the faces are oriented. Or a range of oriented
 /// points, which take the place of vertices, see `read_point_set()`
+/// \param tm the surface, a mesh or a range of oriented points
 /// \param curvatures a model of `WritablePropertyMap` with the vertex descriptor as key and
 /// `Surface_curvature` as value; NaN at vertices without a face of positive area
 /// \param np optional named parameters: those of `Spline_space_3` and of the overloads above, and
@@ -368,7 +371,7 @@ Fit_report estimate_curvature(const FaceGraph& tm, VertexMap curvatures,
   return internal::estimate_curvature(internal::mesh_or_point_source(tm), curvatures, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold. Its faces must be oriented alike.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`

@@ -22,6 +22,7 @@ public:
 /// The surface has no face, or the point set no point.
 class Empty_surface_error : public Input_error {
 public:
+  /// \param message what `what()` returns
   explicit Empty_surface_error(const std::string& message = "the surface has no face")
     : Input_error(message) {}
 };
@@ -31,7 +32,9 @@ public:
 /// same, or have weight zero.
 class Zero_area_error : public Input_error {
 public:
+  /// \param message what `what()` returns
   explicit Zero_area_error(const std::string& message) : Input_error(message) {}
+  /// \param number_of_faces of the surface, for the message
   explicit Zero_area_error(std::size_t number_of_faces)
     : Input_error("the surface has area zero: all of its " + std::to_string(number_of_faces) +
                   " faces are degenerate") {}
@@ -41,6 +44,8 @@ public:
 /// A face cannot be used, for example because it is not a triangle.
 class Invalid_face_error : public Input_error {
 public:
+  /// \param face its position
+  /// \param reason the rest of a sentence that begins with the face, for the message
   Invalid_face_error(std::size_t face, const std::string& reason)
     : Input_error("face " + std::to_string(face) + " " + reason), m_face(face) {}
 
@@ -55,6 +60,8 @@ private:
 /// A vertex cannot be used, for example because a coordinate is not finite.
 class Invalid_vertex_error : public Input_error {
 public:
+  /// \param vertex its position
+  /// \param reason the rest of a sentence that begins with the vertex, for the message
   Invalid_vertex_error(std::size_t vertex, const std::string& reason)
     : Input_error("vertex " + std::to_string(vertex) + " " + reason), m_vertex(vertex) {}
 
@@ -70,6 +77,8 @@ private:
 /// finite, or its area negative or not finite.
 class Invalid_point_error : public Input_error {
 public:
+  /// \param point its position
+  /// \param reason the rest of a sentence that begins with the point, for the message
   Invalid_point_error(std::size_t point, const std::string& reason)
     : Input_error("point " + std::to_string(point) + " " + reason), m_point(point) {}
 
@@ -84,6 +93,8 @@ private:
 /// A parameter is outside its domain.
 class Parameter_error : public Input_error {
 public:
+  /// \param parameter its name
+  /// \param reason the rest of a sentence that begins with the name, for the message
   Parameter_error(const std::string& parameter, const std::string& reason)
     : Input_error(parameter + " " + reason), m_parameter(parameter) {}
 
@@ -102,7 +113,7 @@ public:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Errors
-/// A factorization or an eigenvalue iteration broke down.
+/// A factorisation or an eigenvalue iteration broke down.
 class Numerical_error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

@@ -34,7 +34,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// What `fit_function()` did.
 struct Fit_report : Solve_report {
   /// \f$(\int (u_k - f_k)^2 / \mathrm{area})^{1/2}\f$ of each component, in units of \f$f\f$
@@ -51,7 +51,7 @@ struct Fit_report : Solve_report {
   }
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// A fitted function: its coefficients, to be evaluated by `Spline_function_3` or
 /// `Spline_functions_3`.
 struct Function_fit : Fit_report {
@@ -59,7 +59,7 @@ struct Function_fit : Fit_report {
   Eigen::MatrixXd coefficients;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// What a `Function_fitter` does unless told otherwise.
 struct Function_fit_options {
   Function_fit_options() { solver.relative_tolerance = 1e-8; }
@@ -79,7 +79,7 @@ namespace internal {
 /// The factors of the stabilisation that are tried. With the first one the number of iterations
 /// does not depend on the depth; the last one is as small as rounding permits.
 constexpr std::array<double, 3> fit_stabilizations = {1e-4, 1e-5, 1e-14};
-/// The energy of the stabilisation may be up to this fraction of what is minimized. Rough functions
+/// The energy of the stabilisation may be up to this fraction of what is minimised. Rough functions
 /// are those whose root mean square error is above 1 % of their own root mean square.
 constexpr double small_energy_of_smooth = 0.1, small_energy_of_rough = 0.5;
 constexpr double squared_error_of_rough = 1e-4;
@@ -108,10 +108,10 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// Fits functions on a surface by splines: set up once, it fits any number of functions, each a
 /// number or a vector at each point. The fit of \f$f\f$ is the function \f$u\f$ of the space that
-/// minimizes, for each component,
+/// minimises, for each component,
 /// \f[ \int_{\mathcal M} (u - f)^2 + w \int_{\mathcal M} \lvert \nabla u \rvert^2, \qquad
 ///     (M + w S)\, \eta = \gamma, \qquad \gamma_i = \int_{\mathcal M} f\, b_i, \f]
 /// for \f$w = 0\f$ the least-squares projection \f$D \eta = \gamma\f$ of the paper (section 5.3).
@@ -130,7 +130,7 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// of elements that vary along the normal only nearly vanish on the surface. The term \f$c\, h N\f$
 /// is added to \f$M\f$, and \f$\frac{c}{h} N\f$ to \f$S\f$. Unless \f$c\f$ is given, it is the
 /// first of 1e-4, 1e-5 and 1e-14, for each component, with which the energy of the stabilisation is
-/// at most a tenth of what \f$u\f$ minimizes, or half of it if the error of \f$u\f$ is above 1 % of
+/// at most a tenth of what \f$u\f$ minimises, or half of it if the error of \f$u\f$ is above 1 % of
 /// \f$f\f$ (root mean squares); 1e-5 is left out where it is larger than all of that. A
 /// rough function, for example the normals of the faces, is far from the space: 1e-4 adds little to
 /// its error, and the number of iterations does not depend on the depth. The error of a smooth
@@ -144,15 +144,19 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class SurfaceIntegration = Cubature> class Function_fitter {
 public:
+  /// what the constructor takes
   using Options = Function_fit_options;
 
   /// \param space,integration have to outlive this object
+  /// \param options smoothing, refinement, stabilisation and solver
   /// \throws Parameter_error if an option is outside its domain
   Function_fitter(const Spline_space_3& space, const SurfaceIntegration& integration,
                   const Options& options = Options())
     : m_space(&space), m_integration(&integration), m_options(checked(options)) {}
 
+  /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
+  /// the options, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// Fits a function. Solvers are set up when they are needed first, and kept: not to be called by
@@ -427,10 +431,11 @@ private:
   double m_assembly_seconds = 0, m_setup_seconds = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Fits a function on a surface by a spline: the least-squares projection \f$D \eta = \gamma\f$ of
 /// the paper (section 5.3), if wanted with smoothing. See `Function_fitter`, which does the same
 /// for many functions with one setup.
+/// \param space the space that the fit is in
 /// \param f a function object that takes a `const Surface_point&` and returns a number, a
 /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal.
 /// Integrated as in `assemble_load()`.
@@ -457,7 +462,7 @@ Function_fit fit_function(const Spline_space_3& space, const SurfaceIntegration&
       .fit(f);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same by cubature.
 template <class Function, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -499,11 +504,12 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Fits a function on a mesh by a spline, see `Function_fitter`.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles; or a range of oriented points, which take the place of vertices, see
 /// `read_point_set()`
+/// \param tm the surface, a mesh or a range of oriented points
 /// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key, interpolated
 /// linearly, or a function object that takes a `const Surface_point&`. Values are numbers,
 /// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.
@@ -522,7 +528,7 @@ Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
   return internal::fit_function(internal::mesh_or_point_source(tm), f, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`

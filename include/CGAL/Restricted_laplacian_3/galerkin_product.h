@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// The coarse operator \f$P^T A P\f$ of a symmetric matrix \f$A\f$, column by column: with
 /// \f$p = P e_j\f$, the sparse vector \f$A p\f$ is accumulated, then \f$P^T (A p)\f$. No product of
 /// two matrices is stored. The rows of a column are sorted.

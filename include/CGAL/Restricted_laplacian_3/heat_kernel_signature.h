@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// What a heat kernel signature is divided by.
 enum class Heat_kernel_scaling {
   /// nothing
@@ -26,13 +26,14 @@ enum class Heat_kernel_scaling {
   heat_trace
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The times at which \cgalCite{SOG09} takes the heat kernel signature: `number` of them, evenly
 /// distributed on a logarithmic scale from
 /// \f$4 \ln 10 / \lambda_{\max}\f$ to \f$4 \ln 10 / \lambda_{\min}\f$, with the largest eigenvalue
 /// and the first that is not 0 (see `zero_eigenvalue_tolerance`). Before, eigenfunctions that are
 /// not known would count; after, hardly any but the constants is left.
 /// \param eigenvalues ascending, in units of 1 / area
+/// \param number number of times, at least 2
 /// \return ascending, in units of area
 /// \throws Parameter_error if `number` is less than 2, if eigenvalues are not finite, ascending and
 /// not negative, or if all of them are 0
@@ -48,14 +49,14 @@ inline Eigen::VectorXd heat_kernel_times(const Eigen::VectorXd& eigenvalues, int
       .exp();
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same for a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::VectorXd heat_kernel_times(const Spectrum& spectrum, int number = 100) {
   return heat_kernel_times(internal::eigenvalues_of(spectrum), number);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The heat trace \f$\sum_i e^{-\lambda_i t}\f$ of the given eigenvalues, for each time: the
 /// integral of the heat kernel signature over the surface.
 /// \throws Parameter_error as `heat_kernel_signature()`
@@ -66,7 +67,7 @@ inline Eigen::VectorXd heat_trace(const Eigen::VectorXd& eigenvalues,
   return (-times * checked.transpose()).array().exp().rowwise().sum();
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The heat kernel signature
 /// \f[ \mathrm{HKS}(x, t) = k_t(x, x) = \sum_i e^{-\lambda_i t} \phi_i(x)^2 \f]
 /// of Sun, Ovsjanikov and Guibas \cgalCite{SOG09}: the share of a unit of heat that is
@@ -101,7 +102,7 @@ heat_kernel_signature(const Eigen::VectorXd& eigenvalues,
   return internal::filtered_squares(values, weights);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::MatrixXd heat_kernel_signature(const Spectrum& spectrum, const Eigen::VectorXd& times,

@@ -38,7 +38,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// What `integrate_gradient_field()` did.
 struct Gradient_report : Solve_report {
   /// \f$(\int \lvert \nabla u_k - v_k \rvert^2 / \mathrm{area})^{1/2}\f$ for each channel, in units
@@ -53,7 +53,7 @@ struct Gradient_report : Solve_report {
   double details_seconds = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// The functions whose gradients fit a vector field: their coefficients, to be evaluated by
 /// `Spline_function_3` or `Spline_functions_3`.
 struct Gradient_fit : Gradient_report {
@@ -364,16 +364,17 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Integrates a vector field: finds the functions \f$u_k\f$ of a spline space whose gradients are
-/// closest to the channels \f$v_k\f$ of a tangent vector field (paper, section 5.2, equation 6),
+/// closest to the channels \f$v_k\f$ of a tangent vector field (paper, section 5.2, equation 6).
 /// \f[ \int_{\mathcal M} \lvert \nabla u_k - v_k \rvert^2
 ///     + \int_{\mathcal M} \alpha\, (u_k - g_k)^2 \to \min, \qquad
 ///     (S + M_\alpha)\, \eta_{\cdot k} = \gamma, \quad
 ///     \gamma_i = \int_{\mathcal M} \langle v_k, \nabla b_i \rangle
 ///              + \int_{\mathcal M} \alpha\, g_k\, b_i, \f]
-/// \f$(M_\alpha)_{ij} = \int \alpha\, b_i b_j\f$. All channels share the matrix, one pass over the
-/// surface and each pass of the solver. On boundaries the natural condition holds: the part of
+/// where \f$(M_\alpha)_{ij} = \int \alpha\, b_i b_j\f$. All channels share the matrix, one pass
+/// over the surface and each pass of the solver. On boundaries the natural condition holds: the
+/// part of
 /// \f$\nabla u - v\f$ along the conormal is 0.
 ///
 /// *Means.* Gradients do not tell constants. Without a weight \f$\alpha\f$, the mean of \f$u\f$ on
@@ -385,6 +386,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// of the splines: not split, if `split_elements` is `false`, where two come within three cells of
 /// each other.)
 ///
+/// \param space the space that the solution is in
 /// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal
 /// (one channel), a `std::array` of such vectors, or an `Eigen::Matrix<double, 3, K>`, whose
@@ -429,7 +431,7 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space,
       .fit;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same by cubature.
 template <class VectorField, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -438,7 +440,7 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space, const VectorF
   return integrate_gradient_field(space, Cubature(space), v, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Integrates a vector field on a mesh, see above.
 ///
 /// *Details.* Splines do not resolve what is smaller than a cell. With `vertex_details`, their
@@ -453,6 +455,7 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space, const VectorF
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles; or a range of oriented points, which take the place of vertices, see
 /// `read_point_set()`
+/// \param tm the surface
 /// \param v a function object as above; or a model of `ReadablePropertyMap` with such values. Its
 /// key is the vertex descriptor: the field is linear in each triangle, and continuous up to the
 /// projection to the tangent planes; the halfedge descriptor: it is linear in each triangle, with
@@ -476,7 +479,7 @@ Gradient_report integrate_gradient_field(const FaceGraph& tm, const VectorField&
   return internal::integrate_gradient_field(internal::mesh_or_point_source(tm), v, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`

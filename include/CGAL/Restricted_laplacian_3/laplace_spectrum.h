@@ -34,12 +34,12 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// How `laplace_spectrum()` computes eigenpairs: by `multigrid_eigenpairs()`, by
 /// `smallest_eigenpairs()`, or by the one of them that is faster.
 enum class Eigensolver { automatic, multigrid, shift_invert };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The low end of the spectrum of the Laplace-Beltrami operator.
 struct Laplace_spectrum {
   /// \f$\lambda\f$ with \f$-\Delta u = \lambda u\f$, ascending, in units of 1 / area; the first is
@@ -51,13 +51,13 @@ struct Laplace_spectrum {
   Eigen::MatrixXd vertex_values;
   /// of the surface
   double area = 0;
-  /// the algebraic problem: vectors of coefficients, residuals, shift and regularization
+  /// the algebraic problem: vectors of coefficients, residuals, shift and regularisation
   Eigenpairs pairs;
   /// convergence, iterations, largest residual, times
   Solve_report report;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The factor \f$c\f$ of the stabilisation of the stiffness matrix, see `assemble_operators()`,
 /// that `laplace_spectrum()` uses unless told otherwise: 1e-5, and 0 in the space of the paper.
 /// With it `multigrid_eigenpairs()` needs few iterations on any surface, while eigenvalues change
@@ -80,7 +80,7 @@ inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
   }
 }
 
-/// Whether `multigrid_eigenpairs()` is used. With fewer unknowns a factorization is as fast.
+/// Whether `multigrid_eigenpairs()` is used. With fewer unknowns a factorisation is as fast.
 inline bool uses_multigrid(const Spline_space_3& space, Eigensolver eigensolver,
                            double normal_stabilization) {
   constexpr std::size_t smallest_dimension = 5000;
@@ -107,10 +107,12 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
 /// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
 /// `vertex_values` remains empty.
+/// \param space the space; its finest level is used
+/// \param k number of pairs, positive
 /// \param integration a model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
 /// - `eigensolver`: `Eigensolver::multigrid`, `Eigensolver::shift_invert`, or (default)
@@ -124,7 +126,7 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
 /// - `callback`: a function object that is called with the part of the eigensolver's work that is
 ///   done, from 0 to 1, and returns `false` to end it with a `Canceled` exception
 /// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorization fails
+/// \throws Numerical_error if a factorisation fails
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<SurfaceIntegration> = 0>
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
@@ -171,7 +173,7 @@ Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
   return spectrum;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
 /// Parameters and exceptions are those of `laplace_eigenpairs()`.
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
@@ -184,8 +186,8 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
   return spectrum;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// The same by cubature.
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
@@ -208,10 +210,12 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
 /// the natural boundary condition if it is open.
 /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
+/// \param tm the surface, a mesh or a range of oriented points
+/// \param k number of pairs, positive
 /// \param np optional named parameters: those of `Spline_space_3` and of `laplace_eigenpairs()`
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
@@ -221,10 +225,12 @@ Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
   return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, k, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
+/// \param k number of pairs, positive
+/// \param np as above, without the vertex point map
 template <class PointRange, class TriangleRange,
           class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
@@ -234,8 +240,10 @@ Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange&
                                        np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same with the cotangent Laplacian of the triangulation, for comparison.
+/// \param tm the surface, a mesh of triangles
+/// \param k number of pairs, positive
 /// \param np optional named parameters:
 /// - `lumped_mass`: whether the mass matrix is diagonal; default `false`
 /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`

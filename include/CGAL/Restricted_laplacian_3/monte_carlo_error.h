@@ -22,7 +22,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Which samples `estimate_operators()` and `estimate_eigenvalues()` take.
 struct Monte_carlo_options {
   /// of all batches together; each has this over `number_of_batches`, rounded down
@@ -32,10 +32,11 @@ struct Monte_carlo_options {
   int number_of_batches = 10;
   /// the same seed gives the same result with every compiler, and any number of threads
   std::uint64_t seed = 0;
+  /// how the samples of a batch are drawn
   Sampling sampling = Sampling::independent;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Matrices from samples, and the standard error of each of their entries.
 struct Estimated_operators {
   /// as `assemble_operators()` with `Monte_carlo` gives them
@@ -44,7 +45,7 @@ struct Estimated_operators {
   Operators standard_errors;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Eigenvalues from samples, and their standard errors.
 struct Estimated_eigenvalues {
   /// ascending
@@ -109,7 +110,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level by the sum over random samples (paper, section 4.3), and
 /// how far each entry is from the integral.
 ///
@@ -119,6 +120,9 @@ private:
 /// for each entry. The matrix without stabilisation is unbiased.
 ///
 /// Takes the time of one assembly for each batch.
+/// \param space the space whose elements are integrated
+/// \param level from 0, the coarsest, to the depth of the space
+/// \param options number of samples and batches, seed
 /// \param normal_stabilization,stabilized as in `assemble_operators()`
 /// \throws Parameter_error if the level or an option is outside its domain
 inline Estimated_operators
@@ -147,7 +151,7 @@ estimate_operators(const Spline_space_3& space, int level,
   return result;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$ on the finest level by random samples,
 /// and how far each is from that of the integrals.
 ///
@@ -163,10 +167,12 @@ estimate_operators(const Spline_space_3& space, int level,
 /// by hardly one for 1000.
 ///
 /// Takes the time of two assemblies for each batch and one eigenproblem by `smallest_eigenpairs()`.
+/// \param space the space; its finest level is used
 /// \param k number of eigenvalues, positive
+/// \param options number of samples and batches, seed
 /// \param normal_stabilization of the stiffness matrix, as in `assemble_operators()`
 /// \throws Parameter_error if `k` or an option is outside its domain
-/// \throws Numerical_error if a factorization fails, or if not all eigenvalues were found
+/// \throws Numerical_error if a factorisation fails, or if not all eigenvalues were found
 inline Estimated_eigenvalues
 estimate_eigenvalues(const Spline_space_3& space, int k,
                      const Monte_carlo_options& options = Monte_carlo_options(),

@@ -30,7 +30,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What `multigrid_eigenpairs()` does unless told otherwise.
 struct Multigrid_eigenpairs_options {
   /// the largest of `Eigenpairs::residuals` that counts as converged; the error of an eigenvector
@@ -146,7 +146,7 @@ public:
   /// of the last level
   int iterations() const { return m_iterations; }
 
-  /// Moves the first vectors to `pairs`, normalized, with their values and residuals.
+  /// Moves the first vectors to `pairs`, normalised, with their values and residuals.
   void take_pairs(Eigen::Index count, Eigenpairs& pairs) {
     m_w.keep_columns(0);
     m_p.keep_columns(0);
@@ -453,7 +453,7 @@ inline void check_levels(const std::vector<Eigen::SparseMatrix<double>>& stiffne
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
 /// for symmetric positive semi-definite matrices that are given on all levels of a hierarchy.
 ///
@@ -486,6 +486,7 @@ inline void check_levels(const std::vector<Eigen::SparseMatrix<double>>& stiffne
 /// \param prolongations from each level to the next finer one
 /// \param patches of each level but the coarsest, see `smoothing_patches()`
 /// \param k number of pairs
+/// \param options tolerance, iterations, threads, callback
 /// \return pairs that are orthonormal with respect to \f$M\f$. If not all residuals got below the
 /// tolerance, `converged` is `false` and the pairs are the best approximations that were found.
 /// `iterations` are those on the finest level; 0 if that was solved by `smallest_eigenpairs()`,

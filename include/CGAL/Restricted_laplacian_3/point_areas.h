@@ -21,7 +21,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// How many neighbours `estimate_point_areas()` looks at unless told otherwise.
 constexpr int default_number_of_neighbors = 16;
 
@@ -165,7 +165,7 @@ inline double tangent_cell_area(std::vector<std::array<double, 2>>& neighbors) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// The area that each point of a set stands for, from the density of the points around it: the
 /// Voronoi cell of the point among its `number_of_neighbors` nearest neighbours, in its tangent
 /// plane.
@@ -176,6 +176,7 @@ inline double tangent_cell_area(std::vector<std::array<double, 2>>& neighbors) {
 /// cell is larger than a disc of twice the local distance of points.
 /// Points that are the same share their cell. A point without neighbours that agree has area 0.
 ///
+/// \param points the points; some may be the same
 /// \param normals of any length, oriented alike
 /// \param number_of_neighbors at least 3
 /// \param is_parallel whether several threads are used, if the program is linked with TBB; the

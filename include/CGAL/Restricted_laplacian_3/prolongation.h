@@ -19,14 +19,14 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The matrix \f$P\f$ that writes a function of a level in terms of the next finer one:
 /// \f$ \sum_j \eta_j b^l_j = \sum_i (P \eta)_i b^{l+1}_i \f$, `dimension(level + 1)` rows and
 /// `dimension(level)` columns. Its columns hold the \f$4 \times 4 \times 4\f$ stencil
 /// \f$\frac14 (1\ 3\ 3\ 1)^{\otimes 3}\f$ (paper, section 4.2), as far as the elements exist. Its
 /// transpose restricts residuals. In the space of the paper the stencil is cut off at the boundary
 /// of the grid, and the relation holds only away from it.
-/// \throws Parameter_error if `level` is not in 0 .. depth - 1
+/// \throws Parameter_error if `level` is not from 0 to depth - 1
 inline Sparse_matrix prolongation_matrix(const Spline_space_3& space, int level) {
   if(level < 0 || level >= space.depth())
     throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +
@@ -73,7 +73,7 @@ inline Sparse_matrix prolongation_matrix(const Spline_space_3& space, int level)
   return p;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// The prolongations from `coarsest` to `coarsest + 1`, ..., from depth - 1 to depth.
 inline std::vector<Sparse_matrix> prolongation_matrices(const Spline_space_3& space, int coarsest) {
   std::vector<Sparse_matrix> result;
@@ -84,7 +84,7 @@ inline std::vector<Sparse_matrix> prolongation_matrices(const Spline_space_3& sp
 
 namespace internal {
 
-/// The coarsest level of a hierarchy: the finest one whose dense factorization takes no time that
+/// The coarsest level of a hierarchy: the finest one whose dense factorisation takes no time that
 /// counts. It is done for each connected component of the surface, which is a sheet of level 0.
 inline int coarsest_multigrid_level(const Spline_space_3& space) {
   constexpr double largest_dense_dimension = 300;

@@ -105,12 +105,13 @@ auto normal_map_of(const PointRange& points, const NamedParameters& np) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Functions
 /// Reads a set of oriented points, which stands for a surface without any mesh. Vertices and faces
 /// of the surface are the points, numbered in the order of the range.
 ///
 /// \tparam PointRange a model of `ConstRange`, for example `CGAL::Point_set_3` or a vector of pairs
 /// of a point and a vector
+/// \param points the points, or things that property maps know points and normals of
 /// \param np optional named parameters; the keys of property maps are the elements of the range, or
 /// their positions, counted from 0, if a map does not take elements:
 /// - `point_map`: a model of `ReadablePropertyMap` with a 3D point of any \cgal kernel as value;

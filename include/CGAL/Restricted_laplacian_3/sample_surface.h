@@ -20,7 +20,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// How `sample_surface()` chooses locations.
 enum class Sampling {
   /// independent of each other
@@ -103,7 +103,7 @@ inline std::vector<std::uint32_t> faces_along_curve(const Triangulated_surface_3
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Locations on a surface, uniformly distributed by area: each stands for the weight area / number
 /// of locations (paper, section 4.3).
 ///

@@ -14,7 +14,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// What makes a ShapeDNA independent of the size of the surface.
 enum class Shape_dna_normalization {
   /// nothing: surfaces of different size are different; units of 1 / area
@@ -45,7 +45,7 @@ inline double fitted_slope(const Eigen::VectorXd& y) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The ShapeDNA of Reuter, Wolter and Peinecke \cgalCite{RWP06}: the beginning of the spectrum, in
 /// a form that does not depend on size. Nor does it depend on position and triangulation of the
 /// surface, and little on bending.
@@ -56,6 +56,7 @@ inline double fitted_slope(const Eigen::VectorXd& y) {
 ///
 /// \param eigenvalues ascending, in units of 1 / area
 /// \param area of the surface; used with `Shape_dna_normalization::area` only
+/// \param normalization what makes the result independent of size
 /// \throws Parameter_error if eigenvalues are not finite, ascending and not negative; if the area
 /// is needed and is not positive and finite; if the first eigenvalue or the slope is needed, and
 /// all are 0
@@ -79,7 +80,7 @@ shape_dna(const Eigen::VectorXd& eigenvalues, double area,
   return checked;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same for a `Laplace_spectrum`, which knows its area.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::VectorXd shape_dna(const Spectrum& spectrum,
@@ -87,7 +88,7 @@ Eigen::VectorXd shape_dna(const Spectrum& spectrum,
   return shape_dna(internal::eigenvalues_of(spectrum), spectrum.area, normalization);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The Euclidean distance of two ShapeDNAs, which is the one that \cgalCite{RWP06} uses. It is a
 /// metric on sequences, not on surfaces: some different surfaces have the same spectrum.
 /// \throws Parameter_error if they do not have the same positive number of eigenvalues (take

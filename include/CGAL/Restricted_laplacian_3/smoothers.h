@@ -28,26 +28,27 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Sets of unknowns of one level that are relaxed together, in the order in which this is done.
 ///
-/// Patches that follow each other form a *group*, groups that follow each other a *color*. No
-/// unknown of a patch is coupled with one of a patch in another group of the same color, so groups
-/// of a color can be relaxed at the same time, with the same result.
+/// Patches that follow each other form a *group*, groups that follow each other a *colour*. No
+/// unknown of a patch is coupled with one of a patch in another group of the same colour, so groups
+/// of a colour can be relaxed at the same time, with the same result.
 struct Smoothing_patches {
   /// the unknowns of each patch
   internal::Number_lists unknowns;
+  /// how many patches there are
   std::size_t number_of_patches = 0;
   /// first patch of each group, and one more
   std::vector<std::uint32_t> groups = {0};
-  /// first group of each color, and one more
+  /// first group of each colour, and one more
   std::vector<std::uint32_t> colors = {0};
-  /// For each unknown the number of a neighborhood; unknowns of a neighborhood are stored together,
-  /// neighborhoods by their numbers. It has no influence on results beyond rounding. May be empty.
+  /// For each unknown the number of a neighbourhood; unknowns of one are stored together,
+  /// neighbourhoods by their numbers. It has no influence on results beyond rounding. May be empty.
   std::vector<std::uint64_t> neighborhoods;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Powers of two \f$d_i\f$ with \f$1/2 \le d_i^2 A_{ii} \le 2\f$; 1 where the diagonal entry is not
 /// positive. \f$D A D\f$ fits into single precision, also where elements hardly reach the surface.
 inline std::vector<double> balancing_scale(const Eigen::SparseMatrix<double>& a) {
@@ -103,7 +104,7 @@ protected:
 private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
-  /// relaxes the groups of all colors, in order or in reverse
+  /// relaxes the groups of all colours, in order or in reverse
   template <int K>
   void sweep(const Level_vectors<K>& b, Level_vectors<K>& x, bool is_reversed) const {
     const std::size_t number_of_colors = m_colors.size() - 1;
@@ -119,7 +120,7 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Point Gauss-Seidel, in single precision. Unknowns are relaxed group by group (see
 /// `Smoothing_patches`), and in a group by decreasing octave of the diagonal entry, see
 /// `internal::order_by_octave_of_diagonal()`; in reverse after the coarse correction, which makes a
@@ -131,6 +132,10 @@ private:
 /// \cgalModels `MultigridSmoother_3`
 class Gauss_seidel_smoother : public internal::Group_smoother<Gauss_seidel_smoother> {
 public:
+  /// \param a the matrix, see `MultigridSmoother_3`
+  /// \param patches unknowns of a group are relaxed one after the other, groups of a colour at the
+  /// same time; there may be none
+  /// \param is_parallel whether several threads are used; results do not depend on that
   /// \param matrix_is_read called when `a` is no longer read
   Gauss_seidel_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
                         bool is_parallel = false, const std::function<void()>& matrix_is_read = {})
@@ -209,7 +214,7 @@ private:
   std::vector<float> m_inverse_diagonal;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Overlapping multiplicative Schwarz: the unknowns of each patch in turn are set to the solution
 /// of their equations, the others fixed; in reverse order after the coarse correction, which makes
 /// a cycle a symmetric operator.
@@ -230,6 +235,9 @@ public:
   /// With it the inverse is never too large, so the smoother converges for any matrix.
   static constexpr double relative_regularization = 1e-5;
 
+  /// \param a the matrix, see `MultigridSmoother_3`
+  /// \param patches what is relaxed together
+  /// \param is_parallel whether several threads are used; results do not depend on that
   /// \param matrix_is_read called when `a` is no longer read, before the inverses are computed
   Patch_smoother(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
                  bool is_parallel = false, const std::function<void()>& matrix_is_read = {})
@@ -268,8 +276,8 @@ private:
     return (size + multiple - 1) / multiple * multiple;
   }
 
-  /// Unknowns of a neighborhood go into the same cluster, those of one patch first if they are more
-  /// than eight.
+  /// Unknowns of a neighbourhood go into the same cluster, those of one patch first if they are
+  /// more than eight.
   void find_clusters(std::size_t n, const Smoothing_patches& patches) {
     constexpr std::size_t lanes = internal::lanes_of_floats;
     std::vector<std::uint32_t> last_patch(n, 0);

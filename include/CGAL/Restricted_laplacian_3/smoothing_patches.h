@@ -17,15 +17,16 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The patches of a level on which `Patch_smoother` works: one for each sheet of the next coarser
 /// level, with all elements that act on one of its children. On a smooth surface these are about 50
 /// of the \f$4 \times 4 \times 4\f$ elements around two cells by two by two.
 ///
 /// A group consists of the patches in one block of \f$8 \times 8 \times 8\f$ coarser cells, its
-/// color is the parity of the coordinates of the block. Two groups of the same color are 16 cells
+/// colour is the parity of the coordinates of the block. Two groups of the same colour are 16 cells
 /// apart; an element of a patch reaches 2 cells beyond the coarser cell, and elements that are 3
 /// cells apart are not coupled.
+/// \param space the space whose elements are grouped
 /// \param level not 0
 inline Smoothing_patches smoothing_patches(const Spline_space_3& space, int level) {
   constexpr int log_block_width = 3, number_of_colors = 8;
@@ -79,8 +80,8 @@ inline Smoothing_patches smoothing_patches(const Spline_space_3& space, int leve
   return patches;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// The patches of the levels `coarsest + 1` ..\ depth.
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// The patches of the levels from `coarsest + 1` to depth.
 inline std::vector<Smoothing_patches> smoothing_patches_of_levels(const Spline_space_3& space,
                                                                   int coarsest) {
   std::vector<Smoothing_patches> result;

@@ -31,7 +31,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The factor \f$c\f$ of the stabilisation, see `assemble_operators()`, that the functions for
 /// Poisson problems use unless told otherwise: 1e-3, and 0 in the space of the paper. The number of
 /// iterations does not depend on the depth of the octree then, while the error of the solution is
@@ -274,12 +274,15 @@ template <class Alpha> void check_screening_weight(const Alpha& alpha) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$A \eta = b\f$ on the finest level of a space, where \f$A\f$ is the stiffness
 /// matrix with other matrices of its pattern added, such as those of `Dirichlet_boundary` and
 /// `Point_constraints`. The matrix is empty afterwards.
+/// \param space the space; its prolongations and patches make the hierarchy
+/// \param a \f$A\f$; it is empty afterwards
 /// \param element_integrals \f$\int b_i\f$
 /// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
+/// \param options tolerance, iterations, cycle, smoother
 /// \throws Parameter_error if a parameter is outside its domain
 inline Poisson_solver
 make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
@@ -289,7 +292,7 @@ make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
   return internal::poisson_solver(space, std::move(a), {}, element_integrals, alpha, options);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// The same with a copy of the matrix.
 inline Poisson_solver
 make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
@@ -298,9 +301,10 @@ make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
   return make_poisson_solver(space, Sparse_matrix(a), element_integrals, alpha, options);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, which assembles the
 /// matrices of all levels in one pass over the surface.
+/// \param space the space; its prolongations and patches make the hierarchy
 /// \param alpha screening weight, at least 0, in units of 1 / area
 /// \param np optional named parameters: those of the overload that takes `Operators`, and
 /// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; default
@@ -313,8 +317,8 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0
   return make_poisson_solver(space, alpha, Cubature(space), np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// \overload
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// The same with an integration that the caller chooses.
 /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
 template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<SurfaceIntegration> = 0>
@@ -327,8 +331,9 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
                                   internal::poisson_solver_options(np));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space.
+/// \param space the space; its prolongations and patches make the hierarchy
 /// \param alpha screening weight, at least 0, in units of 1 / area
 /// \param operators the matrices of the finest level of `space`
 /// \param np optional named parameters:
@@ -354,7 +359,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
                              alpha, internal::poisson_solver_options(np));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Solves the Poisson problem \f$\Delta_{\mathcal M} u = f\f$ on a surface (paper, equation 1), in
 /// the form \f$S \eta = -\phi\f$ (the stiffness matrix \f$S\f$ is minus the matrix \f$L\f$ of the
 /// paper).
@@ -368,6 +373,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
 ///
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
+/// \param tm the surface, a mesh or a range of oriented points
 /// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key and a number as
 /// value, interpolated linearly; or a function object that takes a `const Surface_point&` and
 /// returns a number
@@ -399,7 +405,7 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
   return internal::solve_poisson(internal::mesh_or_point_source(tm), f, 0, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
@@ -414,16 +420,20 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
       internal::Soup_source<PointRange, TriangleRange>(points, triangles), f, 0, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Solves the screened Poisson problem \f$\alpha u - \Delta_{\mathcal M} u = f\f$, in the form
 /// \f$(S + \alpha M)\, \eta = \phi\f$. Note the sign of \f$f\f$, which is not that of
 /// `solve_poisson()`.
 ///
-/// With \f$f = \alpha g\f$ the solution minimizes
+/// With \f$f = \alpha g\f$ the solution minimises
 /// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled towards \f$g\f$ where
 /// \f$\alpha\f$ is large, a soft constraint.
+/// \param tm the surface, a mesh or a range of oriented points
+/// \param f the right-hand side, as in `solve_poisson()`
 /// \param alpha in units of 1 / area: a positive number (multiply by the area to compare surfaces
 /// of different size); or weights that are not negative, given as `f` is
+/// \param u the solution, as in `solve_poisson()`
+/// \param np optional named parameters, as in `solve_poisson()`
 ///
 /// All else is as in `solve_poisson()`.
 template <class FaceGraph, class Function, class Alpha, class VertexMap,
@@ -436,7 +446,7 @@ Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, cons
   return internal::solve_poisson(internal::mesh_or_point_source(tm), f, alpha, u, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// The same on a triangle soup.
 template <class PointRange, class TriangleRange, class Function, class Alpha, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,

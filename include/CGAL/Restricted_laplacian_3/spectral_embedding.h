@@ -28,8 +28,8 @@ Eigen::MatrixXd embedding_without_zeros(const Eigen::VectorXd& eigenvalues,
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
-/// The global point signature of Rustamov \cgalCite{Rus07},
+/// \ingroup PkgRestrictedLaplacian3Descriptors
+/// The global point signature of Rustamov \cgalCite{Rus07}.
 /// \f[ \mathrm{GPS}(x) = \left( \frac{\phi_i(x)}{\sqrt{\lambda_i}} \right)_{\lambda_i > 0} . \f]
 /// The scalar product of two rows is Green's function
 /// \f$g(x, y) = \sum_i \phi_i(x) \phi_i(y) / \lambda_i\f$ of \f$-\Delta\f$, as far as the sum goes;
@@ -53,14 +53,14 @@ inline Eigen::MatrixXd global_point_signature(const Eigen::VectorXd& eigenvalues
                                            [](double l) { return 1 / std::sqrt(l); });
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::MatrixXd global_point_signature(const Spectrum& spectrum) {
   return global_point_signature(internal::eigenvalues_of(spectrum), spectrum.vertex_values);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// Biharmonic coordinates: \f$(\phi_i(x) / \lambda_i)_{\lambda_i > 0}\f$. The Euclidean distance of
 /// two rows is the biharmonic distance of Lipman, Rustamov and Funkhouser \cgalCite{LRF10},
 /// \f[ d(x, y)^2 = \sum_i \frac{(\phi_i(x) - \phi_i(y))^2}{\lambda_i^2} , \f]
@@ -78,14 +78,14 @@ inline Eigen::MatrixXd biharmonic_embedding(const Eigen::VectorXd& eigenvalues,
   return internal::embedding_without_zeros(eigenvalues, values, [](double l) { return 1 / l; });
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::MatrixXd biharmonic_embedding(const Spectrum& spectrum) {
   return biharmonic_embedding(internal::eigenvalues_of(spectrum), spectrum.vertex_values);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The diffusion map of Coifman and Lafon \cgalCite{CL06}: \f$(e^{-\lambda_i t} \phi_i(x))_i\f$.
 /// The Euclidean distance of two rows is the diffusion distance,
 /// \f[ d_t(x, y)^2 = \sum_i e^{-2 \lambda_i t} (\phi_i(x) - \phi_i(y))^2
@@ -109,7 +109,7 @@ inline Eigen::MatrixXd diffusion_map(const Eigen::VectorXd& eigenvalues,
   return values * (-time * checked.array()).exp().matrix().asDiagonal();
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::MatrixXd diffusion_map(const Spectrum& spectrum, double time) {

@@ -89,14 +89,15 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// Colours a mesh from several scans without visible seams, see `Color_stitcher`.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
+/// \param tm the surface
 /// \param scans at least one
 /// \param colors a model of `WritablePropertyMap` with the vertex descriptor as key and a colour as
 /// value: `CGAL::IO::Color`, or a `std::array`, a vector of Eigen or a 3D vector of \cgal of three
-/// components, 0 .. 1, or 0 .. 255 if they are integers
+/// components, from 0 to 1, or from 0 to 255 if they are integers
 /// \param np optional named parameters: those of `Spline_space_3`, and
 /// - `maximum_distance`, `minimum_facing_cosine`, `minimum_normal_cosine`, `boundary_width`,
 ///   `oriented_surface`: as in `Back_projection_options`
@@ -120,7 +121,7 @@ Stitching_report stitch_colors(const FaceGraph& tm, const std::vector<Colored_sc
   return internal::stitch_colors(internal::Mesh_source<FaceGraph>(tm), scans, colors, np);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Colors
 /// The same on a triangle soup, which need not be a manifold.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`

@@ -22,7 +22,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Integration over the surface, exact for all that a matrix needs: triangles are cut along the
 /// walls of the cells, and Taylor's rule of degree 12 is applied to the fragments.
 ///
@@ -113,7 +113,7 @@ private:
   bool m_is_point_set;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Integration over the surface by samples that are uniformly distributed by area, each of weight
 /// area / number of samples (paper, section 4.3). The error of an integral falls with the square
 /// root of the number of samples, with `Sampling::stratified` nearly with the number itself.
@@ -127,6 +127,10 @@ public:
               Sampling sampling = Sampling::independent)
     : Monte_carlo(space, sample_surface(space.surface(), number_of_samples, seed, sampling)) {}
 
+  /// The same with samples that the caller has drawn, uniformly by area.
+  /// \param space must outlive this object
+  /// \param samples at least one
+  /// \throws Location_error a sample is not on the surface
   Monte_carlo(const Spline_space_3& space, const std::vector<Surface_location>& samples)
     : m_octree(&space.octree()) {
     const int depth = m_octree->depth();
@@ -183,7 +187,7 @@ private:
   std::vector<Sample> m_samples;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Operators
 /// Integration over the surface with a weight: \f$\int w f\f$ in place of \f$\int f\f$, by the
 /// nodes of another integration. The mass matrix becomes \f$\int w\, b_i b_j\f$. With `Cubature`
 /// it is exact up to rounding if \f$w\f$ is constant on each triangle; a linear \f$w\f$ makes the

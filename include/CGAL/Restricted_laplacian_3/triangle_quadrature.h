@@ -12,10 +12,17 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// A node of a cubature rule on a triangle: barycentric coordinates and a weight. The weights of a
 /// rule sum to 1: multiply by the area of the triangle.
 struct Triangle_quadrature_node {
-  double b0, b1, b2;
+  /// barycentric coordinate of corner 0
+  double b0;
+  /// barycentric coordinate of corner 1
+  double b1;
+  /// barycentric coordinate of corner 2
+  double b2;
+  /// fraction of the area of the triangle that the node stands for
   double weight;
 };
 
@@ -119,6 +126,7 @@ inline const std::vector<Triangle_quadrature_node>& three_point_rule_of_degree_2
 
 } // namespace internal
 
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// The smallest rule of this package that integrates all polynomials of total degree at most
 /// `degree` exactly: 3 nodes up to degree 2, 7 up to 5, 16 up to 8, and Taylor's 32 up to 12. A
 /// product of two triquadratic functions on a plane has degree 12, one of a triquadratic with a

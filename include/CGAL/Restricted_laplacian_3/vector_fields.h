@@ -24,26 +24,32 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// A function or vector field that is constant on each triangle, as a function object on
 /// `Surface_point`. Integrals of it are exact up to rounding, and take fewer nodes than others.
 /// \tparam T a number, or a vector type
+///
+/// \cgalModels `SurfaceFunction_3`
 template <class T> class Face_function {
 public:
   /// \param values for each face, in the order of `faces(tm)`
   explicit Face_function(std::vector<T> values) : m_values(std::move(values)) {}
 
+  /// the value of the face of a location
   const T& operator()(const Surface_point& p) const { return m_values[p.face]; }
+  /// the values, one for each face
   const std::vector<T>& values() const { return m_values; }
 
 private:
   std::vector<T> m_values;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// A vector field that is linear in each triangle, and may jump from one to the next, as a function
 /// object on `Surface_point`: it is given by its values at the corners of the triangles.
 /// \tparam T a vector type, such as `Vector_3` or `Eigen::Matrix<double, 3, K>`
+///
+/// \cgalModels `SurfaceFunction_3`
 template <class T> class Corner_vector_field {
 public:
   /// \param values three for each face, in the order of `faces(tm)`, at its vertices `source(h)`,
@@ -51,11 +57,14 @@ public:
   /// soup names
   explicit Corner_vector_field(std::vector<T> values) : m_values(std::move(values)) {}
 
+  /// the value at a location: the mean of those at the three corners with the barycentric
+  /// coordinates as weights
   T operator()(const Surface_point& p) const {
     const T* const corners = m_values.data() + 3 * p.face;
     return corners[0] * p.barycentric[0] + corners[1] * p.barycentric[1] +
            corners[2] * p.barycentric[2];
   }
+  /// the values, three for each face
   const std::vector<T>& values() const { return m_values; }
 
 private:
@@ -205,13 +214,14 @@ auto gradients_of_values(const Triangulated_surface_3& surface, const Values& va
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// The gradients of the functions that are linear in each triangle and take the values of a vertex
 /// property map: a vector field that is constant on each triangle, and tangent to it, with the
 /// gradient of component \f$k\f$ as its channel \f$k\f$, in units of the values over length; 0 on
 /// degenerate faces. Linear in the number of faces.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
+/// \param tm the mesh whose vertices the map knows
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key; its values are
 /// numbers, `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors of \cgal
 /// \param np `vertex_point_map`, as in `Spline_space_3`
@@ -229,7 +239,7 @@ auto vertex_gradients(const FaceGraph& tm, VertexMap map,
   return internal::gradients_of_values(read_surface(tm, np), values);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Gradients
 /// The same on a triangle soup.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`

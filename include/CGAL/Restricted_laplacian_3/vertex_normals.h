@@ -87,7 +87,7 @@ inline Vector_3 normal_by_chords(const Triangulated_surface_3& surface, std::uin
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Fits
 /// Unit normals at the vertices of a surface, in the order of `vertices(tm)`, to the side to which
 /// the faces are oriented. The zero vector at vertices without a face of positive area, and where
 /// the normals of the faces cancel.

@@ -16,7 +16,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// Where a wave kernel signature is taken.
 struct Wave_kernel_energies {
   /// \f$e\f$: natural logarithms of eigenvalues
@@ -25,7 +25,7 @@ struct Wave_kernel_energies {
   double sigma = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// `number` energies at a constant distance \f$\delta\f$, and \f$\sigma = 7 \delta\f$, as in
 /// \cgalCite{ASC11}: from \f$\ln \lambda_{\min} + 2 \sigma\f$ to
 /// \f$\ln \lambda_{\max} - 2 \sigma\f$, with the first eigenvalue that is not 0 (see
@@ -33,6 +33,7 @@ struct Wave_kernel_energies {
 /// standard deviations. That makes
 /// \f$\delta = \ln(\lambda_{\max} / \lambda_{\min}) / (\mathrm{number} + 27)\f$.
 /// \param eigenvalues ascending, in units of 1 / area; the paper takes 300
+/// \param number number of energies, positive
 /// \throws Parameter_error if `number` is less than 1, if eigenvalues are not finite, ascending and
 /// not negative, or if there are no two different ones but 0
 inline Wave_kernel_energies wave_kernel_energies(const Eigen::VectorXd& eigenvalues,
@@ -55,14 +56,14 @@ inline Wave_kernel_energies wave_kernel_energies(const Eigen::VectorXd& eigenval
   return result;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same for a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Wave_kernel_energies wave_kernel_energies(const Spectrum& spectrum, int number = 100) {
   return wave_kernel_energies(internal::eigenvalues_of(spectrum), number);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The wave kernel signature
 /// \f[ \mathrm{WKS}(x, e) = \frac{\sum_i w_i\, \phi_i(x)^2}{\sum_i w_i}, \qquad
 ///     w_i = e^{-(e - \ln \lambda_i)^2 / (2 \sigma^2)}, \f]
@@ -105,7 +106,7 @@ inline Eigen::MatrixXd wave_kernel_signature(const Eigen::VectorXd& eigenvalues,
   return internal::filtered_squares(values.rightCols(number), weights);
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum,

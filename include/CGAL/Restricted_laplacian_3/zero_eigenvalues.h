@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// An eigenvalue of a sequence counts as 0 if it is at most this fraction of the largest one.
 ///
 /// Computed zeros are rounding error, \f$10^{-14}\f$ of the first other eigenvalue, or up to the
@@ -99,17 +99,17 @@ template <class Spectrum> Eigen::VectorXd eigenvalues_of(const Spectrum& spectru
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// Number of eigenvalues that count as 0, see `zero_eigenvalue_tolerance`: for the natural boundary
 /// condition, the number of connected components of the surface. A sequence of zeros only has no
-/// scale, and is recognized if they are exactly 0.
+/// scale, and is recognised if they are exactly 0.
 /// \throws Parameter_error if there is no eigenvalue, or if they are not finite, ascending and not
 /// negative
 inline Eigen::Index number_of_zero_eigenvalues(const Eigen::VectorXd& eigenvalues) {
   return internal::number_of_zeros(internal::checked_eigenvalues(eigenvalues));
 }
 
-/// \ingroup PkgRestrictedLaplacian3Ref
+/// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same for a `Laplace_spectrum`, whose area gives the scale also if there are zeros only.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::Index number_of_zero_eigenvalues(const Spectrum& spectrum) {

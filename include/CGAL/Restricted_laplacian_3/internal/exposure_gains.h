@@ -83,7 +83,7 @@ private:
 };
 
 /// Factors that make the colours of scans agree where they overlap, for each scan and channel.
-/// Their logarithms \f$g_s\f$ minimize \f$\sum n_{st} (g_s + m_{st} - g_t)^2\f$ over pairs,
+/// Their logarithms \f$g_s\f$ minimise \f$\sum n_{st} (g_s + m_{st} - g_t)^2\f$ over pairs,
 /// where \f$m_{st}\f$ is the median of the logarithms of the ratios of their \f$n_{st}\f$ common
 /// colours; they sum to 0 among scans that are connected by overlaps.
 inline std::vector<Rgb_color> exposure_gains(const std::vector<Back_projection>& scans) {

@@ -44,10 +44,10 @@ inline std::vector<int> rows_to_be_filled(const Triangulated_surface_3& surface,
 }
 
 /// Fills in values at vertices by functions that are linear in each triangle and harmonic: they
-/// minimize \f$\int \lvert \nabla u \rvert^2\f$ with the known values. Values on connected
+/// minimise \f$\int \lvert \nabla u \rvert^2\f$ with the known values. Values on connected
 /// components without a known vertex are left as they are.
 /// \param values a row for each vertex
-/// \throws Numerical_error the factorization fails
+/// \throws Numerical_error the factorisation fails
 inline void fill_harmonically(const Triangulated_surface_3& surface,
                               const std::vector<char>& is_known, Eigen::MatrixXd& values) {
   const std::vector<int> rows = rows_to_be_filled(surface, is_known);

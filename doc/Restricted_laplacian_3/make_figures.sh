@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Usage: make_figures.sh BUILD_DIR OUTPUT_DIR
+#
+# Makes the pictures of the manual that show what the example programs draw, from CGAL's meshes. The
+# other ones come from the benchmarks: plots/texture_stitching.sh, and the files plots/*.gp with the
+# results. The drawings (*.svg) are made by hand. Needs ImageMagick.
+
+set -euo pipefail
+
+if [[ $# != 2 ]]; then
+  sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  exit 2
+fi
+mkdir -p "$2"
+programs=$(cd "$1/examples/Restricted_laplacian_3" && pwd)
+data=$(cd "$1/data" && pwd)
+output=$(cd "$2" && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+# draw PICTURE PROGRAM MESH OPTION...
+draw() {
+  "$programs/$2" "$3" --quiet --picture "$1.png" "${@:4}"
+}
+
+# side_by_side FIGURE HEIGHT PICTURE...
+side_by_side() {
+  montage "${@:3}" -tile x1 -geometry "x$2+12+4" -depth 8 -strip "$output/$1.png"
+}
+
+# refine MESH.off: each triangle divided into four
+refine() {
+  awk '
+    function midpoint(i, j,   key) {
+      key = i < j ? i " " j : j " " i
+      if(!(key in number)) {
+        number[key] = points
+        for(k = 1; k <= 3; ++k) p[points, k] = (p[i, k] + p[j, k]) / 2
+        ++points
+      }
+      return number[key]
+    }
+    NF == 0 || /^#/ || /OFF/ { next }
+    !n_faces { points = n_points = $1; n_faces = $2; next }
+    lines++ < n_points { for(k = 1; k <= 3; ++k) p[lines - 1, k] = $k; next }
+    {
+      a = midpoint($2, $3); b = midpoint($3, $4); c = midpoint($4, $2)
+      faces = faces "3 " $2 " " a " " c "\n3 " a " " $3 " " b "\n3 " c " " b " " $4 "\n"
+      faces = faces "3 " a " " b " " c "\n"
+    }
+    END {
+      print "OFF\n" points, 4 * n_faces, 0
+      for(i = 0; i < points; ++i) print p[i, 1], p[i, 2], p[i, 3]
+      printf "%s", faces
+    }' "$1"
+}
+
+meshes=$data/meshes
+bunny=$meshes/bunny00.off
+elephant=$meshes/elephant.off
+lion=$meshes/lion-head.off
+
+draw poisson solve_poisson "$bunny" --depth 7 --isolines 16
+draw eigenfunction laplace_spectrum "$bunny" --depth 5 --count 12 --eigenfunction 9 --isolines 12
+draw curvature estimate_curvature "$lion" --depth 6
+draw signature spectral_descriptors "$elephant" --depth 5 --time 0.02 --isolines 10
+side_by_side teaser 400 {poisson,eigenfunction,curvature,signature}.png
+
+for i in 1 6 14 40; do
+  draw "mode_$i" laplace_spectrum "$meshes/camel.off" --count 50 --depth 6 --eigenfunction "$i"
+done
+side_by_side eigenfunctions 400 mode_{1,6,14,40}.png
+
+draw screened_weak solve_poisson "$bunny" --rhs random --alpha 1 --depth 7
+draw screened_strong solve_poisson "$bunny" --rhs random --alpha 300 --depth 7
+side_by_side screened 400 screened_{weak,strong}.png
+
+draw short spectral_descriptors "$elephant" --depth 5 --time 0.01 --isolines 10
+draw long spectral_descriptors "$elephant" --depth 5 --time 0.1 --isolines 10
+draw wave spectral_descriptors "$elephant" --depth 5 --descriptor wks --energy 6 --isolines 10
+side_by_side descriptors 500 {short,long,wave}.png
+
+draw normals fit_function "$lion" --normals --depth 7
+refine "$meshes/nefertiti.off" >once.off
+refine once.off >twice.off
+refine twice.off >thrice.off
+draw edges estimate_curvature thrice.off --method coordinates --depth 7
+side_by_side curvature 480 {normals,curvature,edges}.png
+
+draw points_1 laplace_spectrum "$data/points_3/kitten.xyz" --count 6 --eigenfunction 1
+draw points_4 laplace_spectrum "$data/points_3/kitten.xyz" --count 6 --eigenfunction 4
+side_by_side points 400 points_{1,4}.png
+
+"$programs/smooth_surface" "$lion" smooth.ply >smooth.txt
+draw smooth estimate_curvature smooth.ply --depth 6
+side_by_side smoothing 400 {curvature,smooth}.png
