@@ -171,6 +171,14 @@ foreach(page IN LISTS pages)
   endforeach()
 endforeach()
 
+# Doxygen takes an asterisk at the beginning of a line for decoration of the comment.
+foreach(page IN LISTS pages)
+  file(STRINGS "${page}" lines REGEX "^[*][^/]")
+  foreach(line IN LISTS lines)
+    complain("${page}: a line must not begin with an asterisk: ${line}")
+  endforeach()
+endforeach()
+
 if(number_of_errors GREATER 0)
   message(FATAL_ERROR "${number_of_errors} errors")
 endif()
