@@ -95,6 +95,18 @@ draw points_1 laplace_spectrum "$data/points_3/kitten.xyz" --count 6 --eigenfunc
 draw points_4 laplace_spectrum "$data/points_3/kitten.xyz" --count 6 --eigenfunction 4
 side_by_side points 400 points_{1,4}.png
 
+# three squares on one edge, the soup of the example triangle_soup
+printf '%s\n' "OFF" "8 6 0" "0 0 0" "0 0 1" "1 0 0" "1 0 1" "0 1 0" "0 1 1" "-1 0 0" "-1 0 1" \
+  "3 0 2 3" "3 0 3 1" "3 0 4 5" "3 0 5 1" "3 0 6 7" "3 0 7 1" >star.off
+for i in 1 2 3 4 5 6; do
+  refine star.off >finer.off
+  mv finer.off star.off
+done
+for i in 1 2 4; do
+  draw "soup_$i" laplace_spectrum star.off --count 6 --eigenfunction "$i" --isolines 10 --up z
+done
+side_by_side soup 300 soup_{1,2,4}.png
+
 "$programs/smooth_surface" "$lion" smooth.ply >smooth.txt
 draw smooth estimate_curvature smooth.ply --depth 6
 side_by_side smoothing 400 {curvature,smooth}.png
