@@ -192,8 +192,8 @@ void draw(const std::string& file, const RL::Triangulated_surface_3& surface,
 }
 
 // depth 8, without and with screening
-const std::map<std::string, std::array<double, 2>> paper = {{"cow_5k8", {0.3073, 0.0962}},
-                                                            {"pulley_28k", {0.0435, 0.0024}}};
+const std::map<std::string, std::array<double, 2>> paper = {
+    {"cow", {0.3073, 0.0962}}, {"cow_5k8", {0.3073, 0.0962}}, {"pulley_28k", {0.0435, 0.0024}}};
 
 void run(const Options& o, const std::string& mesh) {
   const auto surface = find_mesh(mesh);

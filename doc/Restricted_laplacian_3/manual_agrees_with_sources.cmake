@@ -70,6 +70,27 @@ endforeach()
 all_matches("${doc}/DoxygenLayout.xml" "url=\"@ref ([A-Za-z_]+)\"" in_navigation)
 require_same("pages in DoxygenLayout.xml" IN_MANUAL ${in_navigation} IN_SOURCES ${in_manual})
 
+# programs, what they print, and their --help
+all_matches("${doc}/Programs.txt" "\\\\ref Restricted_laplacian_3/([a-z0-9_]+\\.cpp)" in_manual)
+require_same("programs on the page about them" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
+set(in_outputs "")
+foreach(source IN LISTS in_sources)
+  string(REPLACE ".cpp" ".txt" output "${source}")
+  list(APPEND in_outputs ${output})
+  file(STRINGS "${examples}/${source}" includes REGEX "^#include \"support/command_line\\.h\"")
+  if(includes)
+    list(APPEND in_outputs help_${output})
+  endif()
+endforeach()
+file(GLOB files RELATIVE "${doc}/outputs" "${doc}/outputs/*")
+require_same("outputs of programs" IN_MANUAL ${files} IN_SOURCES ${in_outputs})
+set(in_manual "")
+foreach(page IN LISTS pages)
+  all_matches("${page}" "\\\\verbinclude ([A-Za-z0-9_.]+)" found)
+  list(APPEND in_manual ${found})
+endforeach()
+require_same("shown outputs" IN_MANUAL ${in_manual} IN_SOURCES ${files})
+
 # named parameters; the manual also describes those of CGAL that the package uses
 all_matches("${doc}/PackageDescription.txt" "\\\\cgalParamNBegin\\{([a-z_]+)\\}" in_manual)
 all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/parameters.h"
@@ -147,6 +168,14 @@ foreach(page IN LISTS pages)
         string(SUBSTRING "${rest}" ${position} -1 rest)
       endif()
     endif()
+  endforeach()
+endforeach()
+
+# Doxygen takes an asterisk at the beginning of a line for decoration of the comment.
+foreach(page IN LISTS pages)
+  file(STRINGS "${page}" lines REGEX "^[*][^/]")
+  foreach(line IN LISTS lines)
+    complain("${page}: a line must not begin with an asterisk: ${line}")
   endforeach()
 endforeach()
 
