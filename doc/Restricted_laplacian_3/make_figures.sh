@@ -15,6 +15,7 @@ if [[ $# != 2 ]]; then
   exit 2
 fi
 mkdir -p "$2"
+outputs=$(cd "$(dirname "${BASH_SOURCE[0]}")/outputs" && pwd)
 programs=$(cd "$1/examples/Restricted_laplacian_3" && pwd)
 data=$(cd "$1/data" && pwd)
 output=$(cd "$2" && pwd)
@@ -110,3 +111,16 @@ side_by_side soup 300 soup_{1,2,4}.png
 "$programs/smooth_surface" "$lion" smooth.ply >smooth.txt
 draw smooth estimate_curvature smooth.ply --depth 6
 side_by_side smoothing 400 {curvature,smooth}.png
+
+# what the commands draw that the page of the programs shows
+mkdir shown
+cd shown
+ln -s "$meshes"/elephant*.off .
+for name in solve_poisson laplace_spectrum spectral_descriptors fit_function estimate_curvature \
+  bake_scans stitch_colors; do
+  awk '/^\$ / { shown = 1 } shown { sub(/^\$ /, ""); print } !/\\$/ { shown = 0 }' \
+    "$outputs/$name.txt"
+done >commands.sh
+PATH=$programs:$PATH bash -e commands.sh >output.txt
+montage u.png u5.png hks.png normals.png mean.png colored.png -resize 300x -geometry +12+6 -tile 3x \
+  -depth 8 -strip "$output/programs.png"
