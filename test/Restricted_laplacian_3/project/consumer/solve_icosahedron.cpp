@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Restricted_laplacian_3.h>
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
