@@ -11,7 +11,7 @@
 set(meshes
   armadillo.off bear.off blade.off boeing.off bunny00.off camel.off cow.off degtri_sliding.off
   elephant.off elephant-with-holes.off fandisk.off fandisk_large.off lion-head.off
-  mannequin-devil.off rotor.off rotor_small.off turbine.off)
+  mannequin-devil.off nefertiti.off rotor.off rotor_small.off turbine.off)
 set(points kitten.xyz)
 
 set(RESTRICTED_LAPLACIAN_3_DATA_ARCHIVE "/usr/share/doc/libcgal-dev/data.tar.gz" CACHE FILEPATH
