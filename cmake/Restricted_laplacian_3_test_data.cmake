@@ -10,7 +10,7 @@
 
 set(meshes
   armadillo.off bear.off blade.off boeing.off bunny00.off camel.off cow.off degtri_sliding.off
-  elephant.off elephant-with-holes.off fandisk.off fandisk_large.off lion-head.off
+  elephant.off elephant-with-holes.off fandisk.off fandisk_large.off femur.off lion-head.off
   mannequin-devil.off nefertiti.off rotor.off rotor_small.off turbine.off)
 set(points kitten.xyz)
 

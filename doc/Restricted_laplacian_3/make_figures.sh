@@ -108,9 +108,10 @@ for i in 1 2 4; do
 done
 side_by_side soup 300 soup_{1,2,4}.png
 
-"$programs/smooth_surface" "$lion" smooth.ply >smooth.txt
-draw smooth estimate_curvature smooth.ply --depth 6
-side_by_side smoothing 400 {curvature,smooth}.png
+"$programs/smooth_surface" "$meshes/femur.off" smooth.ply >smooth.txt
+draw rough estimate_curvature "$meshes/femur.off"
+draw smooth estimate_curvature smooth.ply
+side_by_side smoothing 300 {rough,smooth}.png
 
 # what the commands draw that the page of the programs shows
 mkdir shown
