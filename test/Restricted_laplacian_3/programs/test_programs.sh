@@ -1198,6 +1198,27 @@ test_short_programs() {
   fails "usage" steps
 }
 
+# The programs that show how to extend the package.
+test_extensions() {
+  succeeds smooth_surface sphere.off smooth.off
+  # Coordinates are eigenfunctions for 2: a factor of 1 / (1 + 2 t), 0.9975 with t = area / 10000;
+  # and the faces lie up to 0.4 % inside the sphere.
+  check "smooth_surface shrinks a sphere as it should" \
+    eval "awk 'NF == 3 && !/OFF/ && !/ 0\$/ { print sqrt(\$1^2 + \$2^2 + \$3^2) }' smooth.off |
+          is_within 0.9950 0.9975"
+  fails "usage" smooth_surface sphere.off
+  fails "cannot write" smooth_surface sphere.off missing/smooth.off
+  succeeds custom_smoother sphere.off
+  check "custom_smoother shows that patches are better than points, and points than Jacobi" \
+    eval "sed 's/.*: \([0-9]*\) iterations.*/\1/' out |
+          awk 'NR > 1 && \$1 >= last { exit 1 } { last = \$1 } END { exit NR != 3 }'"
+  fails "usage" custom_smoother
+  succeeds solver_backends sphere.off
+  check "solver_backends finds the same solution by all" \
+    eval "sed 's/.*differs by \([^ ]*\) in L2/\1/' out | is_within 0 1e-8"
+  fails "usage" solver_backends
+}
+
 # One mesh of CGAL's data, for what small shapes do not have.
 test_data() {
   local mesh="$data/elephant.off"
