@@ -166,11 +166,9 @@ public:
       m_groups.push_back(static_cast<std::uint32_t>(n));
       m_colors.push_back(static_cast<std::uint32_t>(m_groups.size() - 1));
     }
-    m_positions.of_unknown.resize(n);
+    m_positions = Level_positions::consecutive(n);
     for(std::size_t i = 0; i < n; ++i)
       m_positions.of_unknown[order[i]] = static_cast<std::uint32_t>(i);
-    m_positions.number_of_positions =
-        (n + internal::lanes_of_floats - 1) / internal::lanes_of_floats * internal::lanes_of_floats;
     m_matrix = Level_matrix::of(a, m_positions, m_scale, m_positions, m_scale);
     m_inverse_diagonal.assign(n, 0.f);
     for(std::size_t i = 0; i < n; ++i) {
