@@ -443,7 +443,7 @@ TEMPLATE_TEST_CASE("a_cycle_preconditions_solvers_of_eigen", "[poisson]", RL::Pa
 
   const Preconditioner preconditioner(space, a);
   const Eigen::VectorXd c = a.col(7), bb = preconditioner.solve(b), bc = preconditioner.solve(c);
-  CHECK(std::abs(c.dot(bb) - b.dot(bc)) <= 1e-4 * b.norm() * bc.norm());
+  CHECK(std::abs(c.dot(bb) - b.dot(bc)) <= 1e-8 * b.norm() * bc.norm());
   CHECK(b.dot(bb) > 0);
 
   Eigen::ConjugateGradient<Sparse_matrix, Eigen::Lower | Eigen::Upper, Preconditioner> solver;
@@ -457,8 +457,8 @@ TEMPLATE_TEST_CASE("a_cycle_preconditions_solvers_of_eigen", "[poisson]", RL::Pa
               .converged);
   const Eigen::VectorXd error = x - expected;
   CHECK(error.dot(operators.mass * error) <= 1e-12 * expected.dot(operators.mass * expected));
-  // A solver without preconditioner takes more than a thousand.
-  CHECK(solver.iterations() <= (std::is_same_v<TestType, RL::Patch_smoother> ? 12 : 200));
+  // Without a preconditioner 5,000 are not enough.
+  CHECK(solver.iterations() <= (std::is_same_v<TestType, RL::Patch_smoother> ? 8 : 120));
 
   CHECK_THROWS_AS(preconditioner.solve(b.head(5)), RL::Parameter_error);
   CHECK_THROWS_AS(Preconditioner(space, Sparse_matrix(5, 5)), RL::Parameter_error);
