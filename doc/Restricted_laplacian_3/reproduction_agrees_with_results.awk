@@ -204,7 +204,6 @@ is_page && /^\|/ {
     complain("table " table ": the results have no row '" row "'")
     next
   }
-  seen[table, row]
   position = 0
   for(i = first; i < number_of_fields; ++i) {
     text = fields[i]
