@@ -7,7 +7,7 @@
 //
 // - min_quad_with_fixed: matrices of libigl, vertex 0 held at 0
 // - spectra_eigs: matrices of libigl, lumped mass; igl::spectra::eigs() with SimplicialLDLT in
-//   place of its default SparseLU, which takes longer, and a shift of 0.01 / area
+//   place of its default SparseLU, and a shift of 0.01 / area
 // - solve_poisson, laplace_spectrum: this package at several depths, defaults otherwise
 //
 // Errors are those against the same surface with smaller triangles: linear elements, full mass, on
