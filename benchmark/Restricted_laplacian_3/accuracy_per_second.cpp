@@ -37,9 +37,9 @@
 #include "support/measure.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <CGAL/Real_timer.h>
 

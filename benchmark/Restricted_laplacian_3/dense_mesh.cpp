@@ -15,7 +15,7 @@
 #include "support/measure.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #include <CGAL/Real_timer.h>

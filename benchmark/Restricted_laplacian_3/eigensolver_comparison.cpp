@@ -27,7 +27,7 @@
 #include "support/meshes.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 
 #include <CGAL/Real_timer.h>

@@ -15,8 +15,8 @@
 #include "support/measure.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -25,9 +25,9 @@
 #include "support/measure.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Timer.h>

@@ -23,10 +23,10 @@
 #include "support/meshes.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
-#include <CGAL/Restricted_laplacian_3/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>

@@ -26,7 +26,7 @@
 #include "support/package.h"
 #include "support/vertex_normals.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -44,7 +44,7 @@
 #include "support/package.h"
 #include "support/vertex_normals.h"
 
-#include <CGAL/Restricted_laplacian_3/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>

@@ -4,7 +4,7 @@
 #ifndef RESTRICTED_LAPLACIAN_3_BENCHMARK_SPHERE_H
 #define RESTRICTED_LAPLACIAN_3_BENCHMARK_SPHERE_H
 
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <algorithm>
 #include <array>

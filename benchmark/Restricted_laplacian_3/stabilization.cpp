@@ -13,7 +13,7 @@
 #include "sphere.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <array>
 #include <cmath>

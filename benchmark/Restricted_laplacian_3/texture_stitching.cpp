@@ -30,8 +30,8 @@
 #include "support/meshes.h"
 #include "support/package.h"
 
-#include <CGAL/Restricted_laplacian_3/Colored_scan.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
+#include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -109,7 +109,8 @@ def main():
     files = [path for path in doc.glob("*.txt") if path not in (own, doc / "Bibliography.txt")]
     files += doc.glob("Concepts/*.h")
     files += include.glob("*.h")
-    files += include.glob("Restricted_laplacian_3/*.h")
+    files += (p for p in include.glob("Restricted_laplacian_3/**/*.h")
+              if "internal" not in p.parts)
     files += arguments.root.glob("*.md")
 
     places = {}

@@ -48,12 +48,16 @@ function(all_matches file pattern result)
   set(${result} "${groups}" PARENT_SCOPE)
 endfunction()
 
-# headers and their floors
-all_matches("${ROOT}/test/Restricted_laplacian_3/project/floors.txt"
-  "\n([0-9]+ [A-Za-z0-9_/]+\\.h)" in_sources)
-all_matches("${doc}/Developer.txt" "\n\\| ([0-9]+ \\| `[A-Za-z0-9_/]+\\.h)`" rows)
-string(REPLACE " | `" " " in_manual "${rows}")
-require_same("floors" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
+# rooms, and what each may use
+all_matches("${ROOT}/test/Restricted_laplacian_3/project/rooms.txt"
+  "\n([a-z]+: ?[a-z ]*)" in_sources)
+list(FILTER in_sources EXCLUDE REGEX "^without_meshes")
+all_matches("${doc}/Developer.txt" "\n\\| (`[a-z]+` \\|[a-z, ]*) \\|" rows)
+string(REGEX REPLACE "`([a-z]+)` \\|" "\\1:" in_manual "${rows}")
+string(REPLACE "," "" in_manual "${in_manual}")
+string(REGEX REPLACE " +(;|$)" "\\1" in_manual "${in_manual}")
+string(REGEX REPLACE " +(;|$)" "\\1" in_sources "${in_sources}")
+require_same("rooms" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
 
 # example programs
 all_matches("${doc}/examples.txt" "\\\\example Restricted_laplacian_3/([a-z0-9_]+\\.cpp)" in_manual)
@@ -93,7 +97,7 @@ require_same("shown outputs" IN_MANUAL ${in_manual} IN_SOURCES ${files})
 
 # named parameters; the manual also describes those of CGAL that the package uses
 all_matches("${doc}/PackageDescription.txt" "\\\\cgalParamNBegin\\{([a-z_]+)\\}" in_manual)
-all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/parameters.h"
+all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/foundation/parameters.h"
   "\nCGAL_RESTRICTED_LAPLACIAN_3_PARAMETER\\(([a-z_]+)\\)" in_sources)
 require_same("named parameters" IN_MANUAL ${in_manual}
   IN_SOURCES ${in_sources} vertex_point_map number_of_iterations vertex_is_constrained_map
@@ -102,7 +106,8 @@ require_same("named parameters" IN_MANUAL ${in_manual}
 # their defaults, as far as comments in the headers have the form "- `name`: ...; default value"
 file(READ "${doc}/PackageDescription.txt" manual)
 set(number_of_defaults 0)
-foreach(header Spline_space_3.h solve_poisson.h laplace_spectrum.h)
+foreach(header splines/Spline_space_3.h problems/make_poisson_solver.h solve_poisson.h
+    laplace_spectrum.h)
   file(READ "${ROOT}/include/CGAL/Restricted_laplacian_3/${header}" text)
   string(REPLACE ";" "|" text "${text}") # no list separator
   set(pattern "/// - `([a-z_]+)`:[^`]*\\|[ \n/]*default `?([A-Za-z0-9._-]*[A-Za-z0-9])")

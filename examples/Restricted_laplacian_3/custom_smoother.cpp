@@ -3,7 +3,7 @@
 
 // A smoother of one's own in the multigrid hierarchy, compared with those of the package.
 
-#include <CGAL/Restricted_laplacian_3/Multigrid_preconditioner.h>
+#include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>

@@ -14,9 +14,9 @@
 #include "support/surface_program.h"
 #include "support/table.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
-#include <CGAL/Restricted_laplacian_3/vertex_normals.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/Real_timer.h>
 

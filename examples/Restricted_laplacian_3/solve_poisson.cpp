@@ -13,9 +13,9 @@
 #include "support/surface_program.h"
 #include "support/table.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -4,10 +4,10 @@
 // What solve_poisson() does, one step at a time: for several right-hand sides, for the function
 // between the vertices, and for its gradient.
 
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>

@@ -15,8 +15,8 @@
 #include "support/surface_program.h"
 #include "support/table.h"
 
-#include <CGAL/Restricted_laplacian_3/Colored_scan.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
+#include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -8,19 +8,19 @@
 /// Includes all public headers of the package. `laplace_spectrum.h` and `monte_carlo_error.h` need
 /// Spectra; without it the rest works, and their functions do not exist.
 
-#include <CGAL/Restricted_laplacian_3/Multigrid_preconditioner.h>
-#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
-#include <CGAL/Restricted_laplacian_3/heat_kernel_signature.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
-#include <CGAL/Restricted_laplacian_3/read_point_set.h>
-#include <CGAL/Restricted_laplacian_3/shape_dna.h>
+#include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
-#include <CGAL/Restricted_laplacian_3/spectral_embedding.h>
+#include <CGAL/Restricted_laplacian_3/spectra/heat_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/spectra/shape_dna.h>
+#include <CGAL/Restricted_laplacian_3/spectra/spectral_embedding.h>
+#include <CGAL/Restricted_laplacian_3/spectra/wave_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/version.h>
-#include <CGAL/Restricted_laplacian_3/wave_kernel_signature.h>
 
 #if defined(__has_include)
 #if __has_include(<Spectra/SymEigsSolver.h>)

@@ -4,7 +4,7 @@
 #ifndef RESTRICTED_LAPLACIAN_3_TEST_MATRICES_H
 #define RESTRICTED_LAPLACIAN_3_TEST_MATRICES_H
 
-#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 
 /// largest difference of the entries, relative to the largest entry of `b`
 inline double relative_difference(const CGAL::Restricted_laplacian_3::Sparse_matrix& a,

@@ -4,7 +4,7 @@
 #ifndef RESTRICTED_LAPLACIAN_3_TEST_POINT_SHAPES_H
 #define RESTRICTED_LAPLACIAN_3_TEST_POINT_SHAPES_H
 
-#include <CGAL/Restricted_laplacian_3/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
 #include <cmath>
 #include <cstddef>

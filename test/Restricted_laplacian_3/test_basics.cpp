@@ -7,11 +7,11 @@
 #include "catch.h"
 #include "shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/B_spline_1.h>
-#include <CGAL/Restricted_laplacian_3/Cell_3.h>
-#include <CGAL/Restricted_laplacian_3/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/sample_surface.h>
-#include <CGAL/Restricted_laplacian_3/triangle_quadrature.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
+#include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 #include <CGAL/Restricted_laplacian_3/version.h>
 
 #include <algorithm>

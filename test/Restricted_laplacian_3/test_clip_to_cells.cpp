@@ -6,7 +6,7 @@
 
 #include "catch.h"
 
-#include <CGAL/Restricted_laplacian_3/clip_to_cells.h>
+#include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 
 #include <algorithm>
 #include <array>

@@ -7,9 +7,9 @@
 #include "special_shapes.h"
 
 #include <CGAL/IO/Color.h>
-#include <CGAL/Restricted_laplacian_3/back_project_colors.h>
-#include <CGAL/Restricted_laplacian_3/internal/Scan_choice.h>
-#include <CGAL/Restricted_laplacian_3/internal/exposure_gains.h>
+#include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
+#include <CGAL/Restricted_laplacian_3/textures/internal/Scan_choice.h>
+#include <CGAL/Restricted_laplacian_3/textures/internal/exposure_gains.h>
 
 #include <Eigen/Core>
 

@@ -6,9 +6,9 @@
 #include "special_shapes.h"
 #include "test_meshes.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
-#include <CGAL/Restricted_laplacian_3/vertex_normals.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <Eigen/Core>
 

@@ -8,9 +8,9 @@
 #include "catch.h"
 #include "special_shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/galerkin_product.h>
-#include <CGAL/Restricted_laplacian_3/prolongation.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <cmath>
 #include <cstdint>

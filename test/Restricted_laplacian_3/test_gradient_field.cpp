@@ -6,9 +6,9 @@
 #include "shapes.h"
 #include "special_shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
-#include <CGAL/Restricted_laplacian_3/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
+#include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 
 #include <Eigen/Core>
 

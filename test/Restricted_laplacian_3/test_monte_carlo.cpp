@@ -8,10 +8,10 @@
 #include "point_shapes.h"
 #include "shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
-#include <CGAL/Restricted_laplacian_3/sample_surface.h>
+#include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -5,7 +5,7 @@
 
 #include "catch.h"
 
-#include <CGAL/Restricted_laplacian_3/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 
 #include <Eigen/Dense>
 

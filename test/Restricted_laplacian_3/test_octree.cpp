@@ -6,9 +6,9 @@
 #include "catch.h"
 #include "special_shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/B_spline_1.h>
-#include <CGAL/Restricted_laplacian_3/Octree_3.h>
-#include <CGAL/Restricted_laplacian_3/sample_surface.h>
+#include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #include <algorithm>
 #include <array>

@@ -8,10 +8,10 @@
 #include "shapes.h"
 #include "special_shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/assemble.h>
-#include <CGAL/Restricted_laplacian_3/galerkin_product.h>
-#include <CGAL/Restricted_laplacian_3/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <array>
 #include <cmath>

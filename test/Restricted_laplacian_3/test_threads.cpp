@@ -6,10 +6,10 @@
 #include "catch.h"
 #include "shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/assemble.h>
-#include <CGAL/Restricted_laplacian_3/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/internal/sheet_kernels.h>
-#include <CGAL/Restricted_laplacian_3/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -9,7 +9,7 @@
 // both parameters, and each quadrilateral is cut along a diagonal chosen at random, as far as no
 // triangle is turned over: angles and areas vary strongly.
 
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <algorithm>
 #include <array>

@@ -7,9 +7,9 @@
 // What the curvatures of the package are compared with: M. Meyer, M. Desbrun, P. Schroeder and
 // A. H. Barr, "Discrete differential-geometry operators for triangulated 2-manifolds", 2003.
 
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
-#include <CGAL/Restricted_laplacian_3/vertex_normals.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <Eigen/Core>
 

@@ -9,7 +9,7 @@
 #include "measure.h"
 #include "meshes.h"
 
-#include <CGAL/Restricted_laplacian_3/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #ifdef CGAL_LINKED_WITH_TBB

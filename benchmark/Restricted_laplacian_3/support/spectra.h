@@ -7,10 +7,10 @@
 // Spectra of both operators, their differences, and references for meshes whose spectrum is not
 // known.
 
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/assemble.h>
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
-#include <CGAL/Restricted_laplacian_3/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*!
-\headerfile smoothers.h <CGAL/Restricted_laplacian_3/smoothers.h>
+\headerfile smoothers.h <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
 \ingroup PkgRestrictedLaplacian3Concepts
 \cgalConcept
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*!
-\headerfile Surface_location.h <CGAL/Restricted_laplacian_3/Surface_location.h>
+\headerfile Surface_location.h <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 \ingroup PkgRestrictedLaplacian3Concepts
 \cgalConcept
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*!
-\headerfile surface_integration.h <CGAL/Restricted_laplacian_3/surface_integration.h>
+\headerfile surface_integration.h <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
 \ingroup PkgRestrictedLaplacian3Concepts
 \cgalConcept
 

@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-#include <CGAL/Restricted_laplacian_3/srgb.h>
+#include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
 #include <algorithm>
 #include <array>

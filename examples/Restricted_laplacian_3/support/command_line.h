@@ -8,7 +8,7 @@
 
 #include "program.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <boost/program_options.hpp>
 

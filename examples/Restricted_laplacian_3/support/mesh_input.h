@@ -8,7 +8,7 @@
 
 #include "program.h"
 
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>

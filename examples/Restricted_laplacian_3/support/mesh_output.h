@@ -9,7 +9,7 @@
 #include "color_map.h"
 #include "program.h"
 
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <Eigen/Core>
 

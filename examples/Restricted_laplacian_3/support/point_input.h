@@ -11,9 +11,9 @@
 #include "ply_property.h"
 #include "program.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 
 #include <cstddef>
 #include <fstream>

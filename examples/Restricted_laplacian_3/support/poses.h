@@ -10,8 +10,8 @@
 
 #include "program.h"
 
-#include <CGAL/Restricted_laplacian_3/Colored_scan.h>
-#include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 
 #include <array>
 #include <cstddef>

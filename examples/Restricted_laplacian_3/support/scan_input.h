@@ -12,8 +12,8 @@
 #include "point_input.h"
 #include "program.h"
 
-#include <CGAL/Restricted_laplacian_3/Colored_scan.h>
-#include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>

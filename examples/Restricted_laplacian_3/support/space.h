@@ -10,8 +10,8 @@
 #include "program.h"
 #include "table.h"
 
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -16,7 +16,7 @@
 #include "table.h"
 #include "threads.h"
 
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <Eigen/Core>
 

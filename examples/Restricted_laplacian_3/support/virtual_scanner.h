@@ -9,9 +9,9 @@
 #include "color_map.h"
 #include "poses.h"
 
-#include <CGAL/Restricted_laplacian_3/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/internal/Triangle_tree.h>
-#include <CGAL/Restricted_laplacian_3/vertex_normals.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
+#include <CGAL/Restricted_laplacian_3/textures/internal/Triangle_tree.h>
 
 #include <CGAL/number_utils.h>
 

@@ -4,14 +4,14 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ESTIMATE_CURVATURE_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ESTIMATE_CURVATURE_H
 
-#include <CGAL/Restricted_laplacian_3/Dirichlet_boundary.h>
-#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/assemble.h>
-#include <CGAL/Restricted_laplacian_3/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
-#include <CGAL/Restricted_laplacian_3/parameters.h>
-#include <CGAL/Restricted_laplacian_3/vertex_normals.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/Real_timer.h>
 

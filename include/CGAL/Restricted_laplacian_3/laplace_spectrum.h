@@ -4,19 +4,19 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_LAPLACE_SPECTRUM_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_LAPLACE_SPECTRUM_H
 
-#include <CGAL/Restricted_laplacian_3/Solve_report.h>
-#include <CGAL/Restricted_laplacian_3/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/Spline_functions_3.h>
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/assemble.h>
-#include <CGAL/Restricted_laplacian_3/cotangent_operators.h>
-#include <CGAL/Restricted_laplacian_3/eigenpairs.h>
-#include <CGAL/Restricted_laplacian_3/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/multigrid_eigenpairs.h>
-#include <CGAL/Restricted_laplacian_3/parameters.h>
-#include <CGAL/Restricted_laplacian_3/prolongation.h>
-#include <CGAL/Restricted_laplacian_3/smoothing_patches.h>
-#include <CGAL/Restricted_laplacian_3/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/problems/smoothing_patches.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
+#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -4,11 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_MONTE_CARLO_ERROR_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_MONTE_CARLO_ERROR_H
 
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/assemble.h>
-#include <CGAL/Restricted_laplacian_3/eigenpairs.h>
-#include <CGAL/Restricted_laplacian_3/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/Core>
 

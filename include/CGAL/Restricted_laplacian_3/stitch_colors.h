@@ -4,13 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_STITCH_COLORS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_STITCH_COLORS_H
 
-#include <CGAL/Restricted_laplacian_3/Color_stitcher.h>
-#include <CGAL/Restricted_laplacian_3/Colored_scan.h>
-#include <CGAL/Restricted_laplacian_3/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/back_project_colors.h>
-#include <CGAL/Restricted_laplacian_3/internal/color_values.h>
-#include <CGAL/Restricted_laplacian_3/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
+#include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
+#include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
+#include <CGAL/Restricted_laplacian_3/textures/internal/color_values.h>
 
 #include <CGAL/Real_timer.h>
 

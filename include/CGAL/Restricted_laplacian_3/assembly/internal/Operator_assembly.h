@@ -1,0 +1,336 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_OPERATOR_ASSEMBLY_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_OPERATOR_ASSEMBLY_H
+
+#include <CGAL/Restricted_laplacian_3/assembly/internal/Element_matrix_pattern.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/integration/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// What is assembled on a level; a null pointer is left out. The matrices have the pattern of the
+/// level.
+struct Assembly_targets {
+  Eigen::SparseMatrix<double>* stiffness = nullptr;
+  Eigen::SparseMatrix<double>* mass = nullptr;
+  Eigen::VectorXd* element_integrals = nullptr;
+
+  bool is_empty() const { return !stiffness && !mass && !element_integrals; }
+};
+
+/// Assembles the operators of several levels in one pass over the surface.
+///
+/// *Stages.* A stage computes the moments and adds the blocks of two levels, top and top - 1, and
+/// hands the moments of level top - 2 to the next stage; the first one starts from the surface. Its
+/// unit of work is a cell of level top - 2 with all that it contains, up to 4 x 4 x 4 cells of the
+/// top level: the moments of these few sheets are the only ones held besides those of top - 2.
+///
+/// *Colours.* Cells of level top - 2 of the same parity along all axes, one of 8 colours, are at
+/// least 2 cells of level top - 1 (4 of top) apart. Elements reach one cell beyond the sheets that
+/// they act on, so no two cells of a colour add to the same entry: they can be done at once. The
+/// colours follow one after the other, also on one thread. So all sums are formed in the same
+/// order, whatever the number of threads.
+template <class SurfaceIntegration> class Operator_assembly {
+public:
+  /// \param targets of each level of the octree
+  Operator_assembly(const Spline_space_3& space, const SurfaceIntegration& integration,
+                    double normal_stabilization, bool stabilizes_mass,
+                    std::vector<Assembly_targets> targets)
+    : m_space(space), m_octree(space.octree()), m_integration(integration),
+      m_normal_stabilization(normal_stabilization), m_targets(std::move(targets)) {
+    int coarsest = 0;
+    while(coarsest < m_octree.depth() && m_targets[coarsest].is_empty())
+      ++coarsest;
+    for(const Assembly_targets& t : m_targets)
+      m_keeps_stabilization =
+          m_keeps_stabilization || (t.mass && stabilizes_mass && normal_stabilization != 0);
+    for(int top = m_octree.depth(); top >= coarsest; top -= 2) {
+      Moments next;
+      if(top - 2 >= coarsest)
+        next.resize(m_octree.number_of_sheets(top - 2), m_keeps_stabilization);
+      run_stage(top, coarsest, next);
+      m_moments = std::move(next);
+    }
+    for(const Assembly_targets& t : m_targets) {
+      std::vector<Eigen::SparseMatrix<double>*> matrices;
+      for(Eigen::SparseMatrix<double>* matrix : {t.stiffness, t.mass})
+        if(matrix)
+          matrices.push_back(matrix);
+      mirror_upper_half(matrices, space.options().is_parallel);
+    }
+  }
+
+private:
+  /// moments of sheets, and those of the stabilisation alone, if the mass matrix takes it
+  struct Moments {
+    std::vector<Sheet_moments> values, stabilization;
+
+    void resize(std::size_t size, bool keeps_stabilization) {
+      values.resize(size);
+      for(Sheet_moments& m : values)
+        m.clear();
+      stabilization.resize(keeps_stabilization ? size : 0);
+      for(Sheet_moments& m : stabilization)
+        m.clear();
+    }
+  };
+
+  /// what a thread needs for one unit of work
+  struct Scratch {
+    Moments top, middle;
+    Packed_blocks stiffness, mass, stabilization;
+  };
+
+  /// half-open range of numbers of sheets
+  struct Range {
+    std::size_t begin, end;
+    std::size_t size() const { return end - begin; }
+  };
+
+  void run_stage(int top, int coarsest, Moments& next) {
+    const int level = (std::max)(top - 2, 0);
+    std::array<std::vector<std::uint32_t>, 8> cells_of_color;
+    for(std::size_t i = 0; i < m_octree.number_of_cells(level); ++i)
+      cells_of_color[m_octree.cell(level, m_octree.sheets(level, i)[0]).octant()].push_back(
+          static_cast<std::uint32_t>(i));
+    for(const auto& cells : cells_of_color)
+      parallel_for(m_space.options().is_parallel, 0, cells.size(), 2,
+                   [&](std::size_t begin, std::size_t end) {
+                     std::unique_ptr<Scratch> scratch = take_scratch();
+                     for(std::size_t i = begin; i < end; ++i)
+                       run_cell(top, coarsest, level, cells[i], next, *scratch);
+                     give_back(std::move(scratch));
+                   });
+  }
+
+  void run_cell(int top, int coarsest, int level, std::size_t cell, Moments& next,
+                Scratch& scratch) {
+    // The sheets of a cell have consecutive numbers, on all finer levels.
+    const auto sheets = m_octree.sheets(level, cell);
+    std::array<Range, 3> ranges;
+    ranges[0] = {sheets[0], sheets[1]};
+    for(int l = level; l < top; ++l)
+      ranges[l + 1 - level] = children(l, ranges[l - level]);
+    const Range of_top = ranges[top - level];
+
+    const bool is_finest = top == m_octree.depth();
+    if(is_finest)
+      integrate(of_top, scratch.top);
+    const std::size_t offset = is_finest ? of_top.begin : 0;
+    const Moments& moments = is_finest ? scratch.top : m_moments;
+    add_blocks(top, of_top, moments, offset, scratch);
+    if(top - 1 < coarsest)
+      return;
+
+    const Range of_middle = ranges[top - 1 - level];
+    scratch.middle.resize(of_middle.size(), m_keeps_stabilization);
+    add_to_parents(top, of_top, moments, offset, scratch.middle, of_middle.begin);
+    add_blocks(top - 1, of_middle, scratch.middle, of_middle.begin, scratch);
+    if(top - 2 >= coarsest)
+      add_to_parents(top - 1, of_middle, scratch.middle, of_middle.begin, next, 0);
+  }
+
+  Range children(int level, const Range& sheets) const {
+    Range result = {m_octree.number_of_sheets(level + 1), 0};
+    for(std::size_t sheet = sheets.begin; sheet < sheets.end; ++sheet) {
+      const auto children = m_octree.children(level, sheet);
+      result.begin = (std::min)(result.begin, static_cast<std::size_t>(children.front()));
+      result.end = (std::max)(result.end, static_cast<std::size_t>(children.back()) + 1);
+    }
+    return result;
+  }
+
+  void integrate(const Range& sheets, Moments& moments) const {
+    moments.resize(sheets.size(), m_keeps_stabilization);
+    for(std::size_t i = 0; i < sheets.size(); ++i) {
+      Sheet_moments& m = moments.values[i];
+      add_sheet_moments(m_integration, sheets.begin + i, m);
+      if(m_normal_stabilization == 0)
+        continue;
+      const Cell_moments of_sheet = m.cell_moments();
+      const bool is_in_wall = lies_in_wall(sheets.begin + i);
+      const double area = surface_area(of_sheet);
+      const double factor = area > 0 ? m_normal_stabilization / area : 0;  // no sample in the cell
+      const double mass_weight = area > 0 ? sum(of_sheet.mass) / area : 0; // the mean in the sheet
+      const auto in_volume = stabilization_moments(of_sheet, m_normal_stabilization);
+      for(int j = 0; j < Cell_moments::size; ++j) {
+        const auto added =
+            is_in_wall ? surface_stabilization_moments(of_sheet, factor, j) : in_volume;
+        for(int k = 0; k < 6; ++k) {
+          m.values[j][k] += added[k];
+          if(m_keeps_stabilization)
+            moments.stabilization[i].values[j][k] = mass_weight * added[k];
+        }
+      }
+    }
+  }
+
+  /// Whether an element vanishes on a sheet of the finest level, because all of it lies in a wall.
+  /// Then the elements that are left do not sum to 1 in the volume of the cell, but do on the
+  /// sheet, together with their derivatives along the normal.
+  bool lies_in_wall(std::size_t sheet) const {
+    for(int dz = -1; dz <= 1; ++dz)
+      for(int dy = -1; dy <= 1; ++dy)
+        for(int dx = -1; dx <= 1; ++dx)
+          if(!m_octree.meets_element(m_octree.depth(), sheet, dx, dy, dz))
+            return true;
+    return false;
+  }
+
+  /// \param offset,parent_offset numbers of the sheets whose moments are the first ones
+  void add_to_parents(int level, const Range& sheets, const Moments& moments, std::size_t offset,
+                      Moments& parents, std::size_t parent_offset) const {
+    for(std::size_t sheet = sheets.begin; sheet < sheets.end; ++sheet) {
+      const std::size_t parent = m_octree.parent(level, sheet) - parent_offset;
+      const int octant = m_octree.cell(level, sheet).octant();
+      internal::add_child_moments(moments.values[sheet - offset], octant, parents.values[parent]);
+      if(m_keeps_stabilization)
+        internal::add_child_moments(moments.stabilization[sheet - offset], octant,
+                                    parents.stabilization[parent]);
+    }
+  }
+
+  /// adds the blocks of some sheets to the targets of their level, four at once
+  void add_blocks(int level, const Range& sheets, const Moments& moments, std::size_t offset,
+                  Scratch& scratch) const {
+    const Assembly_targets& targets = m_targets[level];
+    if(targets.is_empty())
+      return;
+    const double h = m_octree.cell_width(level), finest_h = m_octree.cell_width(m_octree.depth());
+    for(std::size_t first = sheets.begin; first < sheets.end; first += 4) {
+      const std::size_t count = (std::min)(std::size_t(4), sheets.end - first);
+      std::array<const Sheet_moments*, 4> of_sheets, of_stabilization;
+      for(std::size_t lane = 0; lane < 4; ++lane) {
+        const std::size_t i = first - offset + (std::min)(lane, count - 1);
+        of_sheets[lane] = &moments.values[i];
+        of_stabilization[lane] = m_keeps_stabilization ? &moments.stabilization[i] : nullptr;
+      }
+      if(targets.stiffness)
+        stiffness_blocks(of_sheets, scratch.stiffness);
+      if(targets.mass) {
+        mass_blocks(of_sheets, scratch.mass);
+        if(m_keeps_stabilization)
+          stiffness_blocks(of_stabilization, scratch.stabilization);
+        for(std::size_t lane = 0; lane < count; ++lane) {
+          auto& values = scratch.mass.values[lane];
+          for(double& entry : values)
+            entry *= h * h;
+          if(m_keeps_stabilization)
+            for(std::size_t i = 0; i < values.size(); ++i)
+              values[i] += finest_h * finest_h * scratch.stabilization.values[lane][i];
+        }
+      }
+      for(std::size_t lane = 0; lane < count; ++lane) {
+        const Cell_elements& elements = m_space.elements(level, first + lane);
+        add_block(elements, scratch, lane, targets);
+        if(targets.element_integrals)
+          add_integrals(elements, *of_sheets[lane], h * h, *targets.element_integrals);
+      }
+    }
+  }
+
+  /// Adds the upper halves of the blocks of a sheet to those of the matrices. Both the elements of
+  /// the sheet and the rows of a column are walked through in ascending order, so each column takes
+  /// one merge.
+  static void add_block(const Cell_elements& elements, const Scratch& blocks, std::size_t lane,
+                        const Assembly_targets& targets) {
+    const Eigen::SparseMatrix<double>* const pattern =
+        targets.stiffness ? targets.stiffness : targets.mass;
+    if(!pattern)
+      return;
+    const int* const inner = pattern->innerIndexPtr();
+    double* const stiffness = targets.stiffness ? targets.stiffness->valuePtr() : nullptr;
+    double* const mass = targets.mass ? targets.mass->valuePtr() : nullptr;
+
+    std::array<std::pair<int, int>, 27> sorted;
+    int count = 0;
+    for(int i = 0; i < 27; ++i)
+      if(elements[i] != Spline_space_3::no_element)
+        sorted[count++] = {static_cast<int>(elements[i]), i};
+    std::sort(sorted.begin(), sorted.begin() + count);
+    const auto &of_stiffness = blocks.stiffness.values[lane], &of_mass = blocks.mass.values[lane];
+    for(int j = 0; j < count; ++j) {
+      int position = pattern->outerIndexPtr()[sorted[j].first];
+      const auto& entries = packed_numbers()[sorted[j].second];
+      std::array<int, 27> positions;
+      for(int i = 0; i <= j; ++i, ++position) {
+        while(inner[position] != sorted[i].first)
+          ++position;
+        positions[i] = position;
+      }
+      if(stiffness)
+        for(int i = 0; i <= j; ++i)
+          stiffness[positions[i]] += of_stiffness[entries[sorted[i].second]];
+      if(mass)
+        for(int i = 0; i <= j; ++i)
+          mass[positions[i]] += of_mass[entries[sorted[i].second]];
+    }
+  }
+
+  static const std::array<std::array<std::uint16_t, 27>, 27>& packed_numbers() {
+    static const auto numbers = [] {
+      std::array<std::array<std::uint16_t, 27>, 27> result;
+      for(int i = 0; i < 27; ++i)
+        for(int j = 0; j < 27; ++j)
+          result[i][j] = static_cast<std::uint16_t>(packed_number(i, j));
+      return result;
+    }();
+    return numbers;
+  }
+
+  static void add_integrals(const Cell_elements& elements, const Sheet_moments& moments,
+                            double factor, Eigen::VectorXd& sums) {
+    const auto integrals = element_integrals(moments.cell_moments());
+    for(int i = 0; i < 27; ++i)
+      if(elements[i] != Spline_space_3::no_element)
+        sums[elements[i]] += factor * integrals[i];
+  }
+
+  std::unique_ptr<Scratch> take_scratch() {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    if(m_scratch.empty())
+      return std::make_unique<Scratch>();
+    std::unique_ptr<Scratch> scratch = std::move(m_scratch.back());
+    m_scratch.pop_back();
+    return scratch;
+  }
+
+  void give_back(std::unique_ptr<Scratch> scratch) {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_scratch.push_back(std::move(scratch));
+  }
+
+  const Spline_space_3& m_space;
+  const Octree_3& m_octree;
+  const SurfaceIntegration& m_integration;
+  double m_normal_stabilization;
+  std::vector<Assembly_targets> m_targets;
+  bool m_keeps_stabilization = false;
+  Moments m_moments; // of the top level of a stage, but the first
+  std::mutex m_mutex;
+  std::vector<std::unique_ptr<Scratch>> m_scratch;
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_OPERATOR_ASSEMBLY_H

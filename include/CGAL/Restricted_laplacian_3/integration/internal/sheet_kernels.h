@@ -1,0 +1,438 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_KERNELS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_KERNELS_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
+#include <CGAL/Restricted_laplacian_3/integration/cell_integrals.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// The moments of `Cell_moments` as the assembly holds them: the components of one moment are
+/// neighbours, so that they are multiplied and added as one or two vectors of the processor.
+/// Components: the six of the tensor, the mass, and one that is 0.
+struct alignas(64) Sheet_moments {
+  static constexpr int components = 8;
+  std::array<std::array<double, components>, Cell_moments::size> values;
+
+  void clear() { values.fill({}); }
+
+  Sheet_moments() = default;
+  explicit Sheet_moments(const Cell_moments& moments) {
+    for(int i = 0; i < Cell_moments::size; ++i) {
+      for(int k = 0; k < 6; ++k)
+        values[i][k] = moments.tensor[k][i];
+      values[i][6] = moments.mass[i];
+      values[i][7] = 0;
+    }
+  }
+
+  Cell_moments cell_moments() const {
+    Cell_moments moments;
+    for(int i = 0; i < Cell_moments::size; ++i) {
+      for(int k = 0; k < 6; ++k)
+        moments.tensor[k][i] = values[i][k];
+      moments.mass[i] = values[i][6];
+    }
+    return moments;
+  }
+};
+
+/// The upper halves of the blocks of four sheets: entry \f$(i, j)\f$, \f$i \le j\f$, of sheet
+/// number `lane` is `values[lane][packed_number(i, j)]`.
+struct alignas(64) Packed_blocks {
+  static constexpr int lanes = 4;
+  static constexpr int size = 27 * 28 / 2;
+  /// padded to whole groups of four
+  static constexpr int padded_size = size + 2;
+  std::array<std::array<double, padded_size>, lanes> values;
+};
+
+constexpr int packed_number(int i, int j) {
+  return i <= j ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j;
+}
+
+/// Where the parts of an entry of a block are in the results of the contractions, see
+/// `stiffness_block()`: the sum of the diagonal components, and two parts of each other one.
+struct Packed_entry {
+  std::uint16_t diagonal;
+  std::array<std::uint16_t, 2> xy, xz, yz;
+
+  /// the last ones stand for nothing
+  static const std::array<Packed_entry, Packed_blocks::padded_size>& table() {
+    static const auto entries = [] {
+      std::array<Packed_entry, Packed_blocks::padded_size> result = {};
+      for(int j = 0; j < 27; ++j)
+        for(int i = 0; i <= j; ++i) {
+          const int ix = i % 3, iy = i / 3 % 3, iz = i / 9, jx = j % 3, jy = j / 3 % 3, jz = j / 9;
+          const int px = pair_number(ix, jx), py = pair_number(iy, jy), pz = pair_number(iz, jz);
+          const int x = ix + 3 * jx, xt = jx + 3 * ix, y = iy + 3 * jy, yt = jy + 3 * iy,
+                    z = iz + 3 * jz, zt = jz + 3 * iz;
+          const auto number = [](int n) { return static_cast<std::uint16_t>(n); };
+          result[packed_number(i, j)] = {
+              number(px + 6 * (py + 6 * pz)),
+              {number(x + 9 * (y + 9 * pz)), number(xt + 9 * (yt + 9 * pz))},
+              {number(x + 9 * (py + 6 * z)), number(xt + 9 * (py + 6 * zt))},
+              {number(px + 6 * (y + 9 * z)), number(px + 6 * (yt + 9 * zt))}};
+        }
+      return result;
+    }();
+    return entries;
+  }
+};
+
+/// The same computations without vectors: for other compilers and older processors, and what the
+/// vectors are compared with in tests.
+namespace plain {
+
+inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
+                         const Vector_3& normal, Sheet_moments& moments, double mass_weight = 1) {
+  Cell_moments::Moments own;
+  own.fill(0);
+  for_each_node(fragment, cell, triangle_quadrature(12),
+                [&own](const std::array<double, 3>& t, const std::array<double, 3>&,
+                       double weight) { add_node(t, weight, own); });
+  const auto p = tangent_projector(normal);
+  for(int i = 0; i < Cell_moments::size; ++i) {
+    for(int k = 0; k < 6; ++k)
+      moments.values[i][k] += p[k] * own[i];
+    moments.values[i][6] += mass_weight * own[i];
+  }
+}
+
+inline void add_child_moments(const Sheet_moments& child, int octant, Sheet_moments& parent) {
+  Cell_moments sum = parent.cell_moments();
+  Restricted_laplacian_3::add_child_moments(child.cell_moments(), octant, sum);
+  parent = Sheet_moments(sum);
+}
+
+inline void stiffness_blocks(const std::array<const Sheet_moments*, 4>& sheets,
+                             Packed_blocks& blocks) {
+  Cell_block block;
+  for(int lane = 0; lane < Packed_blocks::lanes; ++lane) {
+    stiffness_block(sheets[lane]->cell_moments(), block);
+    for(int j = 0; j < 27; ++j)
+      for(int i = 0; i <= j; ++i)
+        blocks.values[lane][packed_number(i, j)] = block[27 * j + i];
+  }
+}
+
+inline void mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& blocks) {
+  Cell_block block;
+  for(int lane = 0; lane < Packed_blocks::lanes; ++lane) {
+    mass_block(sheets[lane]->cell_moments(), block);
+    for(int j = 0; j < 27; ++j)
+      for(int i = 0; i <= j; ++i)
+        blocks.values[lane][packed_number(i, j)] = block[27 * j + i];
+  }
+}
+
+} // namespace plain
+
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
+
+namespace lanes {
+
+// ---- contraction along one axis; structural zeros of the factors cost nothing
+
+template <std::size_t N> using Factor = std::array<std::array<double, 5>, N>;
+
+struct Value_products {
+  static constexpr Factor<6> table = pair_products(B_spline_1::bernstein_coefficients());
+};
+struct Derivative_products {
+  static constexpr Factor<6> table = pair_products(B_spline_1::derivative_bernstein_coefficients());
+};
+struct Mixed_products {
+  static constexpr Factor<9> table = ordered_pair_products(
+      B_spline_1::derivative_bernstein_coefficients(), B_spline_1::bernstein_coefficients());
+};
+struct Transposed_mixed_products {
+  static constexpr Factor<9> table = ordered_pair_products(
+      B_spline_1::bernstein_coefficients(), B_spline_1::derivative_bernstein_coefficients());
+};
+struct Lower_child {
+  static constexpr Factor<5> table = lower_child_factor();
+};
+struct Upper_child {
+  static constexpr Factor<5> table = upper_child_factor();
+};
+
+template <class F, std::size_t N, std::size_t... K>
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Lanes row_product(const Lanes* m,
+                                                           std::index_sequence<K...>) {
+  Lanes sum = {};
+  ((F::table[N][K] != 0 ? void(sum += F::table[N][K] * m[K]) : void()), ...);
+  return sum;
+}
+
+template <class F, std::size_t... N>
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void contract_line(const Lanes* in, int stride, Lanes* out,
+                                                            std::index_sequence<N...>) {
+  const Lanes m[5] = {in[0], in[stride], in[2 * stride], in[3 * stride], in[4 * stride]};
+  ((out[static_cast<int>(N) * stride] = row_product<F, N>(m, std::make_index_sequence<5>())), ...);
+}
+
+/// `in` is `outer` x 5 x `inner`, `out` is `outer` x (rows of `F`) x `inner`, the last index runs
+/// first.
+template <class F>
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void contract_axis(const Lanes* in, int outer, int inner,
+                                                              Lanes* out) {
+  constexpr int rows = static_cast<int>(F::table.size());
+  for(int o = 0; o < outer; ++o)
+    for(int i = 0; i < inner; ++i)
+      contract_line<F>(in + 5 * o * inner + i, inner, out + rows * o * inner + i,
+                       std::make_index_sequence<static_cast<std::size_t>(rows)>());
+}
+
+// ---- moments of fragments
+
+/// Taylor's rule, 4 nodes in a vector
+struct Lane_rule {
+  static constexpr int groups = 8;
+  Lanes b0[groups], b1[groups], b2[groups], weight[groups];
+
+  static const Lane_rule& get() {
+    static const Lane_rule rule = [] {
+      Lane_rule r;
+      const auto& nodes = triangle_quadrature(12);
+      static_assert(sizeof(Lanes) == 4 * sizeof(double), "four numbers in a vector");
+      for(std::size_t i = 0; i < nodes.size(); ++i) {
+        r.b0[i / 4][i % 4] = nodes[i].b0;
+        r.b1[i / 4][i % 4] = nodes[i].b1;
+        r.b2[i / 4][i % 4] = nodes[i].b2;
+        r.weight[i / 4][i % 4] = nodes[i].weight;
+      }
+      return r;
+    }();
+    return rule;
+  }
+};
+
+/// Bernstein polynomials of degree 4 of one coordinate at all nodes of a triangle
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void bernstein_4(const Lane_rule& rule, double c0,
+                                                          double c1, double c2,
+                                                          Lanes (&b)[5][Lane_rule::groups]) {
+  for(int g = 0; g < Lane_rule::groups; ++g) {
+    const Lanes t = rule.b0[g] * c0 + rule.b1[g] * c1 + rule.b2[g] * c2;
+    const Lanes u = 1 - t, t2 = t * t, u2 = u * u, tu = t * u, tu4 = 4 * tu;
+    b[0][g] = u2 * u2;
+    b[1][g] = tu4 * u2;
+    b[2][g] = 6 * tu * tu;
+    b[3][g] = tu4 * t2;
+    b[4][g] = t2 * t2;
+  }
+}
+
+/// Adds \f$\int B_a B_b B_c\f$ over a triangle; the sum over the components of a vector is left to
+/// the caller. 32 nodes take 125 x 8 fused operations of vectors, plus 25 x 8 products of the
+/// factors of two axes: the accumulators are loaded and stored only once for all nodes.
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_triangle(const std::array<double, 3>& p,
+                                                                    const std::array<double, 3>& q,
+                                                                    const std::array<double, 3>& r,
+                                                                    double area, Lanes* sums) {
+  const Lane_rule& rule = Lane_rule::get();
+  Lanes x[5][Lane_rule::groups], y[5][Lane_rule::groups], z[5][Lane_rule::groups];
+  bernstein_4(rule, p[0], q[0], r[0], x);
+  bernstein_4(rule, p[1], q[1], r[1], y);
+  bernstein_4(rule, p[2], q[2], r[2], z);
+  for(int c = 0; c < 5; ++c)
+    for(int g = 0; g < Lane_rule::groups; ++g)
+      z[c][g] *= rule.weight[g] * area;
+  for(int c = 0; c < 5; ++c)
+    for(int b = 0; b < 5; ++b) {
+      Lanes yz[Lane_rule::groups];
+      for(int g = 0; g < Lane_rule::groups; ++g)
+        yz[g] = y[b][g] * z[c][g];
+      Lanes* row = sums + 5 * (b + 5 * c);
+      Lanes s0 = row[0], s1 = row[1], s2 = row[2], s3 = row[3], s4 = row[4];
+      for(int g = 0; g < Lane_rule::groups; ++g) {
+        s0 += x[0][g] * yz[g];
+        s1 += x[1][g] * yz[g];
+        s2 += x[2][g] * yz[g];
+        s3 += x[3][g] * yz[g];
+        s4 += x[4][g] * yz[g];
+      }
+      row[0] = s0;
+      row[1] = s1;
+      row[2] = s2;
+      row[3] = s3;
+      row[4] = s4;
+    }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
+add_fragment(const Fragment& fragment, const std::array<int, 3>& cell, const Vector_3& normal,
+             Sheet_moments& moments, double mass_weight = 1) {
+  // padded to whole groups of four
+  Lanes sums[Cell_moments::size + 3] = {};
+  std::array<std::array<double, 3>, 3> t;
+  for(std::size_t i = 0; i < fragment.size; ++i) {
+    std::array<double, 3>& corner = t[i == 0 ? 0 : 2];
+    t[1] = t[2];
+    for(int axis = 0; axis < 3; ++axis)
+      corner[axis] = fragment.corners[i].position[axis] - cell[axis];
+    if(i < 2)
+      continue;
+    const double area = triangle_area(t[0], t[1], t[2]);
+    if(area > 0)
+      add_triangle(t[0], t[1], t[2], area, sums);
+  }
+  const auto p = tangent_projector(normal);
+  const Lanes low = {p[0], p[1], p[2], p[3]}, high = {p[4], p[5], mass_weight, 0};
+  for(int i = 0; i < Cell_moments::size; i += 4) {
+    Lanes four;
+    sum_components(sums[i], sums[i + 1], sums[i + 2], sums[i + 3], four);
+    for(int j = 0; j < 4 && i + j < Cell_moments::size; ++j) {
+      double* to = moments.values[i + j].data();
+      store(load(to) + four[j] * low, to);
+      store(load(to + 4) + four[j] * high, to + 4);
+    }
+  }
+}
+
+// ---- coarser levels
+
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
+add_child_moments(const Sheet_moments& child, int octant, Sheet_moments& parent) {
+  constexpr int n = 2 * Cell_moments::size;
+  Lanes a[n], b[n];
+  for(int i = 0; i < n; ++i)
+    a[i] = load(child.values[0].data() + 4 * i);
+  octant & 1 ? contract_axis<Upper_child>(a, 25, 2, b) : contract_axis<Lower_child>(a, 25, 2, b);
+  octant & 2 ? contract_axis<Upper_child>(b, 5, 10, a) : contract_axis<Lower_child>(b, 5, 10, a);
+  octant & 4 ? contract_axis<Upper_child>(a, 1, 50, b) : contract_axis<Lower_child>(a, 1, 50, b);
+  double* to = parent.values[0].data();
+  for(int i = 0; i < n; ++i)
+    store(load(to + 4 * i) + 0.25 * b[i], to + 4 * i);
+}
+
+// ---- blocks of four sheets, one in each component of a vector
+
+/// four components of the moments, from number `first`, of four sheets
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void
+gather_components(const std::array<const Sheet_moments*, 4>& sheets, int first, Lanes (*to)[125]) {
+  for(int i = 0; i < Cell_moments::size; ++i)
+    transpose(load(sheets[0]->values[i].data() + first), load(sheets[1]->values[i].data() + first),
+              load(sheets[2]->values[i].data() + first), load(sheets[3]->values[i].data() + first),
+              to[0][i], to[1][i], to[2][i], to[3][i]);
+}
+
+/// four entries, from number `first`, of the blocks of four sheets
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void store_columns(const Lanes (&rows)[4], int first,
+                                                            Packed_blocks& blocks) {
+  Lanes a, b, c, d;
+  transpose(rows[0], rows[1], rows[2], rows[3], a, b, c, d);
+  store(a, blocks.values[0].data() + first);
+  store(b, blocks.values[1].data() + first);
+  store(c, blocks.values[2].data() + first);
+  store(d, blocks.values[3].data() + first);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
+stiffness_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& blocks) {
+  Lanes m[8][125];
+  gather_components(sheets, 0, m);
+  gather_components(sheets, 4, m + 4);
+  Lanes one[25 * 9], two[5 * 54], xx[216], yy[216], zz[216], xy[486], xz[486], yz[486];
+  contract_axis<Derivative_products>(m[0], 25, 1, one);
+  contract_axis<Value_products>(one, 5, 6, two);
+  contract_axis<Value_products>(two, 1, 36, xx);
+  contract_axis<Value_products>(m[1], 25, 1, one);
+  contract_axis<Derivative_products>(one, 5, 6, two);
+  contract_axis<Value_products>(two, 1, 36, yy);
+  contract_axis<Value_products>(m[2], 25, 1, one);
+  contract_axis<Value_products>(one, 5, 6, two);
+  contract_axis<Derivative_products>(two, 1, 36, zz);
+  for(int i = 0; i < 216; ++i)
+    xx[i] += yy[i] + zz[i];
+  // The axis with fewer products first.
+  contract_axis<Value_products>(m[3], 1, 25, one);
+  contract_axis<Transposed_mixed_products>(one, 6, 5, two);
+  contract_axis<Mixed_products>(two, 54, 1, xy);
+  contract_axis<Value_products>(m[4], 5, 5, one);
+  contract_axis<Transposed_mixed_products>(one, 1, 30, two);
+  contract_axis<Mixed_products>(two, 54, 1, xz);
+  contract_axis<Value_products>(m[5], 25, 1, one);
+  contract_axis<Mixed_products>(one, 5, 6, two);
+  contract_axis<Transposed_mixed_products>(two, 1, 54, yz);
+  const auto& entries = Packed_entry::table();
+  for(int i = 0; i < Packed_blocks::padded_size; i += 4) {
+    Lanes row[4];
+    for(int k = 0; k < 4; ++k) {
+      const Packed_entry& e = entries[i + k];
+      row[k] = xx[e.diagonal] + (xy[e.xy[0]] + xy[e.xy[1]]) + (xz[e.xz[0]] + xz[e.xz[1]]) +
+               (yz[e.yz[0]] + yz[e.yz[1]]);
+    }
+    store_columns(row, i, blocks);
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
+mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& blocks) {
+  Lanes m[4][125], one[25 * 6], two[5 * 36], values[216];
+  gather_components(sheets, 4, m);
+  contract_axis<Value_products>(m[2], 25, 1, one);
+  contract_axis<Value_products>(one, 5, 6, two);
+  contract_axis<Value_products>(two, 1, 36, values);
+  const auto& entries = Packed_entry::table();
+  for(int i = 0; i < Packed_blocks::padded_size; i += 4) {
+    const Lanes row[4] = {values[entries[i].diagonal], values[entries[i + 1].diagonal],
+                          values[entries[i + 2].diagonal], values[entries[i + 3].diagonal]};
+    store_columns(row, i, blocks);
+  }
+}
+
+} // namespace lanes
+
+#define CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(call)                                                 \
+  if(processor_has_lanes())                                                                        \
+    lanes::call;                                                                                   \
+  else                                                                                             \
+    plain::call
+
+#else
+
+#define CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(call) plain::call
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
+
+/// adds the moments of a fragment of a triangle, as `Restricted_laplacian_3::add_fragment()`
+/// \param mass_weight factor of the moments of the mass; those of the tensor do not have it
+inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
+                         const Vector_3& normal, Sheet_moments& moments, double mass_weight = 1) {
+  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_fragment(fragment, cell, normal, moments, mass_weight));
+}
+
+/// adds the moments of a child to those of its parent, as
+/// `Restricted_laplacian_3::add_child_moments()`
+inline void add_child_moments(const Sheet_moments& child, int octant, Sheet_moments& parent) {
+  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_child_moments(child, octant, parent));
+}
+
+/// the blocks of `stiffness_block()` of four sheets
+inline void stiffness_blocks(const std::array<const Sheet_moments*, 4>& sheets,
+                             Packed_blocks& blocks) {
+  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(stiffness_blocks(sheets, blocks));
+}
+
+/// the blocks of `mass_block()` of four sheets
+inline void mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& blocks) {
+  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(mass_blocks(sheets, blocks));
+}
+
+#undef CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_KERNELS_H

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_FINEST_SHEETS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_FINEST_SHEETS_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
+#include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Piece_sorter.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Seams_in_grid.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// \file
+/// The finest level of an octree, in two steps: `cut_faces()` cuts the triangles at the walls of
+/// the cells, `group_into_sheets()` finds the sheets that the fragments in a cell form. Threads
+/// take chunks of faces in the first step, of cells in the second; results of chunks are put one
+/// after the other, so they do not depend on the number of threads.
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// how large an octree of a depth may become
+struct Octree_limits {
+  int depth;
+  std::size_t number_of_sheets;
+  std::size_t number_of_fragments;
+
+  /// \throws Parameter_error if there are too many
+  void check_sheets(std::size_t number) const { refuse_if(number > number_of_sheets); }
+  void check_fragments(std::size_t number) const { refuse_if(number > number_of_fragments); }
+
+  void refuse_if(bool is_too_large) const {
+    if(is_too_large)
+      throw Parameter_error("octree_depth", "is " + std::to_string(depth) +
+                                                ", which gives this surface more than " +
+                                                std::to_string(number_of_sheets) +
+                                                " sheets or too many fragments of triangles");
+  }
+};
+
+/// a fragment of a face, and the Morton key of its cell
+struct Cell_fragment {
+  std::uint64_t key;
+  std::uint32_t face;
+  std::uint32_t element_mask;
+  Place place;
+};
+
+/// All fragments of faces in finest cells, sorted by cell, and by face in a cell.
+/// \param points of the vertices in the grid of the finest cells, as the clipper has snapped them
+/// \param has_places whether the places of the fragments are needed
+inline std::vector<Cell_fragment> cut_faces(const Triangulated_surface_3& surface,
+                                            const std::vector<std::array<double, 3>>& points,
+                                            const Cell_clipper& clipper, bool has_places,
+                                            const Octree_limits& limits, bool is_parallel) {
+  const std::size_t number_of_faces = surface.number_of_faces(), grain = 1 << 14;
+  const auto cut_face = [&](std::size_t face, std::vector<Cell_fragment>& fragments) {
+    const auto& t = surface.triangle(face);
+    clipper.cut_snapped(
+        {points[t[0]], points[t[1]], points[t[2]]},
+        [&](const std::array<int, 3>& cell, const Fragment& fragment) {
+          Place place;
+          if(has_places)
+            place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
+          fragments.push_back({morton_key(cell), static_cast<std::uint32_t>(face),
+                               element_mask(fragment, cell), place});
+        });
+  };
+  std::vector<std::vector<Cell_fragment>> of_chunks((number_of_faces - 1) / grain + 1);
+  std::atomic<std::size_t> number_of_fragments(0);
+  parallel_for(is_parallel, 0, number_of_faces, grain, [&](std::size_t begin, std::size_t end) {
+    auto& of_chunk = of_chunks[begin / grain];
+    of_chunk.reserve(3 * (end - begin) / 2);
+    for(std::size_t face = begin; face < end; ++face)
+      if(!surface.is_degenerate(face)) {
+        cut_face(face, of_chunk);
+        limits.check_fragments(of_chunk.size());
+      }
+    limits.check_fragments(number_of_fragments += of_chunk.size());
+  });
+  if(number_of_fragments == 0)
+    throw Zero_area_error(number_of_faces);
+  std::vector<Cell_fragment> result;
+  result.reserve(number_of_fragments);
+  for(auto& of_chunk : of_chunks) {
+    result.insert(result.end(), of_chunk.begin(), of_chunk.end());
+    std::vector<Cell_fragment>().swap(of_chunk);
+  }
+  stable_sort_by_key(result, 3 * limits.depth, is_parallel,
+                     [](const Cell_fragment& fragment) { return fragment.key; });
+  return result;
+}
+
+/// The cells of the finest level, and the sheets in them.
+struct Finest_sheets {
+  std::vector<std::uint64_t> keys;         // of cells
+  std::vector<std::uint32_t> first_sheets; // of cells, and one more
+  std::vector<std::uint32_t> cells;        // of sheets, as all that follows
+  std::vector<std::uint32_t> element_masks;
+  std::vector<Place> places;
+  std::vector<std::size_t> first_faces; // and one more
+  std::vector<std::uint32_t> faces;     // ascending in a sheet
+};
+
+/// What a thread uses again for each cell.
+struct Sheet_scratch {
+  Disjoint_sets sets;
+  std::vector<Seams_in_grid::Side> sides;
+  Piece_sorter sort;
+};
+
+/// the sheets of some consecutive cells
+struct Sheets_of_chunk {
+  std::vector<std::uint32_t> numbers_of_sheets; // of cells
+  std::vector<std::uint32_t> element_masks;     // of sheets, as all that follows
+  std::vector<Place> places;
+  std::vector<std::size_t> first_faces;
+};
+
+/// Appends the sheets of the cell of the fragments `begin` .. `end` - 1; their faces are written to
+/// `faces[begin]` .. `faces[end - 1]`.
+template <class Join>
+void append_sheets_of_cell(const std::vector<Cell_fragment>& fragments, std::size_t begin,
+                           std::size_t end, Join&& join, Sheet_scratch& scratch,
+                           std::vector<std::uint32_t>& faces, Sheets_of_chunk& sheets) {
+  const auto size = static_cast<std::uint32_t>(end - begin);
+  join(
+      morton_index(fragments[begin].key), size,
+      [&](std::uint32_t i) { return fragments[begin + i].face; }, scratch);
+  const auto& firsts = scratch.sort(
+      scratch.sets, 0, size, [&](std::uint32_t i) { return fragments[begin + i].place; },
+      sheets.places);
+  sheets.numbers_of_sheets.push_back(static_cast<std::uint32_t>(firsts.size()));
+  std::size_t next = begin;
+  for(std::uint32_t first : firsts) {
+    sheets.first_faces.push_back(next);
+    std::uint32_t mask = 0;
+    for(std::uint32_t i = first; i < size; ++i)
+      if(scratch.sets.find(i) == first) {
+        faces[next++] = fragments[begin + i].face;
+        mask |= fragments[begin + i].element_mask;
+      }
+    sheets.element_masks.push_back(mask);
+  }
+}
+
+/// Groups the fragments of each cell into sheets.
+/// \param fragments sorted by cell
+/// \param join `join(cell, size, face_of, scratch)`: unites those of the numbers 0 .. size - 1 in
+/// `scratch.sets` whose faces `face_of(i)` are in the same sheet
+template <class Join>
+Finest_sheets group_into_sheets(const std::vector<Cell_fragment>& fragments, Join&& join,
+                                const Octree_limits& limits, bool is_parallel) {
+  Finest_sheets result;
+  std::vector<std::size_t> begins;
+  for(std::size_t i = 0; i < fragments.size(); ++i)
+    if(i == 0 || fragments[i].key != fragments[i - 1].key) {
+      begins.push_back(i);
+      result.keys.push_back(fragments[i].key);
+    }
+  begins.push_back(fragments.size());
+  limits.check_sheets(result.keys.size());
+
+  const std::size_t number_of_cells = result.keys.size(), grain = 1 << 10;
+  result.faces.resize(fragments.size());
+  std::vector<Sheets_of_chunk> of_chunks((number_of_cells - 1) / grain + 1);
+  parallel_for(is_parallel, 0, number_of_cells, grain, [&](std::size_t begin, std::size_t end) {
+    Sheet_scratch scratch;
+    for(std::size_t i = begin; i < end; ++i)
+      append_sheets_of_cell(fragments, begins[i], begins[i + 1], join, scratch, result.faces,
+                            of_chunks[begin / grain]);
+  });
+
+  const auto append = [](auto& all, const auto& part) {
+    all.insert(all.end(), part.begin(), part.end());
+  };
+  for(const Sheets_of_chunk& of_chunk : of_chunks) {
+    for(std::uint32_t number_of_sheets : of_chunk.numbers_of_sheets) {
+      const auto cell = static_cast<std::uint32_t>(result.first_sheets.size());
+      result.first_sheets.push_back(static_cast<std::uint32_t>(result.cells.size()));
+      result.cells.insert(result.cells.end(), number_of_sheets, cell);
+    }
+    limits.check_sheets(result.cells.size());
+    append(result.element_masks, of_chunk.element_masks);
+    append(result.places, of_chunk.places);
+    append(result.first_faces, of_chunk.first_faces);
+  }
+  result.first_sheets.push_back(static_cast<std::uint32_t>(result.cells.size()));
+  result.first_faces.push_back(result.faces.size());
+  return result;
+}
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_FINEST_SHEETS_H

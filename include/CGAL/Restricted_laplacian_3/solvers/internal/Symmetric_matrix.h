@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_MATRIX_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_MATRIX_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/release_memory.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/panel_kernels.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// A symmetric sparse matrix of which the entries on and above the diagonal are stored: half the
+/// memory, and half of what a product has to read.
+///
+/// *Threads.* An entry \f$(i, j)\f$ adds to rows \f$i\f$ and \f$j\f$ of a product. The columns are
+/// cut into a few parts. A part writes the rows that have the numbers of its columns; what it adds
+/// to the rows of earlier parts goes into a vector of its own, and is added in the order of the
+/// parts. So results are the same for any number of threads.
+class Symmetric_matrix {
+public:
+  /// Takes the half of a symmetric matrix all of whose entries are stored, with the rows of a
+  /// column sorted; it has the old content afterwards. (A `SparseMatrix` of Eigen 3.4 is copied
+  /// where another class would be moved.)
+  void take_half_of(Eigen::SparseMatrix<double>& a) {
+    m_upper.swap(a);
+    m_parts.clear();
+    m_upper.prune([](Eigen::Index i, Eigen::Index j, double) { return i <= j; });
+    release_free_entries(m_upper);
+    const std::size_t columns = static_cast<std::size_t>(m_upper.cols());
+    const std::size_t width =
+        (std::max)((columns + number_of_parts - 1) / number_of_parts, std::size_t(1024));
+    for(std::size_t begin = 0; begin < columns; begin += width) {
+      Part part = {begin, (std::min)(begin + width, columns), begin};
+      for(std::size_t j = part.begin; j < part.end; ++j)
+        if(outer(j) < outer(j + 1))
+          part.first_row = (std::min)(part.first_row,
+                                      static_cast<std::size_t>(m_upper.innerIndexPtr()[outer(j)]));
+      m_parts.push_back(part);
+    }
+  }
+
+  Eigen::Index rows() const { return m_upper.rows(); }
+  const Eigen::SparseMatrix<double>& upper_half() const { return m_upper; }
+
+  /// \f$ y = A x \f$
+  template <int K>
+  void multiply(const Block_vector<K>& x, Block_vector<K>& y, bool is_parallel) const {
+    y.resize(rows(), K);
+    std::vector<Block_vector<K>> earlier_rows(m_parts.size());
+    parallel_for(is_parallel, 0, m_parts.size(), 1, [&](std::size_t number, std::size_t) {
+      multiply_part<K>(m_parts[number], x, y, earlier_rows[number]);
+    });
+    parallel_for(is_parallel, 0, static_cast<std::size_t>(rows()), rows_of_a_task,
+                 [&](std::size_t begin, std::size_t end) {
+                   for(std::size_t k = 0; k < m_parts.size(); ++k) {
+                     const std::size_t first = (std::max)(begin, m_parts[k].first_row),
+                                       last = (std::min)(end, m_parts[k].begin);
+                     for(std::size_t i = first; i < last; ++i)
+                       row<K>(y, i) += row<K>(earlier_rows[k], i - m_parts[k].first_row);
+                   }
+                 });
+  }
+
+  /// \f$ r = b - A x \f$
+  template <int K>
+  void residual(const Block_vector<K>& b, const Block_vector<K>& x, Block_vector<K>& r,
+                bool is_parallel) const {
+    multiply<K>(x, r, is_parallel);
+    r = b - r;
+  }
+
+private:
+  static constexpr std::size_t number_of_parts = 8;
+  static constexpr std::size_t rows_of_a_task = 2048;
+
+  /// a range of columns, and the first of the rows that they reach; the last one is the last column
+  struct Part {
+    std::size_t begin, end, first_row;
+  };
+
+  int outer(std::size_t column) const { return m_upper.outerIndexPtr()[column]; }
+
+  /// The product of the entries in some columns, and of their mirror images: to the rows of `y`
+  /// with the same numbers, and to `earlier_rows`, from `first_row` on.
+  template <int K>
+  void multiply_part(const Part& part, const Block_vector<K>& x, Block_vector<K>& y,
+                     Block_vector<K>& earlier_rows) const {
+    earlier_rows = Block_vector<K>::Zero(static_cast<Eigen::Index>(part.begin - part.first_row), K);
+    const double* const values = m_upper.valuePtr();
+    const int* const inner = m_upper.innerIndexPtr();
+    for(std::size_t j = part.begin; j < part.end; ++j) {
+      const int first = outer(j);
+      int end = outer(j + 1);
+      const Block_row<K> x_j = row<K>(x, j);
+      Block_row<K> sum = Block_row<K>::Zero();
+      if(end > first && static_cast<std::size_t>(inner[end - 1]) == j)
+        sum = values[--end] * x_j;
+      int own = first;
+      while(own < end && static_cast<std::size_t>(inner[own]) < part.begin)
+        ++own;
+      add_symmetric_column<K>(values + first, inner + first, static_cast<std::size_t>(own - first),
+                              x.data(), x_j.data(), earlier_rows.data(), part.first_row,
+                              sum.data());
+      add_symmetric_column<K>(values + own, inner + own, static_cast<std::size_t>(end - own),
+                              x.data(), x_j.data(), y.data(), 0, sum.data());
+      row<K>(y, j) = sum;
+    }
+  }
+
+  Eigen::SparseMatrix<double> m_upper;
+  std::vector<Part> m_parts;
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_MATRIX_H

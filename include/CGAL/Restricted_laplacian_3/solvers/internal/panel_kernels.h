@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_PANEL_KERNELS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_PANEL_KERNELS_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
+
+#include <cstddef>
+
+/// \file
+/// The loops over the rows of panels, which are matrices of eight columns in double precision (some
+/// also in single), stored row by row; for any processor (`plain`) and for vectors of 256 bits
+/// (`lanes`).
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+namespace plain {
+
+template <class Number>
+void add_scalar_products(const Number* q, const double* b, std::size_t rows, double* sums) {
+  for(std::size_t row = 0; row < rows; ++row, q += 8, b += 8)
+    for(int j = 0; j < 8; ++j)
+      for(int i = 0; i < 8; ++i)
+        sums[8 * j + i] += b[j] * q[i];
+}
+
+inline void add_combination(const double* q, const double* c, std::size_t rows, double* sum) {
+  for(std::size_t row = 0; row < rows; ++row, q += 8, sum += 8)
+    for(int i = 0; i < 8; ++i)
+      for(int j = 0; j < 8; ++j)
+        sum[j] += q[i] * c[8 * i + j];
+}
+
+template <int K>
+void add_symmetric_column(const double* values, const int* rows, std::size_t count, const double* x,
+                          const double* own, double* sums, std::size_t first_row, double* own_sum) {
+  for(std::size_t k = 0; k < count; ++k) {
+    const std::size_t row = static_cast<std::size_t>(rows[k]);
+    const double* const from = x + K * row;
+    double* const to = sums + K * (row - first_row);
+    for(int c = 0; c < K; ++c) {
+      own_sum[c] += values[k] * from[c];
+      to[c] += values[k] * own[c];
+    }
+  }
+}
+
+} // namespace plain
+
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
+
+namespace lanes {
+
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Lanes load_doubles(const double* from) {
+  return load(from);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Lanes load_doubles(const float* from) {
+  using Four_floats = float __attribute__((vector_size(16)));
+  Four_floats four;
+  std::memcpy(&four, from, sizeof(Four_floats));
+  return __builtin_convertvector(four, Lanes);
+}
+
+// Four columns of `b` at a time: their sums with the eight columns of `q` fill eight registers.
+template <class Number>
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
+add_scalar_products(const Number* q, const double* b, std::size_t rows, double* sums) {
+  for(int first = 0; first < 8; first += 4) {
+    Lanes own[4][2] = {};
+    for(std::size_t row = 0; row < rows; ++row) {
+      const Lanes low = load_doubles(q + 8 * row), high = load_doubles(q + 8 * row + 4);
+      for(int j = 0; j < 4; ++j) {
+        own[j][0] += b[8 * row + first + j] * low;
+        own[j][1] += b[8 * row + first + j] * high;
+      }
+    }
+    for(int j = 0; j < 4; ++j)
+      for(int half = 0; half < 2; ++half) {
+        double* const to = sums + 8 * (first + j) + 4 * half;
+        store(load(to) + own[j][half], to);
+      }
+  }
+}
+
+// Four rows at a time: what is loaded of `c` serves all of them.
+inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
+add_combination(const double* q, const double* c, std::size_t rows, double* sum) {
+  std::size_t row = 0;
+  for(; row + 4 <= rows; row += 4, q += 32, sum += 32) {
+    Lanes own[4][2];
+    for(int r = 0; r < 4; ++r) {
+      own[r][0] = load(sum + 8 * r);
+      own[r][1] = load(sum + 8 * r + 4);
+    }
+    for(int i = 0; i < 8; ++i) {
+      const Lanes low = load(c + 8 * i), high = load(c + 8 * i + 4);
+      for(int r = 0; r < 4; ++r) {
+        own[r][0] += q[8 * r + i] * low;
+        own[r][1] += q[8 * r + i] * high;
+      }
+    }
+    for(int r = 0; r < 4; ++r) {
+      store(own[r][0], sum + 8 * r);
+      store(own[r][1], sum + 8 * r + 4);
+    }
+  }
+  for(; row < rows; ++row, q += 8, sum += 8)
+    for(int i = 0; i < 8; ++i) {
+      store(load(sum) + q[i] * load(c + 8 * i), sum);
+      store(load(sum + 4) + q[i] * load(c + 8 * i + 4), sum + 4);
+    }
+}
+
+inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
+add_symmetric_column_of_eight(const double* values, const int* rows, std::size_t count,
+                              const double* x, const double* own, double* sums,
+                              std::size_t first_row, double* own_sum) {
+  const Lanes low = load(own), high = load(own + 4);
+  Lanes low_sum = load(own_sum), high_sum = load(own_sum + 4);
+  for(std::size_t k = 0; k < count; ++k) {
+    const std::size_t row = static_cast<std::size_t>(rows[k]);
+    const double* const from = x + 8 * row;
+    double* const to = sums + 8 * (row - first_row);
+    low_sum += values[k] * load(from);
+    high_sum += values[k] * load(from + 4);
+    store(load(to) + values[k] * low, to);
+    store(load(to + 4) + values[k] * high, to + 4);
+  }
+  store(low_sum, own_sum);
+  store(high_sum, own_sum + 4);
+}
+
+template <int K>
+inline void add_symmetric_column(const double* values, const int* rows, std::size_t count,
+                                 const double* x, const double* own, double* sums,
+                                 std::size_t first_row, double* own_sum) {
+  if(K == 8)
+    add_symmetric_column_of_eight(values, rows, count, x, own, sums, first_row, own_sum);
+  else
+    plain::add_symmetric_column<K>(values, rows, count, x, own, sums, first_row, own_sum);
+}
+
+} // namespace lanes
+
+#endif
+
+/// Adds the scalar product of column `i` of a panel `q` with column `j` of a panel `b` to number
+/// \f$8 j + i\f$ of `sums`.
+template <class Number>
+void add_scalar_products(const Number* q, const double* b, std::size_t rows, double* sums) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_scalar_products(q, b, rows, sums));
+}
+
+/// Adds the product of a panel with the 8 x 8 matrix of the numbers `c`, stored row by row, to
+/// another panel.
+inline void add_combination(const double* q, const double* c, std::size_t rows, double* sum) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_combination(q, c, rows, sum));
+}
+
+/// Adds the product of entries of a column of a symmetric matrix, and of their mirror images, with
+/// `K` vectors `x`: those of the column, times the row `own` of `x`, to `sums`, which begins with
+/// row `first_row`, and those of the row to `own_sum`.
+template <int K>
+void add_symmetric_column(const double* values, const int* rows, std::size_t count, const double* x,
+                          const double* own, double* sums, std::size_t first_row, double* own_sum) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(
+      add_symmetric_column<K>(values, rows, count, x, own, sums, first_row, own_sum));
+}
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_PANEL_KERNELS_H

@@ -1,0 +1,499 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
+#include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Dev
+/// the 27 elements that can act on a sheet, by the offset of their centre from its cell: number
+/// \f$i = (d_x + 1) + 3 (d_y + 1) + 9 (d_z + 1)\f$ is centred on the neighbour at offset
+/// \f$(d_x, d_y, d_z)\f$
+using Cell_elements = std::array<std::uint32_t, 27>;
+
+/// \ingroup PkgRestrictedLaplacian3Functions
+/// The depth that a set of points allows, for functions that are given no `octree_depth`: the
+/// largest up to 6 at which the cells that hold points have 50 of them each, on average; at least
+/// 1.
+///
+/// With fewer points in a cell the sums do not determine the functions on it any more, and
+/// eigenvalues become too small: see the section on points in the User Manual.
+/// \param surface one that is given by points
+/// \param cube_scale side of the domain cube over the longest side of the bounding box
+inline int default_octree_depth_of_points(const Triangulated_surface_3& surface,
+                                          double cube_scale) {
+  constexpr std::size_t points_per_cell = 50;
+  constexpr int largest_depth = 6;
+  const double side = cube_scale * surface.extent();
+  const Point_3 center = surface.center();
+  std::vector<std::uint64_t> keys;
+  keys.reserve(surface.number_of_vertices());
+  for(std::size_t i = 0; i < surface.number_of_vertices(); ++i) {
+    std::array<int, 3> index;
+    for(int axis = 0; axis < 3; ++axis) {
+      const double x =
+          ((surface.point(i)[axis] - center[axis]) / side + 0.5) * (1 << largest_depth);
+      index[axis] = (std::min)((std::max)(static_cast<int>(x), 0), (1 << largest_depth) - 1);
+    }
+    keys.push_back(morton_key(index));
+  }
+  std::sort(keys.begin(), keys.end());
+  int depth = largest_depth;
+  for(;; --depth) {
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    if(depth == 1 || surface.number_of_vertices() >= points_per_cell * keys.size())
+      return depth;
+    for(std::uint64_t& key : keys)
+      key >>= 3;
+  }
+}
+
+/// \ingroup PkgRestrictedLaplacian3Functions
+/// Which space a `Spline_space_3` is.
+struct Spline_space_options {
+  /// depth \f$d\f$ of the octree
+  int octree_depth = 6;
+  /// side of the domain cube over the longest side of the bounding box; 0 stands for 1.1, or for
+  /// 1.2 in the space of the paper
+  double cube_scale = 0;
+  /// only elements centred inside the grid exist, and they are not split
+  bool paper_space = false;
+  /// an element is split into one for each connected component of the surface in its support; has
+  /// no effect on the space of the paper
+  bool split_elements = true;
+  /// the same for a point set, in place of `split_elements`: by the components that links between
+  /// points form, see `read_point_set()`
+  bool split_point_set = false;
+  /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
+  /// are joined if they run along each other; negative: they are not
+  double joining_tolerance = -1;
+  /// whether octree, numbering and assembly use several threads; no effect unless the program is
+  /// linked with TBB. The results are the same.
+  bool is_parallel = false;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Functions
+/// The spaces of restricted splines, one for each level of the octree of a surface.
+///
+/// The element \f$b_o\f$ of a cell \f$o\f$ is the tensor product of B-splines of degree 2 centred
+/// on \f$o\f$; its support is the \f$3 \times 3 \times 3\f$ cells around \f$o\f$. The space at
+/// level \f$l\f$ is spanned by the restrictions to the surface of all elements whose open support
+/// meets the surface, also of those centred one cell outside the \f$2^l\f$ grid: they sum to 1 on
+/// the whole surface, so the constants are in the space. The spaces are nested: each element is a
+/// combination of elements of the next finer level.
+///
+/// *Splitting.* If the surface in the support of \f$b_o\f$ has several connected components, there
+/// is one element for each of them: \f$b_o\f$ on the component, and 0 elsewhere. So parts of the
+/// surface that are near in space, but far along the surface, share no element, however thin the
+/// space between them is. All properties above remain: an element of the finer level lies in the
+/// support of its coarse ones, and its component in exactly one of theirs.
+///
+/// With `paper_space(true)` only elements centred inside the grid exist, and they are not split, as
+/// in the paper (section 4.4).
+///
+/// Elements of a level are numbered in Morton order of their cells.
+class Spline_space_3 {
+public:
+  /// stands for an element that does not exist
+  static constexpr std::uint32_t no_element = (std::numeric_limits<std::uint32_t>::max)();
+
+  /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
+  /// triangles; or a model of `ConstRange`, for example `CGAL::Point_set_3`, of oriented points
+  /// \param tm the surface, a mesh or a range of oriented points
+  /// \param np optional named parameters:
+  /// - `octree_depth`: depth \f$d\f$ of the octree; default 6, or
+  ///   `default_octree_depth_of_points()`
+  /// - `cube_scale`: side of the domain cube over the longest side of the bounding box; default
+  ///   1.1, or 1.2 with `paper_space(true)`
+  /// - `paper_space`: whether only elements centred inside the grid exist, unsplit; default `false`
+  /// - `split_elements`: whether elements are split by the components of the surface in their
+  ///   support; default `true`, no effect with `paper_space(true)`. For points the default is
+  ///   `false`, because their components are guessed, see `read_point_set()`
+  /// - `joining_tolerance`: distance up to which open sides of faces are joined, to close duplicate
+  ///   vertices and T-junctions, see `Surface_seams`; by default they are not joined
+  /// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads here and in the assembly of
+  ///   operators, which needs TBB; `CGAL::Parallel_if_available_tag()` to do so if the program is
+  ///   linked with TBB; default `CGAL::Sequential_tag()`. The results are the same.
+  /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
+  /// - for points, in its place, all named parameters of `read_point_set()`: `point_map`,
+  ///   `normal_map`, `area_map`, `number_of_neighbors`
+  /// \throws Input_error one of its derived classes names the face, vertex or parameter
+  ///
+  /// The mesh is read once, and not needed any more. Time and memory are proportional to the number
+  /// of triangles plus the number of cells that meet the surface (times its logarithm for sorting).
+  template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+            internal::Require_named_parameters<NamedParameters> = 0>
+  explicit Spline_space_3(const FaceGraph& tm,
+                          const NamedParameters& np = parameters::default_values())
+    : Spline_space_3(surface_and_options(tm, np)) {}
+
+  /// The spaces of a triangle soup, which need not be a manifold: two triangles are joined if they
+  /// have two indices in common, any number of them at one edge.
+  /// \param points a range of 3D points
+  /// \param triangles a range of ranges of three indices into `points`
+  /// \param np all named parameters of the constructor above but the vertex point map
+  template <class PointRange, class TriangleRange,
+            class NamedParameters = parameters::Default_named_parameters,
+            internal::Require_no_named_parameters<TriangleRange> = 0>
+  Spline_space_3(const PointRange& points, const TriangleRange& triangles,
+                 const NamedParameters& np = parameters::default_values())
+    : Spline_space_3(read_surface(points, triangles), spline_space_options(np)) {}
+
+  /// the spaces of a surface given as points and triangles, which need not be a manifold, or as
+  /// oriented points
+  explicit Spline_space_3(Triangulated_surface_3 surface,
+                          const Spline_space_options& options = Spline_space_options())
+    : m_options(checked(options)), m_octree(make_octree(std::move(surface), m_options)) {
+    m_levels.resize(depth() + 1);
+    for(int level = 0; level <= depth(); ++level)
+      number_elements(level);
+  }
+
+  /// the options, without defaults that depend on others
+  const Spline_space_options& options() const { return m_options; }
+  /// depth \f$d\f$ of the octree, the finest level
+  int depth() const { return m_octree.depth(); }
+  /// the octree, with the sheets of all levels
+  const Octree_3& octree() const { return m_octree; }
+  /// the surface that the splines are restricted to
+  const Triangulated_surface_3& surface() const { return m_octree.surface(); }
+  /// whether only elements centred inside the grid exist, unsplit
+  bool is_paper_space() const { return m_options.paper_space; }
+  /// whether elements are split by the components of the surface in their support
+  bool is_split() const { return m_octree.is_split(); }
+
+  /// `level`
+  /// \throws Parameter_error if it is not from 0 to depth
+  int checked_level(int level) const {
+    if(level < 0 || level > depth())
+      throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +
+                                         std::to_string(depth()));
+    return level;
+  }
+
+  /// number of elements of a level
+  std::size_t dimension(int level) const { return m_levels[level].first_slots.size(); }
+  /// number of elements of the finest level
+  std::size_t dimension() const { return dimension(depth()); }
+  /// number of cells of a level that meet the surface
+  std::size_t number_of_cells(int level) const { return m_octree.number_of_cells(level); }
+  /// number of connected pieces of the surface in these cells; on level 0 the number of connected
+  /// components of the surface. Without splitting all surface in a cell counts as one piece.
+  std::size_t number_of_sheets(int level) const { return m_octree.number_of_sheets(level); }
+  /// number of elements of a level that are one of several into which an element was split
+  std::size_t number_of_split_elements(int level) const {
+    return m_levels[level].number_of_split_elements;
+  }
+
+  /// The elements that act on a sheet of a level; `no_element` where there is none, or where it
+  /// vanishes on the sheet. All code above this class reaches elements through this function alone.
+  const Cell_elements& elements(int level, std::size_t sheet) const {
+    return m_levels[level].elements[sheet];
+  }
+
+  /// a sheet on which an element acts, and its position in `elements()` of that sheet
+  std::pair<std::size_t, int> slot(int level, std::size_t element) const {
+    const std::uint32_t slot = m_levels[level].first_slots[element];
+    return {slot / 27, static_cast<int>(slot % 27)};
+  }
+
+  /// the cell that an element is centred on; it may lie outside the grid
+  Cell_3 center(int level, std::size_t element) const {
+    const auto [sheet, position] = slot(level, element);
+    return m_octree.cell(level, sheet)
+        .neighbor(position % 3 - 1, position / 3 % 3 - 1, position / 9 - 1);
+  }
+
+  /// The sheet of a level on which a point of a face lies, and its local coordinates in the cell,
+  /// in \f$[0,1]^3\f$ up to rounding. A point on a wall may belong to any of the cells that touch
+  /// it: the one that is taken owns a fragment of the face, or is an ancestor of one that does. It
+  /// has to, because an element that vanishes on a sheet is not listed there, but need not vanish
+  /// on another face that touches the cell.
+  /// \return the number of sheets of the level as sheet if the point is not on the face
+  std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,
+                                                       std::size_t face) const {
+    const int depth = this->depth();
+    const std::array<double, 3> x = m_octree.grid_coordinates(depth, point);
+    // Points come from barycentric coordinates: some digits more than those of a corner are gone.
+    const double tolerance = (std::max)(1e-7, 8 * m_octree.wall_tolerance(depth));
+    std::array<std::array<int, 2>, 3> range;
+    for(int axis = 0; axis < 3; ++axis) {
+      const double n = std::ldexp(1., depth);
+      if(!(x[axis] >= -tolerance && x[axis] <= n + tolerance))
+        return {m_octree.number_of_sheets(level), {0, 0, 0}};
+      range[axis] = {static_cast<int>(std::floor(x[axis] - tolerance)),
+                     static_cast<int>(std::floor(x[axis] + tolerance))};
+    }
+    Cell_3 cell{depth, {}};
+    for(cell.index[2] = range[2][1]; cell.index[2] >= range[2][0]; --cell.index[2])
+      for(cell.index[1] = range[1][1]; cell.index[1] >= range[1][0]; --cell.index[1])
+        for(cell.index[0] = range[0][1]; cell.index[0] >= range[0][0]; --cell.index[0]) {
+          const std::size_t cell_number = m_octree.find(cell);
+          if(cell_number == m_octree.number_of_cells(depth))
+            continue;
+          std::size_t sheet = m_octree.sheet_of_face(cell_number, face);
+          if(sheet == m_octree.number_of_sheets(depth))
+            continue;
+          for(int l = depth; l > level; --l)
+            sheet = m_octree.parent(l, sheet);
+          const Cell_3 ancestor = m_octree.cell(level, sheet);
+          std::array<double, 3> t;
+          for(int axis = 0; axis < 3; ++axis)
+            t[axis] = std::ldexp(x[axis], level - depth) - ancestor.index[axis];
+          return {sheet, t};
+        }
+    return {m_octree.number_of_sheets(level), {0, 0, 0}};
+  }
+
+private:
+  struct Level {
+    std::vector<Cell_elements> elements; // of sheets
+    std::vector<std::uint32_t> first_slots;
+    std::size_t number_of_split_elements = 0;
+  };
+
+  struct Key_and_slot {
+    std::uint64_t key;
+    std::uint32_t slot;
+    std::uint32_t sheet() const { return slot / 27; }
+  };
+
+  struct Surface_and_options {
+    Triangulated_surface_3 surface;
+    Spline_space_options options;
+  };
+
+  explicit Spline_space_3(Surface_and_options&& s)
+    : Spline_space_3(std::move(s.surface), s.options) {}
+
+  template <class MeshOrPoints, class NamedParameters>
+  static Surface_and_options surface_and_options(const MeshOrPoints& input,
+                                                 const NamedParameters& np) {
+    Surface_and_options result = {internal::read_mesh_or_points(input, np),
+                                  spline_space_options(np)};
+    if(result.surface.is_point_set() &&
+       !internal::is_given_v<NamedParameters, internal_np::octree_depth_t>)
+      result.options.octree_depth =
+          default_octree_depth_of_points(result.surface, result.options.cube_scale);
+    return result;
+  }
+
+  template <class NamedParameters>
+  static Spline_space_options spline_space_options(const NamedParameters& np) {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    Spline_space_options o;
+    o.octree_depth = choose_parameter(get_parameter(np, internal_np::octree_depth), o.octree_depth);
+    o.paper_space = choose_parameter(get_parameter(np, internal_np::paper_space), o.paper_space);
+    o.cube_scale = choose_parameter(get_parameter(np, internal_np::cube_scale),
+                                    default_cube_scale(o.paper_space));
+    o.split_elements =
+        choose_parameter(get_parameter(np, internal_np::split_elements), o.split_elements);
+    o.split_point_set =
+        choose_parameter(get_parameter(np, internal_np::split_elements), o.split_point_set);
+    const double off = -1;
+    o.joining_tolerance = choose_parameter(get_parameter(np, internal_np::joining_tolerance), off);
+    if(o.joining_tolerance != off)
+      check_tolerance(o.joining_tolerance);
+    o.is_parallel = internal::is_parallel(np);
+    if(o.cube_scale == 0)
+      throw Parameter_error("cube_scale", "is 0, but must be in 1 .. 1e6");
+    return o;
+  }
+
+  static Octree_3 make_octree(Triangulated_surface_3&& surface, const Spline_space_options& o) {
+    const bool is_split = surface.is_point_set() ? o.split_point_set : o.split_elements;
+    return Octree_3(std::move(surface), o.octree_depth, o.cube_scale, is_split, o.joining_tolerance,
+                    o.is_parallel);
+  }
+
+  static double default_cube_scale(bool paper_space) { return paper_space ? 1.2 : 1.1; }
+
+  static void check_tolerance(double tolerance) {
+    if(!(tolerance >= 0 && std::isfinite(tolerance)))
+      throw Parameter_error("joining_tolerance",
+                            "is " + std::to_string(tolerance) +
+                                ", but must be a finite number that is not negative");
+  }
+
+  static Spline_space_options checked(Spline_space_options options) {
+    if(options.cube_scale == 0)
+      options.cube_scale = default_cube_scale(options.paper_space);
+    options.split_elements = options.split_elements && !options.paper_space;
+    options.split_point_set = options.split_point_set && !options.paper_space;
+    if(!(options.joining_tolerance < 0))
+      check_tolerance(options.joining_tolerance);
+    return options;
+  }
+
+  /// Sorts the centres of the elements of all sheets; those of equal centre are one element for
+  /// each component of their sheets under the links. Chunks of sorted slots are numbered on their
+  /// own, first from 0: how many elements a chunk has is known only then.
+  void number_elements(int level) {
+    Level& l = m_levels[level];
+    const std::vector<Key_and_slot> slots = sorted_slots(level);
+    Cell_elements none;
+    none.fill(no_element);
+    l.elements.assign(m_octree.number_of_sheets(level), none);
+
+    const std::size_t grain = 1 << 15;
+    std::vector<Numbered_chunk> chunks((slots.size() - 1) / grain + 1);
+    internal::parallel_for(m_options.is_parallel, 0, slots.size(), grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             number_groups(level, slots, begin, end, chunks[begin / grain]);
+                           });
+    for(Numbered_chunk& chunk : chunks) {
+      chunk.first = static_cast<std::uint32_t>(l.first_slots.size());
+      l.first_slots.insert(l.first_slots.end(), chunk.first_slots.begin(), chunk.first_slots.end());
+      l.number_of_split_elements += chunk.number_of_split_elements;
+    }
+    internal::parallel_for(m_options.is_parallel, 0, chunks.size(), 1,
+                           [&](std::size_t begin, std::size_t) {
+                             const Numbered_chunk& chunk = chunks[begin];
+                             for(std::size_t i = chunk.begin; i < chunk.end; ++i)
+                               element(l, slots[i].slot) += chunk.first;
+                           });
+  }
+
+  /// the groups of equal centre that begin in a chunk of sorted slots
+  struct Numbered_chunk {
+    std::size_t begin = 0, end = 0; // slots of these groups
+    std::uint32_t first = 0;        // number of the first element
+    std::vector<std::uint32_t> first_slots;
+    std::size_t number_of_split_elements = 0;
+  };
+
+  void number_groups(int level, const std::vector<Key_and_slot>& slots, std::size_t begin,
+                     std::size_t end, Numbered_chunk& chunk) {
+    Level& l = m_levels[level];
+    while(begin > 0 && begin < end && slots[begin].key == slots[begin - 1].key)
+      ++begin;
+    chunk.begin = chunk.end = begin;
+    internal::Disjoint_sets components;
+    while(chunk.end < end) {
+      const Key_and_slot* const group = slots.data() + chunk.end;
+      std::uint32_t size = 1;
+      while(chunk.end + size < slots.size() && group[size].key == group->key)
+        ++size;
+      find_components(level, group, size, components);
+      std::size_t count = 0;
+      for(std::uint32_t i = 0; i < size; ++i) {
+        const std::uint32_t slot = group[i].slot;
+        const std::uint32_t first = components.find(i);
+        if(first == i) {
+          ++count;
+          element(l, slot) = static_cast<std::uint32_t>(chunk.first_slots.size());
+          chunk.first_slots.push_back(slot);
+        } else
+          element(l, slot) = element(l, group[first].slot);
+      }
+      if(count > 1)
+        chunk.number_of_split_elements += count;
+      chunk.end += size;
+    }
+  }
+
+  static std::uint32_t& element(Level& level, std::uint32_t slot) {
+    return level.elements[slot / 27][slot % 27];
+  }
+
+  /// sorted by centre, and by sheet
+  std::vector<Key_and_slot> sorted_slots(int level) const {
+    const std::size_t number_of_sheets = m_octree.number_of_sheets(level), grain = 1 << 11;
+    std::vector<std::vector<Key_and_slot>> of_chunks((number_of_sheets - 1) / grain + 1);
+    internal::parallel_for(m_options.is_parallel, 0, number_of_sheets, grain,
+                           [&](std::size_t begin, std::size_t end) {
+                             auto& of_chunk = of_chunks[begin / grain];
+                             of_chunk.reserve(27 * (end - begin));
+                             for(std::size_t sheet = begin; sheet < end; ++sheet)
+                               add_slots(level, sheet, of_chunk);
+                           });
+    std::size_t size = 0;
+    for(const auto& of_chunk : of_chunks)
+      size += of_chunk.size();
+    std::vector<Key_and_slot> slots;
+    slots.reserve(size);
+    for(auto& of_chunk : of_chunks) {
+      slots.insert(slots.end(), of_chunk.begin(), of_chunk.end());
+      std::vector<Key_and_slot>().swap(of_chunk);
+    }
+    // Coordinates of centres, shifted by one, are in 0 .. 2^level + 1.
+    internal::stable_sort_by_key(slots, 3 * (level + 2), m_options.is_parallel,
+                                 [](const Key_and_slot& s) { return s.key; });
+    return slots;
+  }
+
+  void add_slots(int level, std::size_t sheet, std::vector<Key_and_slot>& slots) const {
+    const Cell_3 cell = m_octree.cell(level, sheet);
+    // the parts of the Morton key along each axis
+    std::array<std::array<std::uint64_t, 3>, 3> parts;
+    for(int axis = 0; axis < 3; ++axis)
+      for(int d = 0; d < 3; ++d)
+        parts[axis][d] =
+            internal::spread_bits_by_three(static_cast<std::uint64_t>(cell.index[axis] + d))
+            << axis;
+    std::uint32_t slot = static_cast<std::uint32_t>(27 * sheet);
+    for(int dz = -1; dz <= 1; ++dz)
+      for(int dy = -1; dy <= 1; ++dy)
+        for(int dx = -1; dx <= 1; ++dx, ++slot)
+          if(m_octree.meets_element(level, sheet, dx, dy, dz) &&
+             (!is_paper_space() || cell.neighbor(dx, dy, dz).is_inside_grid()))
+            slots.push_back({parts[0][dx + 1] | parts[1][dy + 1] | parts[2][dz + 1], slot});
+  }
+
+  /// the components of the `size` sheets of one centre
+  void find_components(int level, const Key_and_slot* slots, std::uint32_t size,
+                       internal::Disjoint_sets& components) const {
+    components.reset(size);
+    if(!is_split()) {
+      for(std::uint32_t i = 1; i < size; ++i)
+        components.unite(0, i);
+      return;
+    }
+    // Both the sheets of the group and the links of a sheet ascend.
+    for(std::uint32_t i = 1; i < size; ++i) {
+      const std::size_t sheet = slots[i].sheet();
+      std::uint32_t j = 0;
+      for(std::uint32_t other : m_octree.links(level, sheet)) {
+        if(other > sheet)
+          break;
+        while(j < i && slots[j].sheet() < other)
+          ++j;
+        if(j == i)
+          break;
+        if(slots[j].sheet() == other)
+          components.unite(j, i);
+      }
+    }
+  }
+
+  Spline_space_options m_options;
+  Octree_3 m_octree;
+  std::vector<Level> m_levels;
+};
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H

@@ -1,0 +1,333 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+/// \throws Invalid_point_error unless the coordinates are finite, and the normal is and not zero
+inline void check_oriented_point(std::size_t i, const Point_3& point, const Vector_3& normal) {
+  for(int axis = 0; axis < 3; ++axis) {
+    if(!std::isfinite(point[axis]))
+      throw Invalid_point_error(i, "has a coordinate that is not a finite number");
+    if(!std::isfinite(normal[axis]))
+      throw Invalid_point_error(i, "has a normal that is not finite");
+  }
+  if(normal == CGAL::NULL_VECTOR)
+    throw Invalid_point_error(i, "has a normal of length zero");
+}
+
+/// a vector that is finite and not zero, divided by its length, however long or short it is
+inline Vector_3 unit_vector(const Vector_3& v) {
+  const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
+  const Vector_3 scaled(v.x() / largest, v.y() / largest, v.z() / largest);
+  return scaled / std::sqrt(scaled.squared_length());
+}
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Dev
+/// The surface as all that follows sees it: points, index triples, unit normals and areas in double
+/// precision, independent of the type of the mesh that it was read from.
+///
+/// It may also be given by oriented points, each with the area that it stands for. Such a point is
+/// a face whose three corners are the point itself: face `i` and vertex `i` are point `i`, and a
+/// function at a location on it is its value at the point. What needs more of a face than its
+/// normal, its area and the values at its corners calls `require_triangles()`.
+class Triangulated_surface_3 {
+public:
+  /// numbers of the three vertices of a triangle, counted from 0
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  /// A triangle whose height over its longest side is below this fraction of that side is
+  /// degenerate: the position of its third corner relative to the side is then rounding error of
+  /// the coordinates (16 units in the last place of the side), and so is its normal.
+  static constexpr double degenerate_height_tolerance = 3.6e-15;
+
+  /// Longest side of the bounding box that is accepted: squares (areas) must neither overflow nor
+  /// become subnormal.
+  static constexpr double largest_extent = 1e100;
+  /// shortest longest side of the bounding box that is accepted, for the same reason
+  static constexpr double smallest_extent = 1e-100;
+
+  /// The triangles need not form a manifold, nor be oriented alike, nor differ from each other.
+  /// \throws Empty_surface_error, Zero_area_error
+  /// \throws Invalid_face_error a face names a vertex that does not exist
+  /// \throws Invalid_vertex_error a vertex of a face is not finite
+  /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`
+  Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles)
+    : m_points(std::move(points)), m_triangles(std::move(triangles)) {
+    if(m_triangles.empty())
+      throw Empty_surface_error();
+    for(std::size_t f = 0; f < m_triangles.size(); ++f)
+      for(std::uint32_t v : m_triangles[f])
+        if(v >= m_points.size())
+          throw Invalid_face_error(f, "names a vertex that does not exist");
+    compute_bounding_box();
+    compute_normals_and_areas();
+  }
+
+  /// Oriented points. Points may coincide; normals need not have unit length, and are divided by
+  /// their length here.
+  /// \param points the points; their number is that of vertices and faces
+  /// \param normals a normal for each point, of any length but 0
+  /// \param areas the area that each point stands for, at least 0, in units of squared coordinates:
+  /// areas of other units would change the weight of the stabilisation, and with it the results
+  /// \throws Empty_surface_error
+  /// \throws Invalid_point_error names the first point that cannot be used
+  /// \throws Zero_area_error all points are the same, or all areas 0
+  /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`, the
+  /// sum of the areas is infinite, or the three vectors differ in length
+  Triangulated_surface_3(std::vector<Point_3> points, std::vector<Vector_3> normals,
+                         std::vector<double> areas)
+    : m_points(std::move(points)), m_normals(std::move(normals)), m_areas(std::move(areas)),
+      m_is_point_set(true) {
+    if(m_points.empty())
+      throw Empty_surface_error("the point set has no point");
+    if(m_normals.size() != m_points.size() || m_areas.size() != m_points.size())
+      throw Parameter_error("points", "has another length than normals or areas");
+    m_triangles.resize(m_points.size());
+    for(std::size_t i = 0; i < m_points.size(); ++i) {
+      internal::check_oriented_point(i, m_points[i], m_normals[i]);
+      if(!(m_areas[i] >= 0 && std::isfinite(m_areas[i])))
+        throw Invalid_point_error(i, "has an area that is negative or not a finite number");
+      m_normals[i] = internal::unit_vector(m_normals[i]);
+      m_triangles[i].fill(static_cast<std::uint32_t>(i));
+      m_area += m_areas[i];
+    }
+    compute_bounding_box();
+    if(!(m_area > 0))
+      throw zero_area_error();
+    if(!std::isfinite(m_area))
+      throw Parameter_error("area_map", "has values whose sum is not a finite number");
+  }
+
+  /// whether the surface is given by points
+  bool is_point_set() const { return m_is_point_set; }
+
+  /// \param who what cannot do without faces, for the message
+  /// \throws Input_error if the surface is given by points
+  void require_triangles(const std::string& who) const {
+    if(m_is_point_set)
+      throw Input_error("the surface is a point set, but " + who + " needs triangles");
+  }
+
+  /// number of points, also of those that no face uses
+  std::size_t number_of_vertices() const { return m_points.size(); }
+  /// number of triangles, degenerate ones included; of a point set, number of points
+  std::size_t number_of_faces() const { return m_triangles.size(); }
+
+  /// number of faces of area zero, up to `degenerate_height_tolerance`. They are left out of all
+  /// integrals.
+  std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
+
+  /// the point of a vertex
+  const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  /// the point of a corner of a face; `corner` is 0, 1 or 2
+  const Point_3& point(std::size_t face, int corner) const {
+    return m_points[m_triangles[face][corner]];
+  }
+  /// the vertices of a face
+  const Triangle& triangle(std::size_t face) const { return m_triangles[face]; }
+
+  /// unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate
+  const Vector_3& normal(std::size_t face) const { return m_normals[face]; }
+  /// whether the area of a face is zero, up to `degenerate_height_tolerance`
+  bool is_degenerate(std::size_t face) const { return m_normals[face] == CGAL::NULL_VECTOR; }
+
+  /// area of a face; 0 if it is degenerate
+  double area(std::size_t face) const { return m_areas[face]; }
+  /// area of the surface
+  double area() const { return m_area; }
+
+  /// lower corner of the bounding box of the vertices that have a face
+  const Point_3& bounding_box_min() const { return m_min; }
+  /// upper corner of that bounding box
+  const Point_3& bounding_box_max() const { return m_max; }
+  /// centre of that bounding box
+  Point_3 center() const {
+    return {m_min.x() / 2 + m_max.x() / 2, m_min.y() / 2 + m_max.y() / 2,
+            m_min.z() / 2 + m_max.z() / 2};
+  }
+  /// longest side of the bounding box
+  double extent() const { return m_extent; }
+
+  /// the point at a location, with all that a `Surface_point` holds
+  Surface_point surface_point(const Surface_location& location) const {
+    Surface_point p;
+    static_cast<Surface_location&>(p) = location;
+    p.vertices = m_triangles[location.face];
+    p.normal = m_normals[location.face];
+    const Point_3 &a = m_points[p.vertices[0]], &b = m_points[p.vertices[1]],
+                  &c = m_points[p.vertices[2]];
+    const auto& l = location.barycentric;
+    p.point = Point_3(l[0] * a.x() + l[1] * b.x() + l[2] * c.x(),
+                      l[0] * a.y() + l[1] * b.y() + l[2] * c.y(),
+                      l[0] * a.z() + l[1] * b.z() + l[2] * c.z());
+    return p;
+  }
+
+private:
+  void compute_bounding_box() {
+    const double infinity = std::numeric_limits<double>::infinity();
+    std::array<double, 3> low = {infinity, infinity, infinity},
+                          high = {-infinity, -infinity, -infinity};
+    for(const Triangle& triangle : m_triangles)
+      for(std::uint32_t v : triangle)
+        for(int axis = 0; axis < 3; ++axis) {
+          const double x = m_points[v][axis];
+          if(!std::isfinite(x))
+            throw Invalid_vertex_error(v, "has a coordinate that is not a finite number");
+          low[axis] = (std::min)(low[axis], x);
+          high[axis] = (std::max)(high[axis], x);
+        }
+    m_min = Point_3(low[0], low[1], low[2]);
+    m_max = Point_3(high[0], high[1], high[2]);
+    m_extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    if(m_extent == 0)
+      throw zero_area_error();
+    if(!(m_extent >= smallest_extent && m_extent <= largest_extent))
+      throw Parameter_error("extent", "of the bounding box is outside of 1e-100 .. 1e100");
+  }
+
+  void compute_normals_and_areas() {
+    m_normals.assign(m_triangles.size(), Vector_3(0, 0, 0));
+    m_areas.assign(m_triangles.size(), 0);
+    const double scale = 1 / m_extent;
+    for(std::size_t f = 0; f < m_triangles.size(); ++f) {
+      // The cross product is most accurate from the corner opposite to the longest side.
+      std::array<Vector_3, 3> side;
+      std::array<double, 3> squared;
+      for(int i = 0; i < 3; ++i) {
+        side[i] = (point(f, (i + 2) % 3) - point(f, (i + 1) % 3)) * scale;
+        squared[i] = side[i].squared_length();
+      }
+      const int corner =
+          static_cast<int>(std::max_element(squared.begin(), squared.end()) - squared.begin());
+      const Vector_3 product = CGAL::cross_product(side[(corner + 2) % 3], -side[(corner + 1) % 3]);
+      const double length = std::sqrt(product.squared_length());
+      // length = longest side x height over it
+      if(!(length > degenerate_height_tolerance * squared[corner])) {
+        ++m_number_of_degenerate_faces;
+        continue;
+      }
+      m_normals[f] = product / length;
+      m_areas[f] = length / 2 * m_extent * m_extent;
+      m_area += m_areas[f];
+    }
+    if(!(m_area > 0))
+      throw zero_area_error();
+  }
+
+  Zero_area_error zero_area_error() const {
+    if(!m_is_point_set)
+      return Zero_area_error(m_triangles.size());
+    return Zero_area_error("the point set has area zero: all of its " +
+                           std::to_string(m_points.size()) +
+                           (m_extent == 0 ? " points are the same" : " points have area zero"));
+  }
+
+  std::vector<Point_3> m_points;
+  std::vector<Triangle> m_triangles;
+  std::vector<Vector_3> m_normals;
+  std::vector<double> m_areas;
+  Point_3 m_min, m_max;
+  double m_extent = 0;
+  double m_area = 0;
+  std::size_t m_number_of_degenerate_faces = 0;
+  bool m_is_point_set = false;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Dev
+/// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.
+///
+/// \tparam FaceGraph a model of `FaceListGraph`
+/// \param tm a mesh of triangles
+/// \param np `vertex_point_map`: a model of `ReadablePropertyMap` with a 3D point of any \cgal
+/// kernel as value; default `get_const_property_map(CGAL::vertex_point, tm)`
+/// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
+/// `Triangulated_surface_3` throws
+template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Triangulated_surface_3 read_surface(const FaceGraph& tm,
+                                    const NamedParameters& np = parameters::default_values()) {
+  using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
+  auto point_map =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                   get_const_property_map(CGAL::vertex_point, tm));
+  auto index_map = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), tm);
+
+  std::vector<Point_3> points;
+  points.reserve(num_vertices(tm));
+  for(Vertex v : vertices(tm)) {
+    put(index_map, v, static_cast<std::uint32_t>(points.size()));
+    const auto& p = get(point_map, v);
+    points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  std::vector<Triangulated_surface_3::Triangle> triangles;
+  triangles.reserve(num_faces(tm));
+  for(auto f : faces(tm)) {
+    const auto h = halfedge(f, tm);
+    if(next(next(next(h, tm), tm), tm) != h || next(h, tm) == h || next(next(h, tm), tm) == h)
+      throw Invalid_face_error(triangles.size(), "is not a triangle");
+    triangles.push_back({get(index_map, source(h, tm)), get(index_map, target(h, tm)),
+                         get(index_map, target(next(h, tm), tm))});
+  }
+  return Triangulated_surface_3(std::move(points), std::move(triangles));
+}
+
+/// \ingroup PkgRestrictedLaplacian3Dev
+/// Reads a triangle soup: a surface that need not be a manifold.
+/// \param points a range of 3D points of any \cgal kernel
+/// \param triangles a range of ranges of three indices into `points`, each of any integer type
+/// \throws Invalid_face_error if a face is not a triangle or names a point that does not exist, and
+/// what the constructor of `Triangulated_surface_3` throws
+template <class PointRange, class TriangleRange,
+          internal::Require_no_named_parameters<TriangleRange> = 0>
+Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRange& triangles) {
+  std::vector<Point_3> own_points;
+  for(const auto& p : points)
+    own_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  std::vector<Triangulated_surface_3::Triangle> own_triangles;
+  for(const auto& triangle : triangles) {
+    if(std::distance(std::begin(triangle), std::end(triangle)) != 3)
+      throw Invalid_face_error(own_triangles.size(), "is not a triangle");
+    Triangulated_surface_3::Triangle own;
+    auto corner = own.begin();
+    for(const auto index : triangle) {
+      const auto i = static_cast<long long>(index);
+      if(i < 0 || i >= static_cast<long long>(own_points.size()))
+        throw Invalid_face_error(own_triangles.size(), "names a vertex that does not exist");
+      *corner++ = static_cast<std::uint32_t>(i);
+    }
+    own_triangles.push_back(own);
+  }
+  return Triangulated_surface_3(std::move(own_points), std::move(own_triangles));
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_FUNCTION_COMPONENTS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_FUNCTION_COMPONENTS_H
+
+#include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
+
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// The components of a value of a function: how many there are, how to read them into a column
+/// vector, and how to make a value of them. Values are numbers, `std::array`s of numbers, vectors
+/// of Eigen of a fixed size, or 3D vectors and points of a kernel of \cgal.
+template <class Value, class = void> struct Function_components {
+  static constexpr int number = 1;
+  static Eigen::Matrix<double, 1, 1> read(const Value& value) {
+    return Eigen::Matrix<double, 1, 1>(CGAL::to_double(value));
+  }
+  static Value make(const Eigen::Matrix<double, 1, 1>& components) {
+    return static_cast<Value>(components[0]);
+  }
+};
+
+template <class Number, std::size_t N> struct Function_components<std::array<Number, N>> {
+  static constexpr int number = static_cast<int>(N);
+  static Eigen::Matrix<double, number, 1> read(const std::array<Number, N>& value) {
+    Eigen::Matrix<double, number, 1> result;
+    for(std::size_t i = 0; i < N; ++i)
+      result[static_cast<Eigen::Index>(i)] = CGAL::to_double(value[i]);
+    return result;
+  }
+  static std::array<Number, N> make(const Eigen::Matrix<double, number, 1>& components) {
+    std::array<Number, N> result;
+    for(std::size_t i = 0; i < N; ++i)
+      result[i] = static_cast<Number>(components[static_cast<Eigen::Index>(i)]);
+    return result;
+  }
+};
+
+/// expressions too: what a function object with the return type `auto` may return
+template <class Value>
+struct Function_components<Value,
+                           std::enable_if_t<std::is_base_of_v<Eigen::MatrixBase<Value>, Value>>> {
+  static constexpr int number = Value::SizeAtCompileTime;
+  static_assert(number > 0 && Value::IsVectorAtCompileTime,
+                "vectors of Eigen need a size that is known at compile time");
+  static Eigen::Matrix<double, number, 1> read(const Value& value) {
+    Eigen::Matrix<double, number, 1> result;
+    for(int i = 0; i < number; ++i)
+      result[i] = static_cast<double>(value[i]);
+    return result;
+  }
+  static Value make(const Eigen::Matrix<double, number, 1>& components) {
+    Value result;
+    for(int i = 0; i < number; ++i)
+      result[i] = static_cast<typename Value::Scalar>(components[i]);
+    return result;
+  }
+};
+
+/// vectors and points of \cgal
+template <class Value>
+struct Function_components<Value,
+                           std::void_t<decltype(std::declval<const Value&>().cartesian(2))>> {
+  static constexpr int number = 3;
+  static Eigen::Vector3d read(const Value& value) {
+    return {CGAL::to_double(value.x()), CGAL::to_double(value.y()), CGAL::to_double(value.z())};
+  }
+  static Value make(const Eigen::Vector3d& components) {
+    return Value(components[0], components[1], components[2]);
+  }
+};
+
+template <class Function>
+using Components_of =
+    Function_components<std::decay_t<std::invoke_result_t<const Function&, const Surface_point&>>>;
+
+/// the components of a function at a point, as a column vector
+template <class Function> auto components_at(const Function& f, const Surface_point& p) {
+  return Components_of<Function>::read(f(p));
+}
+
+/// writes the rows of a matrix, one for each vertex, into a property map of numbers or vectors
+template <class Source, class PropertyMap>
+void put_rows(const Source& source, const Eigen::MatrixXd& values, const PropertyMap& map) {
+  using Components = Function_components<typename boost::property_traits<PropertyMap>::value_type>;
+  source.for_each_vertex([&](std::size_t i, const auto& v) {
+    const Eigen::Matrix<double, Components::number, 1> components =
+        values.row(static_cast<Eigen::Index>(i)).transpose();
+    put_value_at(map, v, Components::make(components));
+  });
+}
+
+/// The function that interpolates a property map linearly in each triangle, by components: a vector
+/// of Eigen at each point.
+/// \param source such as `Mesh_source`
+template <class Source, class PropertyMap>
+auto interpolated_components(const Source& source, const PropertyMap& map) {
+  using Components =
+      Function_components<std::decay_t<typename boost::property_traits<PropertyMap>::value_type>>;
+  std::vector<Eigen::Matrix<double, Components::number, 1>> values;
+  source.for_each_vertex(
+      [&](std::size_t, const auto& v) { values.push_back(Components::read(value_at(map, v))); });
+  return Linear_surface_function<Eigen::Matrix<double, Components::number, 1>>(std::move(values));
+}
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_FUNCTION_COMPONENTS_H
