@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 
 #include <algorithm>
@@ -25,12 +26,6 @@
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
-
-/// \ingroup PkgRestrictedLaplacian3Dev
-/// the 27 elements that can act on a sheet, by the offset of their centre from its cell: number
-/// \f$i = (d_x + 1) + 3 (d_y + 1) + 9 (d_z + 1)\f$ is centred on the neighbour at offset
-/// \f$(d_x, d_y, d_z)\f$
-using Cell_elements = std::array<std::uint32_t, 27>;
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The depth that a set of points allows, for functions that are given no `octree_depth`: the
@@ -116,7 +111,7 @@ struct Spline_space_options {
 class Spline_space_3 {
 public:
   /// stands for an element that does not exist
-  static constexpr std::uint32_t no_element = (std::numeric_limits<std::uint32_t>::max)();
+  static constexpr std::uint32_t no_element = Restricted_laplacian_3::no_element;
 
   /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
   /// triangles; or a model of `ConstRange`, for example `CGAL::Point_set_3`, of oriented points

@@ -4,17 +4,9 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_PARALLEL_FOR_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_PARALLEL_FOR_H
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 
-#include <atomic>
-#include <exception>
-#include <mutex>
-#endif
-
-#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -23,61 +15,22 @@ namespace internal {
 
 /// Calls `body(b, e)` for the chunks \f$[b, e)\f$, of `grain` numbers each (the last one may be
 /// shorter), of \f$[\mathrm{begin}, \mathrm{end})\f$: at once on several threads if `is_parallel`,
-/// and if the program is linked with TBB, else in ascending order.
+/// and if the package was compiled with TBB, else in ascending order.
 ///
 /// The chunks are the same in both cases, and for any number of threads. So what is computed for
 /// each chunk by itself, a sum for instance, is the same to the last bit.
 ///
 /// If chunks throw, the exception of the first of them in ascending order is thrown, as without
 /// threads; other chunks may have been run, also after it.
-template <class Body>
 void parallel_for(bool is_parallel, std::size_t begin, std::size_t end, std::size_t grain,
-                  Body&& body) {
-  if(begin >= end)
-    return;
-  grain = (std::max)(grain, std::size_t(1));
-  const std::size_t number_of_chunks = (end - begin - 1) / grain + 1;
-  const auto run = [&](std::size_t chunk) {
-    const std::size_t b = begin + chunk * grain;
-    body(b, b + (std::min)(grain, end - b));
-  };
-#ifdef CGAL_LINKED_WITH_TBB
-  if(is_parallel && number_of_chunks > 1) {
-    std::atomic<std::size_t> first_failure(number_of_chunks);
-    std::exception_ptr exception;
-    std::mutex mutex;
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, number_of_chunks, 1),
-        [&](const tbb::blocked_range<std::size_t>& chunks) {
-          for(std::size_t chunk = chunks.begin(); chunk != chunks.end(); ++chunk) {
-            // Those before a failure have to run: one of them may be the first to fail.
-            if(chunk > first_failure)
-              return;
-            try {
-              run(chunk);
-            } catch(...) {
-              const std::lock_guard<std::mutex> lock(mutex);
-              if(chunk < first_failure) {
-                first_failure = chunk;
-                exception = std::current_exception();
-              }
-            }
-          }
-        },
-        tbb::simple_partitioner());
-    if(exception)
-      std::rethrow_exception(exception);
-    return;
-  }
-#else
-  static_cast<void>(is_parallel);
-#endif
-  for(std::size_t chunk = 0; chunk < number_of_chunks; ++chunk)
-    run(chunk);
-}
+                  Function_view<void(std::size_t, std::size_t)> body);
 
 } // namespace internal
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_PARALLEL_FOR_H
