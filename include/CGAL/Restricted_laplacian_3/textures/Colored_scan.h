@@ -30,7 +30,7 @@ namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Takes coordinates of a scan to those of the world.
-using Scan_pose = CGAL::Aff_transformation_3<Kernel>;
+using Scan_pose = CGAL::Aff_transformation_3<CGAL::Simple_cartesian<double>>;
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The pose that a matrix of four rows stands for, which takes columns \f$(x, y, z, 1)^T\f$ of the

@@ -23,7 +23,8 @@ namespace internal {
 
 /// Barycentric coordinates of the point of a triangle that is nearest to `q`, by the region in
 /// which `q` lies: exactly 0 for corners opposite to the side on which that point is.
-inline std::array<double, 3> nearest_in_triangle(const Kernel::Triangle_3& t, const Point_3& q) {
+inline std::array<double, 3> nearest_in_triangle(const Double_kernel::Triangle_3& t,
+                                                 const Point_3& q) {
   const Vector_3 ab = t[1] - t[0], ac = t[2] - t[0], aq = q - t[0], bq = q - t[1], cq = q - t[2];
   const double d1 = ab * aq, d2 = ac * aq, d3 = ab * bq, d4 = ac * bq, d5 = ab * cq, d6 = ac * cq;
   if(d1 <= 0 && d2 <= 0)
