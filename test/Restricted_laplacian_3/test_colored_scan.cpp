@@ -114,10 +114,10 @@ TEST_CASE("nearest_points_are_those_of_all_triangles", "[stitch]") {
     const Point_3 q(uniform(generator), uniform(generator), uniform(generator));
     double nearest = std::numeric_limits<double>::infinity();
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      nearest = (std::min)(nearest,
-                           std::sqrt(CGAL::squared_distance(
-                               q, RL::Kernel::Triangle_3(surface.point(f, 0), surface.point(f, 1),
-                                                         surface.point(f, 2)))));
+      nearest = (std::min)(
+          nearest, std::sqrt(CGAL::squared_distance(
+                       q, CGAL::Simple_cartesian<double>::Triangle_3(
+                              surface.point(f, 0), surface.point(f, 1), surface.point(f, 2)))));
     RL::Scan_sample s;
     const bool is_found = sampler(q, 0.3, s);
     CHECK(is_found == (nearest <= 0.3));

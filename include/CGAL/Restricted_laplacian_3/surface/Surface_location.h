@@ -7,8 +7,6 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -23,16 +21,20 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+namespace internal {
+
+/// the kernel in which the package computes
+using Double_kernel = CGAL::Simple_cartesian<double>;
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// The kernel in which this package computes. Points of other kernels are converted with
-/// `CGAL::to_double()`.
-using Kernel = CGAL::Simple_cartesian<double>;
+/// The points with which this package computes, those of `CGAL::Simple_cartesian<double>`. Points
+/// of other kernels are converted with `CGAL::to_double()`.
+using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// point of `Kernel`
-using Point_3 = Kernel::Point_3;
-/// \ingroup PkgRestrictedLaplacian3Functions
-/// vector of `Kernel`
-using Vector_3 = Kernel::Vector_3;
+/// the vectors that belong to them
+using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A location on the surface: a face and barycentric coordinates in it.

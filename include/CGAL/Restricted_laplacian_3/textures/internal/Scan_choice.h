@@ -14,15 +14,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
-
-constexpr std::uint32_t no_scan_number = (std::numeric_limits<std::uint32_t>::max)();
 
 /// The sides that faces share: two faces and the length. Where more than two faces meet, each is
 /// joined to the next one; degenerate faces have none.
@@ -99,24 +96,24 @@ public:
     double length = 0;
     for(const Shared_side& side : m_sides) {
       const std::uint32_t s = m_scans[side.face], t = m_scans[side.other];
-      if(s != t && s != no_scan_number && t != no_scan_number)
+      if(s != t && s != no_scan && t != no_scan)
         length += side.length;
     }
     return length;
   }
 
-  /// the scan of each face, or `no_scan_number`
+  /// the scan of each face, or `no_scan`
   const std::vector<std::uint32_t>& scans_of_faces() const { return m_scans; }
 
   /// The scan of each vertex: of those of its faces the one of the largest quality there.
   std::vector<std::uint32_t> scans_of_vertices() const {
-    std::vector<std::uint32_t> result(m_surface.number_of_vertices(), no_scan_number);
+    std::vector<std::uint32_t> result(m_surface.number_of_vertices(), no_scan);
     for(std::size_t f = 0; f < m_scans.size(); ++f)
       for(std::uint32_t v : m_surface.triangle(f)) {
         const std::uint32_t s = m_scans[f];
-        if(s == no_scan_number || result[v] == s)
+        if(s == no_scan || result[v] == s)
           continue;
-        if(result[v] == no_scan_number || m_qualities[s][v] > m_qualities[result[v]][v] ||
+        if(result[v] == no_scan || m_qualities[s][v] > m_qualities[result[v]][v] ||
            (m_qualities[s][v] == m_qualities[result[v]][v] && s < result[v]))
           result[v] = s;
       }
@@ -159,7 +156,7 @@ private:
   }
 
   void choose_best() {
-    m_scans.assign(m_surface.number_of_faces(), no_scan_number);
+    m_scans.assign(m_surface.number_of_faces(), no_scan);
     for(std::size_t f = 0; f < m_scans.size(); ++f) {
       double best = -1;
       for(std::uint32_t s = 0; s < m_qualities.size(); ++s)
@@ -223,7 +220,7 @@ private:
     bool is_inside = true;
     for(std::size_t i = begin; i < end; ++i)
       is_inside = is_inside && scan_of(i) == current;
-    if(current == no_scan_number || is_inside)
+    if(current == no_scan || is_inside)
       return current;
     const double relative_area =
         m_surface.area(face) / m_surface.area() * static_cast<double>(m_scans.size());
@@ -238,7 +235,7 @@ private:
     double smallest = energy(current);
     for(std::size_t i = begin; i < end; ++i) {
       const std::uint32_t s = scan_of(i);
-      if(s == no_scan_number || s == best || quality(s, face) < 0)
+      if(s == no_scan || s == best || quality(s, face) < 0)
         continue;
       const double e = energy(s);
       if(e < smallest) {

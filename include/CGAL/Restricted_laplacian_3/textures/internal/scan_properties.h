@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Nearest_points.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Point_neighborhood.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
