@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Scan_choice.h>
@@ -324,9 +324,9 @@ Color_stitcher::scan_gradients(const Corner_colors& colors) const {
   return Corner_vector_field<Eigen::Matrix3d>(std::move(gradients));
 }
 
-template <class Field>
-Eigen::MatrixXd Color_stitcher::integrate(const Field& field, const Corner_colors& target,
-                                          Stitched_colors& result) const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
+Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& target,
+                          Stitched_colors& result) const {
   const double alpha =
       m_options.screening_weight.value_or(Options::default_screening / surface().area());
   std::vector<double> weights(surface().number_of_faces(), 0);
@@ -337,14 +337,15 @@ Eigen::MatrixXd Color_stitcher::integrate(const Field& field, const Corner_color
   const auto target_function =
       function_of_degree([&](const Surface_point& p) -> Eigen::Vector3d { return target(p); }, 1);
   const Face_function<double> weight(std::move(weights));
-  const internal::Screening<3, std::decay_t<decltype(target_function)>, Face_function<double>>
-      screening(target_function, weight, parameters::default_values());
+  internal::Screening screening;
+  screening.target = target_function;
+  screening.weight_function = weight;
   internal::Gradient_options options = {
       m_options.solver,
       m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space))};
   options.solver.is_parallel = is_parallel();
-  internal::Gradient_solution<3> solution =
-      internal::integrate_gradients<3>(*m_space, Cubature(*m_space), field, screening, options);
+  internal::Gradient_solution solution = internal::integrate_gradients(
+      *m_space, Default_integration(*m_space), field, screening, options);
   Eigen::MatrixXd values =
       Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
   if(m_options.vertex_details) {
