@@ -51,25 +51,6 @@ inline double median_side(const Triangulated_surface_3& surface) {
   return median(std::move(lengths));
 }
 
-/// the vertices of sides that no other face shares, for each vertex 0 or 1
-inline std::vector<char> boundary_vertices(const Triangulated_surface_3& surface) {
-  using Side = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<Side> sides;
-  sides.reserve(3 * surface.number_of_faces());
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int i = 0; i < 3 && !surface.is_degenerate(f); ++i)
-      sides.push_back(std::minmax({surface.triangle(f)[i], surface.triangle(f)[(i + 1) % 3]}));
-  std::sort(sides.begin(), sides.end());
-  std::vector<char> is_on_boundary(surface.number_of_vertices(), 0);
-  for(std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-    while(last < sides.size() && sides[last] == sides[first])
-      ++last;
-    if(last == first + 1)
-      is_on_boundary[sides[first].first] = is_on_boundary[sides[first].second] = 1;
-  }
-  return is_on_boundary;
-}
-
 /// The distance of each vertex to the nearest vertex that is marked, infinite if none is.
 inline std::vector<double> distances_to_marked(const Triangulated_surface_3& surface,
                                                const std::vector<char>& is_marked,
