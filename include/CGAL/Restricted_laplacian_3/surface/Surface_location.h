@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -146,6 +147,8 @@ public:
     return m_values[p.vertices[0]] * p.barycentric[0] + m_values[p.vertices[1]] * p.barycentric[1] +
            m_values[p.vertices[2]] * p.barycentric[2];
   }
+  /// linear in each triangle
+  int degree() const { return 1; }
 
 private:
   std::vector<T> m_values;
@@ -153,12 +156,22 @@ private:
 
 namespace internal {
 
-/// the degree of the polynomials that a function consists of, one on each triangle
-template <class Function> int degree_on_triangles(const Function&) { return 6; }
-template <class Function> int degree_on_triangles(const Function_of_degree<Function>& f) {
-  return f.degree();
+/// the degree that functions have which do not tell it
+constexpr int default_degree_on_triangles = 6;
+
+template <class Function, class = void> struct Has_degree : std::false_type {};
+template <class Function>
+struct Has_degree<Function, std::void_t<decltype(int(std::declval<const Function&>().degree()))>>
+  : std::true_type {};
+
+/// the degree of the polynomials that a function consists of, one on each triangle: its member
+/// `degree()`, if it has one
+template <class Function> int degree_on_triangles(const Function& f) {
+  if constexpr(Has_degree<Function>::value)
+    return f.degree();
+  else
+    return default_degree_on_triangles;
 }
-template <class T> int degree_on_triangles(const Linear_surface_function<T>&) { return 1; }
 
 } // namespace internal
 
