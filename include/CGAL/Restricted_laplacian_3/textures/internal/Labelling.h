@@ -7,8 +7,17 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 
-#include <CGAL/boost/graph/alpha_expansion_graphcut.h>
 #include <CGAL/property_map.h>
+
+// GCC does not see that the maximal flow of Boost sets the edge that it reads.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <CGAL/boost/graph/alpha_expansion_graphcut.h>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 #include <boost/graph/adjacency_list.hpp>
 

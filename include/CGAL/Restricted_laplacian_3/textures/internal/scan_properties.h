@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_SCAN_PROPERTIES_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_SCAN_PROPERTIES_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Nearest_points.h>
@@ -90,6 +91,7 @@ struct Scan_point_properties {
 /// The tangential gradients that fit the differences of colours best: weighted least squares
 /// around the weighted means, in the directions in which the points differ.
 /// \param ways from a point to its neighbours in its tangent plane
+/// \throws Numerical_error the eigenvectors of their moments are not found
 inline Eigen::Matrix3d fitted_gradient(const std::vector<Eigen::Vector3d>& ways,
                                        const std::vector<Eigen::Vector3d>& colors) {
   constexpr double smallest_relative_eigenvalue = 1e-6;
@@ -118,6 +120,8 @@ inline Eigen::Matrix3d fitted_gradient(const std::vector<Eigen::Vector3d>& ways,
     b += weight(ways[i]) * way * (colors[i] - mean_color).transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(a);
+  if(solver.info() != Eigen::Success)
+    throw Numerical_error("no eigenvectors were found for the gradients of the colors of a scan");
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
   for(int i = 1; i < 3; ++i) // the first eigenvector is the normal
     if(solver.eigenvalues()[i] > smallest_relative_eigenvalue * solver.eigenvalues()[2]) {
