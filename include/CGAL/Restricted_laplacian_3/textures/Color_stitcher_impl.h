@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Scan_choice.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/exposure_gains.h>
@@ -70,17 +71,14 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<std::pair<std::uint32_t, std::uin
 scan_transitions(const Triangulated_surface_3& surface, const std::vector<std::uint32_t>& scans) {
   if(scans.size() != surface.number_of_vertices())
     throw Parameter_error("scans", "has another length than the vertices");
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int i = 0; i < 3 && !surface.is_degenerate(f); ++i) {
-      const auto edge = std::minmax({surface.triangle(f)[i], surface.triangle(f)[(i + 1) % 3]});
-      const std::uint32_t s = scans[edge.first], t = scans[edge.second];
-      if(s != t && s != no_scan && t != no_scan)
-        edges.push_back(edge);
-    }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  const internal::Surface_edges edges(surface, internal::Surface_edges::Faces::not_degenerate);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
+  for(std::size_t e = 0; e < edges.size(); ++e) {
+    const auto& [v, w] = edges.ends(e);
+    if(scans[v] != scans[w] && scans[v] != no_scan && scans[w] != no_scan)
+      result.emplace_back(v, w);
+  }
+  return result;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
