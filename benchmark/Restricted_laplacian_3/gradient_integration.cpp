@@ -197,9 +197,8 @@ void run_cholmod(Colored_mesh& m) {
   row.method = "cholmod";
   const auto field = m.gradients();
   auto system = RL::internal::vertex_system(
-      RL::read_surface(m.points, m.triangles), field,
-      [](const RL::Surface_point*, std::size_t) {}, [](std::size_t) { return 0.; },
-      [](std::size_t) -> const double* { return nullptr; }, 0);
+      RL::read_surface(m.points, m.triangles), field, [](const RL::Surface_point*, std::size_t) {},
+      [](std::size_t) { return 0.; }, [](std::size_t) -> const double* { return nullptr; }, 0);
   row.unknowns = static_cast<std::size_t>(system.matrix.cols());
   row.report.assembly_seconds = timer.time();
   system.matrix.coeffRef(0, 0) *= 2;
