@@ -19,8 +19,8 @@ const Help help = {"draw_mesh MESH PICTURE [OPTION]...", R"(
 Draws a mesh in the colors of its vertices, or in gray if it has none.
 
 MESH is a file of one of the formats off, obj, ply, stl and ts, or points with normals, as
-the programs read them. PICTURE is a PNG file. The mesh is seen from the front, somewhat from
-above and from the right, in parallel projection.
+the programs read them. PICTURE is a PNG file. The mesh is seen from the front, somewhat
+from above and from the right, in parallel projection.
 )",
                    R"(  draw_mesh u.ply u.png --isolines 20
       what a program wrote to u.ply with --output, with level lines

@@ -128,8 +128,8 @@ inline Point_set read_points(const std::string& file) {
             "'" + file + "': coordinates and normals differ in their types");
   const internal::Error_stream_catcher catcher;
   Point_set points;
-  require(CGAL::IO::read_point_set(file, points),
-          "cannot read the points of '" + file + "' " + catcher.text());
+  const bool is_read = CGAL::IO::read_point_set(file, points);
+  require(is_read, "cannot read the points of '" + file + "'. " + catcher.text());
   return points;
 }
 
