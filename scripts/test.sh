@@ -38,14 +38,9 @@ run_tests() {
 
 bash scripts/install_dependencies.sh
 
-# Nearly all of the time of a compilation goes into functions of the package, of CGAL and of Eigen
-# that all unit tests and example programs use: two translation units for all unit tests and two for
-# all programs take a fraction of the time of one for each file, and up to 5 GB each.
-unity=(-DCMAKE_UNITY_BUILD=ON)
-
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
   -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON \
-  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON "${unity[@]}"
+  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON
 cmake --build build --parallel "$jobs"
 run_tests build --label-exclude '^headers$'
 
@@ -55,8 +50,7 @@ cmake -S . -B build/sanitizers -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=D
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DRESTRICTED_LAPLACIAN_3_SANITIZE=address,undefined \
   -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON \
   -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF \
-  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF \
-  "${unity[@]}"
+  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF
 cmake --build build/sanitizers --parallel "$jobs" --target test_restricted_laplacian_3
 ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
   run_tests build/sanitizers --label-regex '^(unit|headers)$'

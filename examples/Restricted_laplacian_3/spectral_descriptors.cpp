@@ -13,10 +13,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/spectra/heat_kernel_signature.h>
-#include <CGAL/Restricted_laplacian_3/spectra/shape_dna.h>
-#include <CGAL/Restricted_laplacian_3/spectra/spectral_embedding.h>
-#include <CGAL/Restricted_laplacian_3/spectra/wave_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 
 #include <CGAL/Real_timer.h>
