@@ -25,7 +25,8 @@
 //
 // usage: gradient_integration [OPTION]... [MESH]...
 
-#include "../../examples/Restricted_laplacian_3/support/colored_mesh.h"
+#include "../../examples/Restricted_laplacian_3/support/mesh_output.h"
+#include "../../examples/Restricted_laplacian_3/support/vertex_data.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -138,9 +139,9 @@ void write(const Options& o, const Colored_mesh& m, const Row& row) {
     return;
   const RL::Triangulated_surface_3 surface = RL::read_surface(m.points, m.triangles);
   const std::string file = o.folder + "/" + m.name;
-  examples::write_mesh(file + ".ply", surface, examples::to_bytes(m.colors), {}, {});
+  examples::write_mesh(file + ".ply", surface, m.colors);
   examples::write_mesh(file + "_d" + std::to_string(row.depth) + "_" + row.method + ".ply", surface,
-                       examples::to_bytes(m.solution), {}, {});
+                       m.solution);
 }
 
 template <class Parameters>
