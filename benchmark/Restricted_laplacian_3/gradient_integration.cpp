@@ -196,9 +196,9 @@ void run_cholmod(Colored_mesh& m) {
   Row row;
   row.method = "cholmod";
   const auto field = m.gradients();
-  auto system = RL::internal::vertex_system<3>(
-      RL::read_surface(m.points, m.triangles), field, [](const RL::Surface_point&) { return 0.; },
-      [](const RL::Surface_point&) { return Eigen::Vector3d(0, 0, 0); }, 0);
+  auto system = RL::internal::vertex_system(
+      RL::read_surface(m.points, m.triangles), field, [](const RL::Surface_point*, std::size_t) {},
+      [](std::size_t) { return 0.; }, [](std::size_t) -> const double* { return nullptr; }, 0);
   row.unknowns = static_cast<std::size_t>(system.matrix.cols());
   row.report.assembly_seconds = timer.time();
   system.matrix.coeffRef(0, 0) *= 2;

@@ -142,7 +142,7 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 template <class Integration>
 RL::Function_fit fit_all(const RL::Spline_space_3& space, const Integration& integration,
                          const RL::Function_fit_options& options, const Functions& functions) {
-  RL::Function_fitter<Integration> fitter(space, integration, options);
+  RL::Function_fitter fitter(space, integration, options);
   const auto& values = functions.values;
   if(values.size() == 3) {
     std::vector<RL::Vector_3> vectors;

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
@@ -38,10 +38,9 @@ namespace Restricted_laplacian_3 {
 ///   done, from 0 to 1, and returns `false` to end it with a `Canceled` exception
 /// \throws Parameter_error if a parameter is outside its domain
 /// \throws Numerical_error if a factorisation fails
-template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<SurfaceIntegration> = 0>
+template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
-                                    const SurfaceIntegration& integration,
+                                    const Surface_integration_view& integration,
                                     const NamedParameters& np = parameters::default_values()) {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -56,19 +55,15 @@ Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
       get_parameter(np, internal_np::number_of_iterations), options.multigrid.maximum_iterations);
   options.multigrid.callback =
       choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
-  return internal::space_eigenpairs(space, k, options, [&](int coarsest) {
-    return assemble_operators(space, coarsest, space.depth(), integration,
-                              options.normal_stabilization, Stabilized::stiffness);
-  });
+  return internal::space_eigenpairs(space, k, integration, options);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
 /// Parameters and exceptions are those of `laplace_eigenpairs()`.
-template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<SurfaceIntegration> = 0>
+template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
-                                  const SurfaceIntegration& integration,
+                                  const Surface_integration_view& integration,
                                   const NamedParameters& np = parameters::default_values()) {
   Laplace_spectrum spectrum = laplace_eigenpairs(space, k, integration, np);
   internal::add_vertex_values(space, spectrum);
@@ -76,12 +71,12 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same by cubature.
+/// The same by `Default_integration`.
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
                                   const NamedParameters& np = parameters::default_values()) {
-  return laplace_spectrum(space, k, Cubature(space), np);
+  return laplace_spectrum(space, k, Default_integration(space), np);
 }
 
 namespace internal {

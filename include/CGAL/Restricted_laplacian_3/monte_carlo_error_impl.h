@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/Running_mean.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 

@@ -5,11 +5,12 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_COTANGENT_OPERATORS_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/linear_elements.h>
 
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -24,20 +25,13 @@ cotangent_operators(const Triangulated_surface_3& surface, bool lumped_mass) {
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
     if(surface.is_degenerate(f))
       continue;
-    std::array<Vector_3, 3> side;
-    for(int i = 0; i < 3; ++i)
-      side[i] = surface.point(f, (i + 2) % 3) - surface.point(f, (i + 1) % 3);
-    const double area = surface.area(f);
-    const auto& v = surface.triangle(f);
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j) {
-        const int row = static_cast<int>(v[i]), column = static_cast<int>(v[j]);
-        stiffness.emplace_back(row, column, side[i] * side[j] / (4 * area));
-        if(!lumped_mass)
-          mass.emplace_back(row, column, area / (i == j ? 6 : 12));
-        else if(i == j)
-          mass.emplace_back(row, column, area / 3);
-      }
+    const Triangulated_surface_3::Triangle& triangle = surface.triangle(f);
+    internal::add_block(triangle, internal::linear_stiffness(surface, f), stiffness);
+    if(!lumped_mass)
+      internal::add_block(triangle, internal::linear_mass(surface.area(f)), mass);
+    else
+      for(std::uint32_t v : triangle)
+        mass.emplace_back(static_cast<int>(v), static_cast<int>(v), surface.area(f) / 3);
   }
   const Eigen::Index n = static_cast<Eigen::Index>(surface.number_of_vertices());
   Operators operators{Sparse_matrix(n, n), Sparse_matrix(n, n)};

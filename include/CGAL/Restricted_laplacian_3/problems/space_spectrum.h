@@ -6,7 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
@@ -44,13 +45,6 @@ struct Laplace_spectrum {
   Solve_report report;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// The factor \f$c\f$ of the stabilisation of the stiffness matrix, see `assemble_operators()`,
-/// that `laplace_spectrum()` uses unless told otherwise: 1e-5, and 0 in the space of the paper.
-/// With it `multigrid_eigenpairs()` needs few iterations on any surface, while eigenvalues change
-/// by no more than the discretisation changes them.
-double default_spectrum_stabilization(const Spline_space_3& space);
-
 namespace internal {
 
 /// What `laplace_eigenpairs()` does unless told otherwise.
@@ -63,11 +57,10 @@ struct Space_spectrum_options {
   Multigrid_eigenpairs_options multigrid;
 };
 
-/// `laplace_eigenpairs()` with a function that assembles the operators of the levels from a
-/// coarsest one to the depth of the space.
+/// `laplace_eigenpairs()` with its options read
 Laplace_spectrum space_eigenpairs(const Spline_space_3& space, int k,
-                                  const Space_spectrum_options& options,
-                                  Function_view<std::vector<Operators>(int)> assemble);
+                                  const Surface_integration_view& integration,
+                                  const Space_spectrum_options& options);
 
 /// sets `vertex_values` from the coefficients of the eigenfunctions
 void add_vertex_values(const Spline_space_3& space, Laplace_spectrum& spectrum);

@@ -27,11 +27,6 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
-default_spectrum_stabilization(const Spline_space_3& space) {
-  return space.is_paper_space() ? 0 : 1e-5;
-}
-
 namespace internal {
 
 /// sets eigenvalues and report
@@ -71,8 +66,8 @@ multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest, std::vector<O
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
-space_eigenpairs(const Spline_space_3& space, int k, const Space_spectrum_options& options,
-                 Function_view<std::vector<Operators>(int)> assemble) {
+space_eigenpairs(const Spline_space_3& space, int k, const Surface_integration_view& integration,
+                 const Space_spectrum_options& options) {
   if(k < 1)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
   const bool is_multigrid = uses_multigrid(space, options);
@@ -80,7 +75,9 @@ space_eigenpairs(const Spline_space_3& space, int k, const Space_spectrum_option
   CGAL::Real_timer timer;
   timer.start();
   const int coarsest = is_multigrid ? coarsest_multigrid_level(space) : space.depth();
-  std::vector<Operators> operators = assemble(coarsest);
+  std::vector<Operators> operators =
+      assemble_operators(space, coarsest, space.depth(), integration, options.normal_stabilization,
+                         Stabilized::stiffness);
   spectrum.report.assembly_seconds = timer.time();
   if(is_multigrid) {
     Multigrid_eigenpairs_options of_multigrid = options.multigrid;

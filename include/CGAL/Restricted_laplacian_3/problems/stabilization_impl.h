@@ -14,6 +14,11 @@ default_normal_stabilization(const Spline_space_3& space) {
   return space.is_paper_space() ? 0 : 1e-3;
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
+default_spectrum_stabilization(const Spline_space_3& space) {
+  return space.is_paper_space() ? 0 : 1e-5;
+}
+
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 

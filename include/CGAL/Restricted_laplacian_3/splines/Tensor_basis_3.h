@@ -122,6 +122,19 @@ template <class Visitor> void for_each_element(const Cell_elements& elements, Vi
       visit(i, elements[i]);
 }
 
+/// \ingroup PkgRestrictedLaplacian3Dev
+/// The sum of numbers for the elements of a sheet, times the coefficients of those that exist: a
+/// function where `values` are those of the elements.
+/// \param coefficients of all elements of the level, a vector
+template <class Coefficients>
+double combination(const Cell_elements& elements, const Tensor_basis_3::Values& values,
+                   const Coefficients& coefficients) {
+  double result = 0;
+  for_each_element(
+      elements, [&](int i, std::uint32_t element) { result += values[i] * coefficients[element]; });
+  return result;
+}
+
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 

@@ -7,6 +7,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -50,10 +52,16 @@ public:
   std::size_t number_of_seams() const { return m_number_of_seams; }
 
   /// number of the seam that a side belongs to
-  std::uint32_t seam(std::size_t face, int side) const { return m_seams[face][side]; }
+  std::uint32_t seam(std::size_t face, int side) const {
+    CGAL_precondition(face < m_seams.size() && side >= 0 && side < 3);
+    return m_seams[face][side];
+  }
 
   /// whether the sides of a seam may be different edges
-  bool is_united(std::uint32_t seam) const { return !m_is_united.empty() && m_is_united[seam]; }
+  bool is_united(std::uint32_t seam) const {
+    CGAL_precondition(seam < m_number_of_seams);
+    return !m_is_united.empty() && m_is_united[seam];
+  }
 
 private:
   /// gives the sides with the same vertices the same number

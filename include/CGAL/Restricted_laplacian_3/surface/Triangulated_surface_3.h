@@ -9,6 +9,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -92,21 +94,34 @@ public:
   std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
 
   /// the point of a vertex
-  const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  const Point_3& point(std::size_t vertex) const {
+    CGAL_precondition(vertex < m_points.size());
+    return m_points[vertex];
+  }
   /// the point of a corner of a face; `corner` is 0, 1 or 2
   const Point_3& point(std::size_t face, int corner) const {
-    return m_points[m_triangles[face][corner]];
+    CGAL_precondition(corner >= 0 && corner < 3);
+    return m_points[triangle(face)[corner]];
   }
   /// the vertices of a face
-  const Triangle& triangle(std::size_t face) const { return m_triangles[face]; }
+  const Triangle& triangle(std::size_t face) const {
+    CGAL_precondition(face < m_triangles.size());
+    return m_triangles[face];
+  }
 
   /// unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate
-  const Vector_3& normal(std::size_t face) const { return m_normals[face]; }
+  const Vector_3& normal(std::size_t face) const {
+    CGAL_precondition(face < m_normals.size());
+    return m_normals[face];
+  }
   /// whether the area of a face is zero, up to `degenerate_height_tolerance`
-  bool is_degenerate(std::size_t face) const { return m_normals[face] == CGAL::NULL_VECTOR; }
+  bool is_degenerate(std::size_t face) const { return normal(face) == CGAL::NULL_VECTOR; }
 
   /// area of a face; 0 if it is degenerate
-  double area(std::size_t face) const { return m_areas[face]; }
+  double area(std::size_t face) const {
+    CGAL_precondition(face < m_areas.size());
+    return m_areas[face];
+  }
   /// area of the surface
   double area() const { return m_area; }
 
@@ -126,7 +141,7 @@ public:
   Surface_point surface_point(const Surface_location& location) const {
     Surface_point p;
     static_cast<Surface_location&>(p) = location;
-    p.vertices = m_triangles[location.face];
+    p.vertices = triangle(location.face);
     p.normal = m_normals[location.face];
     const Point_3 &a = m_points[p.vertices[0]], &b = m_points[p.vertices[1]],
                   &c = m_points[p.vertices[2]];

@@ -241,8 +241,7 @@ private:
   /// Tangential parts are taken where the field is integrated.
   Corner_vector_field<Eigen::Matrix3d> scan_gradients(const Corner_colors& colors) const;
   /// the solution at the vertices
-  template <class Field>
-  Eigen::MatrixXd integrate(const Field& field, const Corner_colors& target,
+  Eigen::MatrixXd integrate(const Vector_field_view& field, const Corner_colors& target,
                             Stitched_colors& result) const;
   /// colours from the values of the solution, and what is to be reported
   void finish(const Eigen::MatrixXd& values, Stitched_colors& result) const;

@@ -7,8 +7,9 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Scan_choice.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/exposure_gains.h>
@@ -70,17 +71,14 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<std::pair<std::uint32_t, std::uin
 scan_transitions(const Triangulated_surface_3& surface, const std::vector<std::uint32_t>& scans) {
   if(scans.size() != surface.number_of_vertices())
     throw Parameter_error("scans", "has another length than the vertices");
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int i = 0; i < 3 && !surface.is_degenerate(f); ++i) {
-      const auto edge = std::minmax({surface.triangle(f)[i], surface.triangle(f)[(i + 1) % 3]});
-      const std::uint32_t s = scans[edge.first], t = scans[edge.second];
-      if(s != t && s != no_scan && t != no_scan)
-        edges.push_back(edge);
-    }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  const internal::Surface_edges edges(surface, internal::Surface_edges::Faces::not_degenerate);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> result;
+  for(std::size_t e = 0; e < edges.size(); ++e) {
+    const auto& [v, w] = edges.ends(e);
+    if(scans[v] != scans[w] && scans[v] != no_scan && scans[w] != no_scan)
+      result.emplace_back(v, w);
+  }
+  return result;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
@@ -324,9 +322,9 @@ Color_stitcher::scan_gradients(const Corner_colors& colors) const {
   return Corner_vector_field<Eigen::Matrix3d>(std::move(gradients));
 }
 
-template <class Field>
-Eigen::MatrixXd Color_stitcher::integrate(const Field& field, const Corner_colors& target,
-                                          Stitched_colors& result) const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
+Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& target,
+                          Stitched_colors& result) const {
   const double alpha =
       m_options.screening_weight.value_or(Options::default_screening / surface().area());
   std::vector<double> weights(surface().number_of_faces(), 0);
@@ -337,14 +335,15 @@ Eigen::MatrixXd Color_stitcher::integrate(const Field& field, const Corner_color
   const auto target_function =
       function_of_degree([&](const Surface_point& p) -> Eigen::Vector3d { return target(p); }, 1);
   const Face_function<double> weight(std::move(weights));
-  const internal::Screening<3, std::decay_t<decltype(target_function)>, Face_function<double>>
-      screening(target_function, weight, parameters::default_values());
+  internal::Screening screening;
+  screening.target = target_function;
+  screening.weight_function = weight;
   internal::Gradient_options options = {
       m_options.solver,
       m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space))};
   options.solver.is_parallel = is_parallel();
-  internal::Gradient_solution<3> solution =
-      internal::integrate_gradients<3>(*m_space, Cubature(*m_space), field, screening, options);
+  internal::Gradient_solution solution = internal::integrate_gradients(
+      *m_space, Default_integration(*m_space), field, screening, options);
   Eigen::MatrixXd values =
       Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
   if(m_options.vertex_details) {

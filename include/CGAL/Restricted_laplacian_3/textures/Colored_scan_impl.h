@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLORED_SCAN_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
@@ -127,8 +128,9 @@ struct Colored_scan::Data {
           internal::distances_to_marked(surface, properties.is_on_boundary, is_parallel);
     } else {
       spacing = internal::median_side(surface);
-      boundary_distances =
-          internal::distances_to_marked(surface, internal::boundary_vertices(surface), is_parallel);
+      using Edges = internal::Surface_edges;
+      boundary_distances = internal::distances_to_marked(
+          surface, Edges(surface, Edges::Faces::not_degenerate).boundary_vertices(), is_parallel);
     }
   }
 

@@ -24,6 +24,11 @@ public:
 
   Number_lists() : m_first(1, 0) {}
 
+  /// \param numbers the lists, one after the other
+  /// \param first position at which each begins, and the end of the last one
+  Number_lists(std::vector<std::size_t> first, std::vector<std::uint32_t> numbers)
+    : m_first(std::move(first)), m_numbers(std::move(numbers)) {}
+
   /// List `i` consists of all `j` with a pair (i, j), ascending and without repetition.
   Number_lists(std::size_t size, const std::vector<Pair>& pairs)
     : Number_lists(by_key(size, pairs.size(), [&](std::size_t k) { return pairs[k].first; })) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_VERTEX_DETAILS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_VERTEX_DETAILS_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/internal/linear_elements.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
@@ -83,12 +84,10 @@ inline Vertex_system vertex_system(const Triangulated_surface_3& surface,
       target_loads +=
           fraction * w * hats * Eigen::Map<const Eigen::RowVectorXd>(target(i), channels);
     }
-    const Eigen::Matrix3d block = area * (gradients.transpose() * gradients + mass);
+    add_block(surface.triangle(f), linear_stiffness(surface, f) + area * mass, entries);
     const Eigen::MatrixXd loads = area * (gradients.transpose() * mean_field + target_loads);
     for(int i = 0; i < 3; ++i) {
       const auto row = static_cast<int>(surface.triangle(f)[i]);
-      for(int j = 0; j < 3; ++j)
-        entries.emplace_back(row, static_cast<int>(surface.triangle(f)[j]), block(i, j));
       system.loads.row(row) += loads.row(i);
       system.integrals[row] += area / 3;
       system.weighted_integrals[row] += area * mass.row(i).sum();
