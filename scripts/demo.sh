@@ -4,7 +4,7 @@
 
 # Usage: scripts/demo.sh
 #
-# Installs what is missing, builds the example programs in build/, solves a Poisson problem on
+# Installs what is missing, builds the library and two programs in build/, solves a Poisson problem on
 # CGAL's bunny and computes its spectrum. Tables, coloured meshes (PLY) and pictures (PNG) go to
 # demo_output/.
 
@@ -12,7 +12,7 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-bash scripts/install_dependencies.sh
+bash scripts/install_dependencies.sh --programs
 cmake -S . -B build
 cmake --build build --parallel "${JOBS:-2}" --target solve_poisson laplace_spectrum draw_mesh
 
