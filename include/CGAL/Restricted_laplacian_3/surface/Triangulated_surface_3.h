@@ -11,6 +11,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <CGAL/boost/graph/named_params_helper.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
