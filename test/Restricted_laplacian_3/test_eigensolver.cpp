@@ -34,8 +34,9 @@ Level_matrices level_matrices(const RL::Spline_space_3& space, int coarsest, dou
     result.stiffness.push_back(o.stiffness);
     result.mass.push_back(o.mass);
   }
-  result.prolongations = RL::prolongation_matrices(space, coarsest);
-  result.patches = RL::smoothing_patches_of_levels(space, coarsest);
+  RL::Multigrid_levels levels = RL::multigrid_levels(space, coarsest);
+  result.prolongations = std::move(levels.prolongations);
+  result.patches = std::move(levels.patches);
   return result;
 }
 

@@ -9,7 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
-#include <CGAL/Restricted_laplacian_3/problems/smoothing_patches.h>
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
@@ -100,9 +100,10 @@ inline Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coars
     stiffness[i].swap(operators[i].stiffness);
     mass[i].swap(operators[i].mass);
   }
+  Multigrid_levels levels = multigrid_levels(space, coarsest);
   return multigrid_eigenpairs(std::move(stiffness), std::move(mass),
-                              prolongation_matrices(space, coarsest),
-                              smoothing_patches_of_levels(space, coarsest), k, options);
+                              std::move(levels.prolongations), std::move(levels.patches), k,
+                              options);
 }
 
 } // namespace internal

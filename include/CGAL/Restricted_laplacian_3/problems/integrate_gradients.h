@@ -15,6 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/internal/spline_evaluation.h>
@@ -102,7 +103,7 @@ template <int K> using Component_means = Eigen::Matrix<double, Eigen::Dynamic, K
 /// \param target_loads those of the weighted target, or of the target if there is no weight; not
 /// used if there is no target
 template <int K, class ScreeningType>
-Component_means<K> component_means(const Constants& constants, const ScreeningType& screening,
+Component_means<K> component_means(const Mean_projection& constants, const ScreeningType& screening,
                                    const Eigen::MatrixXd& target_loads) {
   const int number = constants.number_of_components();
   Component_means<K> means(number, K);
@@ -230,7 +231,7 @@ Gradient_solution<K> integrate_gradients(const Spline_space_3& space,
   const Poisson_solver solver =
       poisson_solver(space, std::move(finest), std::move(a.system.matrices), a.system.integrals,
                      a.constant_loads, options.solver);
-  const Constants& constants = solver.constants();
+  const Mean_projection& constants = solver.mean_projection();
 
   Gradient_solution<K> result;
   result.means = component_means<K>(constants, screening, target_loads);

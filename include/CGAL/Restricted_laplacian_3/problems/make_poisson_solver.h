@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/problems/smoothing_patches.h>
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
@@ -80,10 +80,9 @@ Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                               std::vector<Sparse_matrix> coarse_matrices,
                               const Eigen::VectorXd& integrals, const Screening& screening,
                               const Poisson_solver_options& options) {
-  const int coarsest = coarsest_multigrid_level(space);
-  return Poisson_solver(std::move(a), prolongation_matrices(space, coarsest), integrals, screening,
-                        options, smoothing_patches_of_levels(space, coarsest),
-                        std::move(coarse_matrices));
+  Multigrid_levels levels = multigrid_levels(space);
+  levels.coarse_matrices = std::move(coarse_matrices);
+  return Poisson_solver(std::move(a), std::move(levels), integrals, screening, options);
 }
 
 /// The coarsest level whose matrices are assembled for the solver. Those of the space of the paper
@@ -177,7 +176,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
 /// - `number_of_iterations`: at most; default 1000
 /// - `cycle`: `Cycle::V` (default) or `Cycle::W`
 /// - `smoothing_steps`: before, and again after the coarse correction; default 1
-/// - `smoother`: `Smoother::patch` (default) or `Smoother::point`
+/// - `smoother`: `Smoother_type::patch` (default) or `Smoother_type::point`
 /// - `stand_alone_multigrid`: iterate cycles, instead of preconditioning conjugate gradients with
 ///   them; default `false`
 /// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads, with the same results;

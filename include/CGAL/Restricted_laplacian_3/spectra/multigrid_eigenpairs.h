@@ -7,9 +7,9 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Column_panels.h>
 
@@ -562,8 +562,9 @@ multigrid_eigenpairs(std::vector<Eigen::SparseMatrix<double>> stiffness,
     Sparse_matrix().swap(mass[level]);
   }
   std::vector<Sparse_matrix> from_start(prolongations.begin() + start, prolongations.end());
-  const Multigrid<> multigrid(a, std::move(prolongations), std::move(patches), options.is_parallel,
-                              std::move(coarse), [&a] { Sparse_matrix().swap(a); });
+  const Multigrid<> multigrid(std::move(a),
+                              {std::move(prolongations), std::move(patches), std::move(coarse)},
+                              options.is_parallel);
 
   internal::Nested_lobpcg solver(multigrid, alpha, pairs.shift, at_start.vectors, options);
   for(std::size_t level = start + 1; level <= finest; ++level) {

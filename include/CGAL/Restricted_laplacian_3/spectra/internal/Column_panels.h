@@ -5,7 +5,6 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_INTERNAL_COLUMN_PANELS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/release_memory.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/panel_kernels.h>
 
@@ -47,12 +46,8 @@ public:
   Number* column(Eigen::Index j) { return panel(j / panel_width) + j % panel_width; }
   const Number* column(Eigen::Index j) const { return panel(j / panel_width) + j % panel_width; }
 
-  /// Gives the memory of a panel back, to the system where that is possible: the allocator would
-  /// keep pieces of this size for others of the same kind.
+  /// gives the memory of a panel back
   void release(std::size_t i) {
-#ifdef __linux__
-    release_pages(m_panels[i].data(), m_panels[i].data() + m_panels[i].size());
-#endif
     typename decltype(m_panels)::value_type().swap(m_panels[i]);
   }
 
