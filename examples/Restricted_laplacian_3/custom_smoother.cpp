@@ -13,12 +13,8 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
 
-#include <cmath>
-#include <cstddef>
 #include <exception>
-#include <functional>
 #include <iostream>
-#include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = CGAL::parameters;
@@ -27,69 +23,24 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
 /// Jacobi's iteration with the sums of absolute values of the rows in place of the diagonal, which
-/// converges for every matrix: x = x + D (b - A x). D is diagonal, so steps are their own
-/// transposes. A model of MultigridSmoother_3.
+/// converges for every matrix: x = x + D (b - A x). D is diagonal, so a step is its own transpose.
+/// A model of MultigridSmoother_3.
 class Jacobi_smoother {
 public:
-  Jacobi_smoother(const Sparse_matrix& a, const RL::Smoothing_patches&, bool is_parallel,
-                  const std::function<void()>& matrix_is_read = {})
-    : m_is_parallel(is_parallel), m_scale(RL::balancing_scale(a)),
-      m_positions(RL::Level_positions::consecutive(a.cols())),
-      m_matrix(RL::Level_matrix::of(a, m_positions, m_scale, m_positions, m_scale)),
-      m_factors(m_positions.number_of_positions, 0.f) {
-    for(int j = 0; j < a.cols(); ++j) {
-      double sum = 0;
-      for(Sparse_matrix::InnerIterator entry(a, j); entry; ++entry)
-        sum += std::abs(m_scale[entry.row()] * entry.value() * m_scale[j]);
-      if(sum > 0)
-        m_factors[j] = static_cast<float>(1 / sum);
-    }
-    if(matrix_is_read)
-      matrix_is_read();
+  Jacobi_smoother(const Sparse_matrix& a, const RL::Smoothing_patches&, bool /*is_parallel*/)
+    : m_a(a), m_factors(a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols())) {
+    // rows of elements that hardly reach the surface may be 0
+    m_factors = (m_factors.array() > 0).select(m_factors.cwiseInverse(), 0);
   }
 
-  const RL::Level_positions& positions() const { return m_positions; }
-  const std::vector<double>& scale() const { return m_scale; }
-
-  template <int K>
-  void pre_smooth(const RL::Level_vectors<K>& b, RL::Level_vectors<K>& x, RL::Level_vectors<K>& r,
-                  int steps) const {
-    x.set_zero(m_positions.number_of_positions);
-    r = b;
-    for(int step = 0; step < steps; ++step) {
-      add_scaled<K>(r, x);
-      residual<K>(b, x, r);
-    }
+  void smooth(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const {
+    x += m_factors.asDiagonal() * (b - m_a * x);
   }
-
-  template <int K>
-  void post_smooth(const RL::Level_vectors<K>& b, RL::Level_vectors<K>& x, int steps) const {
-    RL::Level_vectors<K> r;
-    for(int step = 0; step < steps; ++step) {
-      residual<K>(b, x, r);
-      add_scaled<K>(r, x);
-    }
-  }
-
-  template <int K>
-  void residual(const RL::Level_vectors<K>& b, const RL::Level_vectors<K>& x,
-                RL::Level_vectors<K>& r) const {
-    m_matrix.multiply<K, false>(m_is_parallel, x, r);
-    for(std::size_t i = 0; i < r.size(); ++i)
-      r.data()[i] = b.data()[i] - r.data()[i];
-  }
+  void smooth_transposed(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const { smooth(b, x); }
 
 private:
-  template <int K> void add_scaled(const RL::Level_vectors<K>& r, RL::Level_vectors<K>& x) const {
-    for(std::size_t i = 0; i < r.size(); ++i)
-      x.data()[i] += m_factors[i / K] * r.data()[i];
-  }
-
-  bool m_is_parallel;
-  std::vector<double> m_scale;
-  RL::Level_positions m_positions;
-  RL::Level_matrix m_matrix;
-  std::vector<float> m_factors;
+  const Sparse_matrix& m_a;
+  Eigen::VectorXd m_factors;
 };
 
 /// iterations of conjugate gradients with a cycle of this smoother, to a residual of 1e-3

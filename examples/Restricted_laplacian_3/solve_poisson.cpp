@@ -156,8 +156,8 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
       o.stabilization < 0 ? RL::default_normal_stabilization(space) : o.stabilization;
   const auto parameters = params::relative_tolerance(
       o.tolerance, params::cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W,
-                                 params::smoother(o.smoother == "patch" ? RL::Smoother::patch
-                                                                        : RL::Smoother::point,
+                                 params::smoother(o.smoother == "patch" ? RL::Smoother_type::patch
+                                                                        : RL::Smoother_type::point,
                                                   params::normal_stabilization(stabilization))));
   Eigen::VectorXd load;
   const RL::Poisson_solver solver = assemble_with(space, o, [&](const auto& integration) {

@@ -6,7 +6,7 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/problems/smoothing_patches.h>
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Column_panels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/largest_pairs.h>
@@ -48,8 +48,9 @@ Level_matrices level_matrices(const RL::Spline_space_3& space, int coarsest, dou
     result.stiffness.push_back(o.stiffness);
     result.mass.push_back(o.mass);
   }
-  result.prolongations = RL::prolongation_matrices(space, coarsest);
-  result.patches = RL::smoothing_patches_of_levels(space, coarsest);
+  RL::Multigrid_levels levels = RL::multigrid_levels(space, coarsest);
+  result.prolongations = std::move(levels.prolongations);
+  result.patches = std::move(levels.patches);
   return result;
 }
 

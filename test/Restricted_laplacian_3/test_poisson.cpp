@@ -302,7 +302,7 @@ TEST_CASE("matrices_of_all_levels_at_once_make_the_same_solver", "[poisson]") {
 #ifdef CGAL_LINKED_WITH_TBB
 TEST_CASE("solution_does_not_depend_on_threads", "[poisson]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(5));
-  const auto solution = [&mesh](RL::Smoother smoother, const auto& np) {
+  const auto solution = [&mesh](RL::Smoother_type smoother, const auto& np) {
     Mesh copy = mesh;
     auto u = copy.add_property_map<Mesh::Vertex_index, double>("v:u").first;
     RL::solve_poisson(
@@ -313,7 +313,7 @@ TEST_CASE("solution_does_not_depend_on_threads", "[poisson]") {
       values.push_back(u[v]);
     return values;
   };
-  for(RL::Smoother smoother : {RL::Smoother::patch, RL::Smoother::point}) {
+  for(RL::Smoother_type smoother : {RL::Smoother_type::patch, RL::Smoother_type::point}) {
     const auto sequential = solution(smoother, params::concurrency_tag(CGAL::Sequential_tag()));
     CHECK(solution(smoother, params::concurrency_tag(CGAL::Parallel_tag())) == sequential);
   }

@@ -64,7 +64,7 @@ inline auto limit_threads(int threads) {
 inline RL::Poisson_solver_options solver_options(const std::string& smoother, int threads,
                                                  double tolerance, int maximum_iterations) {
   RL::Poisson_solver_options options;
-  options.smoother = smoother == "patch" ? RL::Smoother::patch : RL::Smoother::point;
+  options.smoother = smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point;
   options.is_parallel = threads > 1;
   options.relative_tolerance = tolerance;
   options.maximum_iterations = maximum_iterations;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*!
-\headerfile smoothers.h <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
+\headerfile Multigrid.h <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
 \ingroup PkgRestrictedLaplacian3Concepts
 \cgalConcept
 
@@ -10,15 +10,13 @@ What `CGAL::Restricted_laplacian_3::Multigrid` does on each level but the coarse
 the coarse correction: a linear iteration that reduces the part of the error that coarser levels
 cannot represent. It knows matrices only, no surface.
 
-Let \f$x \leftarrow x + B (b - A x)\f$ be what `pre_smooth()` does. Then `post_smooth()` has to do
+Let \f$x \leftarrow x + B (b - A x)\f$ be what `smooth()` does. Then `smooth_transposed()` has to do
 \f$x \leftarrow x + B^T (b - A x)\f$, so that a cycle is a symmetric operator, and both have to
 converge, in the norm of \f$A\f$, for each right-hand side in the range of \f$A\f$, so that it is
 positive. Without that it cannot precondition conjugate gradients.
 
-A smoother stores the matrix in a form and order of its own, in single precision, scaled to
-\f$D A D\f$ with a diagonal matrix \f$D\f$ that it chooses. Vectors are passed as
-`Level_vectors<K>`, `K` of them, in the order of `positions()`, and belong to the scaled
-matrix.
+The smoothers of the package are models as well. They have more than this: vectors in single
+precision, in an order that suits them, in which `Multigrid` then does a whole cycle.
 
 \cgalRefines `MoveConstructible`
 
@@ -28,49 +26,26 @@ matrix.
 class MultigridSmoother_3 {
 public:
   /*!
-  prepares the smoother for a matrix, to which it must not refer afterwards.
+  prepares the smoother for a matrix, to which it may refer: the matrix lives as long.
   \param a a symmetric and positive semi-definite matrix. All of its entries are stored, and the rows
   of each column are sorted; rows may be empty.
   \param patches sets of unknowns that may be relaxed together, groups of them that may be relaxed at
   the same time; there may be none
   \param is_parallel whether to use several threads. Results must not depend on their number.
-  \param matrix_is_read if not empty, to be called when the smoother no longer reads `a`, which may be
-  another matrix after that
   */
   MultigridSmoother_3(const Eigen::SparseMatrix<double>& a, const Smoothing_patches& patches,
-                      bool is_parallel, const std::function<void()>& matrix_is_read = {});
+                      bool is_parallel);
 
   /*!
-  where each unknown is in the vectors. Positions of no unknown hold 0 in the vectors that are
-  passed, and must hold 0 in those that are returned.
+  makes one step, \f$x \leftarrow x + B (b - A x)\f$, for each column.
+  \param b right-hand sides, in the numbering of the matrix
+  \param x as many solutions
   */
-  const Level_positions& positions() const;
+  void smooth(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const;
 
   /*!
-  the diagonal of \f$D\f$, for each unknown
+  makes the transposed step, \f$x \leftarrow x + B^T (b - A x)\f$. Of several steps after the coarse
+  correction each is the transpose of one before it.
   */
-  const std::vector<double>& scale() const;
-
-  /*!
-  makes `steps` smoothing steps from \f$x = 0\f$ for the right-hand side `b`. The old content and
-  size of `x` and `r` do not matter; on return, `r` is the residual \f$b - A x\f$. With no steps,
-  `x` is 0 and `r` is `b`.
-  */
-  template <int K>
-  void pre_smooth(const Level_vectors<K>& b, Level_vectors<K>& x,
-                  Level_vectors<K>& r, int steps) const;
-
-  /*!
-  makes `steps` smoothing steps from the given `x`, the transposes of those of `pre_smooth()`.
-  */
-  template <int K>
-  void post_smooth(const Level_vectors<K>& b, Level_vectors<K>& x,
-                   int steps) const;
-
-  /*!
-  \f$r = b - A x\f$
-  */
-  template <int K>
-  void residual(const Level_vectors<K>& b, const Level_vectors<K>& x,
-                Level_vectors<K>& r) const;
+  void smooth_transposed(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const;
 };

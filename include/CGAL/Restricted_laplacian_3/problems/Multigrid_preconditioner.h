@@ -4,15 +4,14 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MULTIGRID_PRECONDITIONER_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MULTIGRID_PRECONDITIONER_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/problems/smoothing_patches.h>
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -48,13 +47,11 @@ public:
   /// \param cycle shape of the cycle
   /// \param smoothing_steps before, and again after the coarse correction; at least 1
   /// \throws Parameter_error if the matrix does not fit the space, or there is no smoothing step
-  Multigrid_preconditioner(const Spline_space_3& space, const Eigen::SparseMatrix<double>& a,
+  Multigrid_preconditioner(const Spline_space_3& space, const Sparse_matrix& a,
                            bool is_parallel = false, Cycle cycle = Cycle::V,
                            int smoothing_steps = 1)
-    : m_multigrid(a, prolongation_matrices(space, internal::coarsest_multigrid_level(space)),
-                  smoothing_patches_of_levels(space, internal::coarsest_multigrid_level(space)),
-                  is_parallel),
-      m_cycle(cycle), m_smoothing_steps(smoothing_steps) {
+    : m_multigrid(a, multigrid_levels(space), is_parallel), m_cycle(cycle),
+      m_smoothing_steps(smoothing_steps) {
     if(smoothing_steps < 1)
       throw Parameter_error("smoothing_steps", "must be positive");
   }

@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
 #include <CGAL/Restricted_laplacian_3/splines/internal/spline_evaluation.h>
 
 #include <CGAL/Real_timer.h>
@@ -121,7 +122,7 @@ inline Eigen::MatrixXd weighted_target_loads(const Spline_space_3& space,
 /// The means of the solution on the components of the matrix, a row for each.
 /// \param target_loads those of the weighted target, or of the target if there is no weight; not
 /// used if there is no target
-inline Eigen::MatrixXd component_means(const Constants& constants, const Screening& screening,
+inline Eigen::MatrixXd component_means(const Mean_projection& constants, const Screening& screening,
                                        int channels, const Eigen::MatrixXd& target_loads) {
   const int number = constants.number_of_components();
   Eigen::MatrixXd means(number, channels);
@@ -186,7 +187,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients(
   Eigen::VectorXd constant_loads;
   const Poisson_solver solver =
       elliptic_solver(space, integration, elliptic, options.solver, &constant_loads);
-  const Constants& constants = solver.constants();
+  const Mean_projection& constants = solver.mean_projection();
 
   Gradient_solution result;
   result.means = component_means(constants, screening, v.channels(), target_loads);

@@ -139,7 +139,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
 /// - `number_of_iterations`: at most; default 1000
 /// - `cycle`: `Cycle::V` (default) or `Cycle::W`
 /// - `smoothing_steps`: before, and again after the coarse correction; default 1
-/// - `smoother`: `Smoother::patch` (default) or `Smoother::point`
+/// - `smoother`: `Smoother_type::patch` (default) or `Smoother_type::point`
 /// - `stand_alone_multigrid`: iterate cycles, instead of preconditioning conjugate gradients with
 ///   them; default `false`
 /// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads, with the same results;

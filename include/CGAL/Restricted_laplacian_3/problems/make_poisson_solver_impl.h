@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
-#include <CGAL/Restricted_laplacian_3/problems/smoothing_patches.h>
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <cmath>
@@ -30,10 +30,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver
 poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                std::vector<Sparse_matrix> coarse_matrices, const Eigen::VectorXd& integrals,
                const Eigen::VectorXd& constant_loads, const Poisson_solver_options& options) {
-  const int coarsest = coarsest_multigrid_level(space);
-  return Poisson_solver(std::move(a), prolongation_matrices(space, coarsest), integrals,
-                        constant_loads, options, smoothing_patches_of_levels(space, coarsest),
-                        std::move(coarse_matrices));
+  Multigrid_levels levels = multigrid_levels(space);
+  levels.coarse_matrices = std::move(coarse_matrices);
+  return Poisson_solver(std::move(a), std::move(levels), integrals, constant_loads, options);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver

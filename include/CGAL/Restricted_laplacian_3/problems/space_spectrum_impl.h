@@ -8,7 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/problems/smoothing_patches.h>
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
@@ -60,9 +60,10 @@ multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest, std::vector<O
     stiffness[i].swap(operators[i].stiffness);
     mass[i].swap(operators[i].mass);
   }
+  Multigrid_levels levels = multigrid_levels(space, coarsest);
   return multigrid_eigenpairs(std::move(stiffness), std::move(mass),
-                              prolongation_matrices(space, coarsest),
-                              smoothing_patches_of_levels(space, coarsest), k, options);
+                              std::move(levels.prolongations), std::move(levels.patches), k,
+                              options);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum

@@ -4,107 +4,48 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Level_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Natural_smoother.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/connected_components.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/symmetric_halves.h>
 #include <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
 
-#include <Eigen/Dense>
-#include <Eigen/SparseCore>
+#include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// shape of a multigrid cycle: how often the next coarser level is visited
-enum class Cycle { V = 1, W = 2 };
-
-namespace internal {
-
-/// The pseudo-inverse of a symmetric positive semi-definite matrix, each of whose connected
-/// components is small.
-///
-/// A component is scaled to a unit diagonal first; eigenvalues of the scaled block below
-/// `relative_cutoff` times the largest are treated as 0. They belong to the kernel (constants) and
-/// to combinations of elements that nearly vanish on the surface, in which a coarse correction
-/// would only amplify rounding errors.
-class Pseudo_inverse {
-public:
-  static constexpr double relative_cutoff = 1e-12;
-
-  /// What is added to the other eigenvalues, times the largest, below a level in single precision:
-  /// the right-hand side carries rounding errors of 1e-7 then, and its part along an eigenvector
-  /// whose eigenvalue is as small must not be amplified.
-  static constexpr double single_precision_regularization = 1e-6;
-
-  Pseudo_inverse() = default;
-
-  Pseudo_inverse(const Eigen::SparseMatrix<double>& a, double regularization) {
-    const auto [component, number] = connected_components(a);
-    m_blocks.resize(number);
-    std::vector<int> position(component.size());
-    for(std::size_t i = 0; i < component.size(); ++i) {
-      position[i] = static_cast<int>(m_blocks[component[i]].unknowns.size());
-      m_blocks[component[i]].unknowns.push_back(static_cast<int>(i));
-    }
-    for(Block& block : m_blocks) {
-      const Eigen::Index size = static_cast<Eigen::Index>(block.unknowns.size());
-      Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
-      for(Eigen::Index j = 0; j < size; ++j)
-        for(Eigen::SparseMatrix<double>::InnerIterator i(a, block.unknowns[j]); i; ++i)
-          dense(position[i.row()], j) = i.value();
-      block.inverse = inverse(dense, regularization);
-    }
-  }
-
-  template <int K> void apply(const Block_vector<K>& b, Block_vector<K>& x) const {
-    x.resize(b.rows(), K);
-    Block_vector<K> part;
-    for(const Block& block : m_blocks) {
-      part.resize(block.inverse.cols(), K);
-      for(std::size_t i = 0; i < block.unknowns.size(); ++i)
-        part.row(i) = b.row(block.unknowns[i]);
-      part = block.inverse * part;
-      for(std::size_t i = 0; i < block.unknowns.size(); ++i)
-        x.row(block.unknowns[i]) = part.row(i);
-    }
-  }
-
-private:
-  struct Block {
-    std::vector<int> unknowns;
-    Eigen::MatrixXd inverse;
-  };
-
-  static Eigen::MatrixXd inverse(const Eigen::MatrixXd& a, double regularization) {
-    const Eigen::VectorXd scale =
-        a.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * a *
-                                                                scale.asDiagonal());
-    const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-    const Eigen::VectorXd inverse =
-        solver.eigenvalues().unaryExpr([largest, regularization](double value) {
-          return value > relative_cutoff * largest ? 1 / (value + regularization * largest) : 0.;
-        });
-    const Eigen::MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();
-    return vectors * inverse.asDiagonal() * vectors.transpose();
-  }
-
-  std::vector<Block> m_blocks;
-};
-
-} // namespace internal
+// What the library has of the hierarchy with a smoother of the package: `prefix` is extern, or
+// nothing where it is compiled.
+#define CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_OF_BLOCK(prefix, Smoother, K)                        \
+  prefix template void Multigrid<Smoother>::apply<K>(const internal::Block_vector<K>&,             \
+                                                     internal::Block_vector<K>&, Cycle, int,       \
+                                                     Multigrid<Smoother>::Workspace<K>&) const;    \
+  prefix template void Multigrid<Smoother>::apply<K>(                                              \
+      std::size_t, const internal::Block_vector<K>&, internal::Block_vector<K>&, Cycle, int,       \
+      Multigrid<Smoother>::Workspace<K>&) const;                                                   \
+  prefix template void Multigrid<Smoother>::nested_iteration<K>(                                   \
+      const internal::Block_vector<K>&, internal::Block_vector<K>&, Cycle, int,                    \
+      Multigrid<Smoother>::Workspace<K>&) const;
+#define CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_OF(prefix, Smoother)                                 \
+  prefix template class Multigrid<Smoother>;                                                       \
+  CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_OF_BLOCK(prefix, Smoother, 1)                              \
+  CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_OF_BLOCK(prefix, Smoother, 8)
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// A multigrid hierarchy for a symmetric positive semi-definite matrix, and one cycle of it as a
@@ -115,6 +56,9 @@ private:
 /// before the coarse correction as after it the operator is symmetric positive semi-definite, up to
 /// rounding, so it can precondition conjugate gradients. Knows matrices only, no surface.
 ///
+/// *Memory.* The matrices go into the hierarchy, which keeps of each level what the smoother and
+/// the transfer to the next level need. Each matrix is given up as soon as it is no longer read.
+///
 /// *Precision.* A cycle computes in single precision, on matrices that are scaled to diagonals near
 /// 1, but for the coarsest level; vectors come and go in double precision and in the numbering of
 /// the matrix. What a cycle returns is accurate to about \f$10^{-6}\f$ at best, which does not
@@ -123,65 +67,78 @@ private:
 /// \tparam Smoother a model of `MultigridSmoother_3`
 template <class Smoother = Patch_smoother> class Multigrid {
 public:
-  /// all entries of a matrix, column by column, in double precision
-  using Sparse_matrix = Eigen::SparseMatrix<double>;
+  /// a matrix, column by column, in double precision
+  using Sparse_matrix = Restricted_laplacian_3::Sparse_matrix;
 
   /// an empty hierarchy
   Multigrid() : m_is_parallel(false), m_size(0) {}
 
-  /// \param a the finest matrix, all of whose entries are stored
-  /// \param prolongations from each level to the next finer one, coarsest first; may be empty
-  /// \param patches of each level but the coarsest, coarsest first, for the smoother
-  /// \param coarse_matrices of each level but the finest, coarsest first; if there are none, they
-  /// are computed as Galerkin products
+  /// \param a the finest matrix; what is below its diagonal is not read, and need not be stored. It
+  /// is empty afterwards.
+  /// \param levels what else the hierarchy is made of
   /// \param is_parallel whether several threads are used; results do not depend on that
-  /// \param matrix_is_read called when `a` is no longer read: it may be given up then, to make room
-  /// for the rest of the setup
-  /// \throws Parameter_error if the sizes do not fit
-  Multigrid(const Sparse_matrix& a, std::vector<Sparse_matrix> prolongations,
-            std::vector<Smoothing_patches> patches, bool is_parallel = false,
-            std::vector<Sparse_matrix> coarse_matrices = {},
-            const std::function<void()>& matrix_is_read = {})
+  /// \param is_matrix_kept whether `finest_matrix()` is needed
+  /// \throws Parameter_error if the sizes do not fit, or if there is something below the diagonal
+  /// of a matrix, but not as much as above
+  /// \throws Numerical_error if a matrix of the coarsest level is not one of finite numbers
+  Multigrid(Sparse_matrix&& a, Multigrid_levels levels, bool is_parallel = false,
+            bool is_matrix_kept = false)
     : m_is_parallel(is_parallel), m_size(a.cols()) {
-    check_sizes(a, prolongations, patches, coarse_matrices);
-    const std::size_t finest = prolongations.size();
-    if(coarse_matrices.empty()) {
-      coarse_matrices.resize(finest);
+    const std::size_t finest = levels.prolongations.size();
+    check_sizes(a, levels);
+    levels.patches.resize(finest);
+    std::vector<Sparse_matrix>& matrices = levels.coarse_matrices;
+    if(matrices.empty()) {
+      matrices.resize(finest);
+      if(finest > 0 && !internal::has_both_halves(a, "a"))
+        internal::whole(a).swap(a);
       for(std::size_t level = finest; level > 0; --level)
-        galerkin_product(level == finest ? a : coarse_matrices[level], prolongations[level - 1],
+        galerkin_product(level == finest ? a : matrices[level], levels.prolongations[level - 1],
                          is_parallel)
-            .swap(coarse_matrices[level - 1]);
+            .swap(matrices[level - 1]);
     }
+    matrices.emplace_back();
+    matrices.back().swap(a);
     // What a level no longer needs makes room for the next finer one, which takes most.
     m_levels.resize(finest + 1);
     m_smoothers.reserve(finest);
-    set_coarsest(finest == 0 ? a : coarse_matrices[0]);
-    if(finest == 0 && matrix_is_read)
-      matrix_is_read();
-    for(std::size_t level = 1; level <= finest; ++level) {
-      Sparse_matrix().swap(coarse_matrices[level - 1]);
-      if(level < finest)
-        m_smoothers.emplace_back(coarse_matrices[level], patches[level - 1], is_parallel);
-      else
-        m_smoothers.emplace_back(a, patches[level - 1], is_parallel, matrix_is_read);
-      patches[level - 1] = Smoothing_patches();
-      set_transfer(level, prolongations[level - 1]);
-      Sparse_matrix().swap(prolongations[level - 1]);
+    set_coarsest(matrices[0]);
+    for(std::size_t level = 0; level <= finest; ++level) {
+      take_matrix(matrices[level], level > 0 ? &levels.patches[level - 1] : nullptr,
+                  level == finest && is_matrix_kept);
+      if(level == 0)
+        continue;
+      levels.patches[level - 1] = Smoothing_patches();
+      set_transfer(level, levels.prolongations[level - 1]);
+      Sparse_matrix().swap(levels.prolongations[level - 1]);
     }
   }
+
+  /// the same with a copy of the matrix
+  Multigrid(const Sparse_matrix& a, Multigrid_levels levels, bool is_parallel = false,
+            bool is_matrix_kept = false)
+    : Multigrid(Sparse_matrix(a), std::move(levels), is_parallel, is_matrix_kept) {}
 
   /// number of levels, the coarsest and the finest included; 0 if the hierarchy is empty
   std::size_t number_of_levels() const { return m_levels.size(); }
   /// number of rows of the finest matrix
   Eigen::Index size() const { return m_size; }
   /// the smoother of a level; 0 is the coarsest, which has none
-  const Smoother& smoother(std::size_t level) const { return m_smoothers[level - 1]; }
+  const Smoother& smoother(std::size_t level) const {
+    if constexpr(has_layout)
+      return level_smoother(level);
+    else
+      return level_smoother(level).smoother();
+  }
+  /// half of the finest matrix, for products with it; empty unless the constructor was told to keep
+  /// it
+  const internal::Symmetric_matrix& finest_matrix() const { return m_finest_matrix; }
 
   /// \ingroup PkgRestrictedLaplacian3Solvers
   /// vectors of one cycle, kept between cycles
   template <int K> struct Workspace {
     struct Level {
-      Level_vectors<K> b, x, r, left;
+      internal::Level_vectors<K> b, x, r, left;
     };
     /// vectors of each level
     std::vector<Level> levels;
@@ -200,6 +157,7 @@ public:
   template <int K>
   void apply(const internal::Block_vector<K>& b, internal::Block_vector<K>& x, Cycle cycle,
              int steps, Workspace<K>& workspace) const {
+    CGAL_precondition(!m_levels.empty());
     apply<K>(m_levels.size() - 1, b, x, cycle, steps, workspace);
   }
 
@@ -207,10 +165,12 @@ public:
   template <int K>
   void apply(std::size_t level, const internal::Block_vector<K>& b, internal::Block_vector<K>& x,
              Cycle cycle, int steps, Workspace<K>& workspace) const {
+    CGAL_precondition(level < m_levels.size() && steps >= 0);
     if(level == 0) {
       m_coarse_inverse.apply<K>(b, x);
       return;
     }
+    CGAL_precondition(b.rows() == static_cast<Eigen::Index>(scale(level).size()));
     workspace.levels.resize(m_levels.size());
     auto& vectors = workspace.levels[level];
     const internal::Block_row<K> scale = import_load<K>(level, b, vectors.b);
@@ -224,18 +184,19 @@ public:
   template <int K>
   void nested_iteration(const internal::Block_vector<K>& b, internal::Block_vector<K>& x,
                         Cycle cycle, int steps, Workspace<K>& workspace) const {
+    CGAL_precondition(!m_levels.empty() && b.rows() == m_size);
     const std::size_t finest = m_levels.size() - 1;
     if(finest == 0) {
       m_coarse_inverse.apply<K>(b, x);
       return;
     }
     workspace.levels.resize(m_levels.size());
-    std::vector<Level_vectors<K>> loads(m_levels.size());
+    std::vector<internal::Level_vectors<K>> loads(m_levels.size());
     const internal::Block_row<K> scale = import_load<K>(finest, b, loads[finest]);
     for(std::size_t level = finest; level > 0; --level)
       m_levels[level].restriction.template multiply<K, false>(m_is_parallel, loads[level],
                                                               loads[level - 1]);
-    Level_vectors<K> solution, fine, correction;
+    internal::Level_vectors<K> solution, fine, correction;
     solve_coarsest<K>(loads[0], solution, workspace);
     for(std::size_t level = 1;; ++level) {
       m_levels[level].prolongation.template multiply<K, false>(m_is_parallel, solution, fine);
@@ -243,7 +204,7 @@ public:
       if(level == finest)
         break;
       auto& left = workspace.levels[level].left;
-      smoother(level).template residual<K>(loads[level], solution, left);
+      level_smoother(level).template residual<K>(loads[level], solution, left);
       run<K>(level, left, correction, cycle, steps, workspace);
       add<K>(correction, solution);
     }
@@ -252,40 +213,72 @@ public:
 
 private:
   struct Level {
-    Level_matrix prolongation, restriction; // from and to the next coarser level
+    internal::Level_matrix prolongation, restriction; // from and to the next coarser level
   };
 
-  static void check_sizes(const Sparse_matrix& a, const std::vector<Sparse_matrix>& prolongations,
-                          const std::vector<Smoothing_patches>& patches,
-                          const std::vector<Sparse_matrix>& coarse_matrices) {
+  static constexpr bool has_layout = internal::Has_layout<Smoother>::value;
+  using Level_smoother =
+      std::conditional_t<has_layout, Smoother, internal::Natural_smoother<Smoother>>;
+
+  static void check_sizes(const Sparse_matrix& a, const Multigrid_levels& levels) {
     if(a.rows() != a.cols())
       throw Parameter_error("a", "is not a square matrix");
     Eigen::Index size = a.cols();
-    for(std::size_t level = prolongations.size(); level > 0; --level) {
-      if(prolongations[level - 1].rows() != size)
+    for(std::size_t level = levels.prolongations.size(); level > 0; --level) {
+      if(levels.prolongations[level - 1].rows() != size)
         throw Parameter_error("prolongations", "do not fit the size of the matrix");
-      size = prolongations[level - 1].cols();
-      if(!coarse_matrices.empty() &&
-         (coarse_matrices.size() != prolongations.size() ||
-          coarse_matrices[level - 1].cols() != size || coarse_matrices[level - 1].rows() != size))
+      size = levels.prolongations[level - 1].cols();
+      if(!levels.coarse_matrices.empty() &&
+         (levels.coarse_matrices.size() != levels.prolongations.size() ||
+          levels.coarse_matrices[level - 1].cols() != size ||
+          levels.coarse_matrices[level - 1].rows() != size))
         throw Parameter_error("coarse_matrices", "do not fit the prolongations");
     }
-    if(patches.size() != prolongations.size())
+    static_cast<void>(internal::has_both_halves(a, "a"));
+    for(const Sparse_matrix& coarse : levels.coarse_matrices)
+      static_cast<void>(internal::has_both_halves(coarse, "coarse_matrices"));
+    if(!levels.patches.empty() && levels.patches.size() != levels.prolongations.size())
       throw Parameter_error("patches", "are not given for each level but the coarsest");
+  }
+
+  const Level_smoother& level_smoother(std::size_t level) const {
+    CGAL_precondition(level > 0 && level < m_levels.size());
+    return m_smoothers[level - 1];
+  }
+
+  /// Makes the smoother of a level, if there are patches. A smoother with a layout reads one half
+  /// of the matrix, so the other one is given up first: what it makes of it takes the most memory.
+  void take_matrix(Sparse_matrix& a, const Smoothing_patches* patches, bool is_kept) {
+    if constexpr(has_layout) {
+      internal::Symmetric_matrix half;
+      half.take_half_of(a);
+      if(patches)
+        m_smoothers.emplace_back(half.upper_half(), *patches, m_is_parallel);
+      if(is_kept)
+        m_finest_matrix.swap(half);
+    } else {
+      if(is_kept) {
+        Sparse_matrix copy = a;
+        m_finest_matrix.take_half_of(copy);
+      }
+      if(patches)
+        m_smoothers.emplace_back(internal::whole(a), *patches, m_is_parallel);
+    }
+    Sparse_matrix().swap(a);
   }
 
   void set_coarsest(const Sparse_matrix& a) {
     m_coarse_inverse = internal::Pseudo_inverse(
         a, m_levels.size() == 1 ? 0 : internal::Pseudo_inverse::single_precision_regularization);
-    m_coarse_scale = balancing_scale(a);
-    m_coarse_positions = Level_positions::consecutive(static_cast<std::size_t>(a.cols()));
+    m_coarse_scale = internal::balancing_scale(a);
+    m_coarse_positions = internal::Level_positions::consecutive(static_cast<std::size_t>(a.cols()));
   }
 
-  const Level_positions& positions(std::size_t level) const {
-    return level == 0 ? m_coarse_positions : smoother(level).positions();
+  const internal::Level_positions& positions(std::size_t level) const {
+    return level == 0 ? m_coarse_positions : level_smoother(level).positions();
   }
   const std::vector<double>& scale(std::size_t level) const {
-    return level == 0 ? m_coarse_scale : smoother(level).scale();
+    return level == 0 ? m_coarse_scale : level_smoother(level).scale();
   }
 
   /// With \f$A\f$ replaced by \f$D A D\f$ the prolongation is \f$D^{-1} P D_c\f$.
@@ -294,16 +287,16 @@ private:
     for(double& s : inverse_scale)
       s = 1 / s;
     const std::vector<double>& coarse_scale = scale(level - 1);
-    m_levels[level].restriction = Level_matrix::of_transpose(p, positions(level - 1), coarse_scale,
-                                                             positions(level), inverse_scale);
-    m_levels[level].prolongation =
-        Level_matrix::of(p, positions(level), inverse_scale, positions(level - 1), coarse_scale);
+    m_levels[level].restriction = internal::Level_matrix::of_transpose(
+        p, positions(level - 1), coarse_scale, positions(level), inverse_scale);
+    m_levels[level].prolongation = internal::Level_matrix::of(p, positions(level), inverse_scale,
+                                                              positions(level - 1), coarse_scale);
   }
 
   /// scales the columns to largest entry 1, returns the factors
   template <int K>
   internal::Block_row<K> import_load(std::size_t level, const internal::Block_vector<K>& from,
-                                     Level_vectors<K>& to) const {
+                                     internal::Level_vectors<K>& to) const {
     const std::vector<double>& d = scale(level);
     const std::vector<std::uint32_t>& position = positions(level).of_unknown;
     internal::Block_row<K> largest = internal::Block_row<K>::Zero();
@@ -326,7 +319,7 @@ private:
   }
 
   template <int K>
-  void export_solution(std::size_t level, const Level_vectors<K>& from,
+  void export_solution(std::size_t level, const internal::Level_vectors<K>& from,
                        const internal::Block_row<K>& factor, internal::Block_vector<K>& to) const {
     const std::vector<double>& d = scale(level);
     const std::vector<std::uint32_t>& position = positions(level).of_unknown;
@@ -341,13 +334,14 @@ private:
                            });
   }
 
-  template <int K> static void add(const Level_vectors<K>& from, Level_vectors<K>& to) {
+  template <int K>
+  static void add(const internal::Level_vectors<K>& from, internal::Level_vectors<K>& to) {
     for(std::size_t i = 0; i < from.size(); ++i)
       to.data()[i] += from.data()[i];
   }
 
   template <int K>
-  void solve_coarsest(const Level_vectors<K>& b, Level_vectors<K>& x,
+  void solve_coarsest(const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
                       Workspace<K>& workspace) const {
     const Eigen::Index size = static_cast<Eigen::Index>(m_coarse_scale.size());
     workspace.coarse_b.resize(size, K);
@@ -362,13 +356,13 @@ private:
   }
 
   template <int K>
-  void run(std::size_t level, const Level_vectors<K>& b, Level_vectors<K>& x, Cycle cycle,
-           int steps, Workspace<K>& workspace) const {
+  void run(std::size_t level, const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
+           Cycle cycle, int steps, Workspace<K>& workspace) const {
     if(level == 0) {
       solve_coarsest<K>(b, x, workspace);
       return;
     }
-    const Smoother& smoother = this->smoother(level);
+    const Level_smoother& smoother = level_smoother(level);
     const Level& transfer = m_levels[level];
     auto& r = workspace.levels[level].r;
     auto& coarse = workspace.levels[level - 1];
@@ -378,8 +372,8 @@ private:
     transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
     if(cycle == Cycle::W && level > 1) {
       // The second visit corrects what the first one left.
-      Level_vectors<K> left;
-      this->smoother(level - 1).template residual<K>(coarse.b, coarse.x, left);
+      internal::Level_vectors<K> left;
+      level_smoother(level - 1).template residual<K>(coarse.b, coarse.x, left);
       run<K>(level - 1, left, coarse.x, cycle, steps, workspace);
       transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
     }
@@ -391,11 +385,17 @@ private:
   bool m_is_parallel;
   Eigen::Index m_size;
   std::vector<Level> m_levels;
-  std::vector<Smoother> m_smoothers;
+  std::vector<Level_smoother> m_smoothers;
+  internal::Symmetric_matrix m_finest_matrix;
   internal::Pseudo_inverse m_coarse_inverse;
-  Level_positions m_coarse_positions;
+  internal::Level_positions m_coarse_positions;
   std::vector<double> m_coarse_scale;
 };
+
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_OF(extern, Patch_smoother)
+CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_OF(extern, Gauss_seidel_smoother)
+#endif
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -132,8 +132,8 @@ inline void make_levels(std::size_t start, double alpha, std::vector<Sparse_matr
     Sparse_matrix().swap(stiffness[level]);
     Sparse_matrix().swap(mass[level]);
   }
-  levels.multigrid = Multigrid<>(a, std::move(prolongations), std::move(patches), is_parallel,
-                                 std::move(coarse), [&a] { Sparse_matrix().swap(a); });
+  levels.multigrid = Multigrid<>(
+      std::move(a), {std::move(prolongations), std::move(patches), std::move(coarse)}, is_parallel);
 }
 
 } // namespace internal

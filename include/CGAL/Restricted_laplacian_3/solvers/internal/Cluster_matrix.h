@@ -4,15 +4,14 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CLUSTER_MATRIX_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CLUSTER_MATRIX_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Level_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Object_pool.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_rows.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_kernels.h>
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -32,62 +31,74 @@ class Cluster_matrix {
 public:
   Cluster_matrix() : m_first(1, 0), m_first_values(1, 0) {}
 
+  /// \param a a symmetric matrix, of which the entries on and above the diagonal are read
   /// \param scale the matrix becomes \f$D A D\f$ with this diagonal matrix \f$D\f$
-  Cluster_matrix(bool is_parallel, const Eigen::SparseMatrix<double>& a,
-                 const Level_positions& positions, const std::vector<double>& scale) {
+  /// \param room what may be written to meanwhile
+  Cluster_matrix(bool is_parallel, const Sparse_matrix& a, const Level_positions& positions,
+                 const std::vector<double>& scale, Aligned_room* room = nullptr) {
+    const Symmetric_rows rows(a, room);
     const std::size_t clusters = positions.number_of_clusters();
-    std::vector<std::uint32_t> unknowns(positions.number_of_positions, no_unknown);
+    std::vector<int> unknowns(positions.number_of_positions, -1);
     m_cluster_sizes.assign(clusters, 0);
     for(std::size_t i = 0; i < positions.of_unknown.size(); ++i) {
-      unknowns[positions.of_unknown[i]] = static_cast<std::uint32_t>(i);
+      unknowns[positions.of_unknown[i]] = static_cast<int>(i);
       ++m_cluster_sizes[positions.of_unknown[i] / lanes_of_floats];
     }
     // calls visit(lane, position of the column, value) for all entries in the rows of cluster i
     const auto for_each_entry = [&](std::size_t i, auto&& visit) {
       for(int lane = 0; lane < m_cluster_sizes[i]; ++lane) {
-        const std::uint32_t j = unknowns[lanes_of_floats * i + lane];
-        for(int k = a.outerIndexPtr()[j]; k < a.outerIndexPtr()[j + 1]; ++k) {
-          const int row = a.innerIndexPtr()[k];
-          visit(lane, positions.of_unknown[row], scale[j] * a.valuePtr()[k] * scale[row]);
-        }
+        const int row = unknowns[lanes_of_floats * i + lane];
+        rows.for_each_entry(row, [&](int column, double value) {
+          visit(lane, positions.of_unknown[column], scale[row] * value * scale[column]);
+        });
       }
     };
+    // calls work(i, numbers) for all clusters, with a number for each position that is kept
+    using Numbers = std::vector<std::uint32_t>;
+    constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
     constexpr std::size_t grain = 2048;
+    Object_pool<Numbers> pool;
+    const auto for_each_cluster = [&](auto&& work) {
+      parallel_for(is_parallel, 0, clusters, grain, [&](std::size_t begin, std::size_t end) {
+        pool.borrow([&] { return Numbers(positions.number_of_positions, none); },
+                    [&](Numbers& numbers) {
+                      for(std::size_t i = begin; i < end; ++i)
+                        work(i, numbers);
+                    });
+      });
+    };
+    std::vector<Numbers> chunks((clusters + grain - 1) / grain);
     m_first.assign(clusters + 1, 0);
-    parallel_for(is_parallel, 0, clusters, grain, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> last_seen(positions.number_of_positions, no_unknown);
-      for(std::size_t i = begin; i < end; ++i)
-        for_each_entry(i, [&](int, std::uint32_t column, double) {
-          m_first[i + 1] += last_seen[column] != i;
-          last_seen[column] = static_cast<std::uint32_t>(i);
-        });
+    for_each_cluster([&](std::size_t i, Numbers& last_seen) {
+      Numbers& columns = chunks[i / grain];
+      const std::ptrdiff_t before = static_cast<std::ptrdiff_t>(columns.size());
+      for_each_entry(i, [&](int, std::uint32_t column, double) {
+        if(last_seen[column] != i)
+          columns.push_back(column);
+        last_seen[column] = static_cast<std::uint32_t>(i);
+      });
+      std::sort(columns.begin() + before, columns.end());
+      m_first[i + 1] = columns.size() - static_cast<std::size_t>(before);
     });
     m_first_values.assign(clusters + 1, 0);
     for(std::size_t i = 0; i < clusters; ++i) {
       m_first_values[i + 1] = m_first_values[i] + m_cluster_sizes[i] * m_first[i + 1];
       m_first[i + 1] += m_first[i];
     }
-    m_columns.resize(m_first.back());
+    m_columns.reserve(m_first.back());
+    for(Numbers& columns : chunks) {
+      m_columns.insert(m_columns.end(), columns.begin(), columns.end());
+      Numbers().swap(columns);
+    }
     // Products read eight numbers at a time.
     m_values.assign(m_first_values.back() + lanes_of_floats - 1, 0.f);
-    parallel_for(is_parallel, 0, clusters, grain, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> last_seen(positions.number_of_positions, no_unknown);
-      std::vector<std::size_t> place(positions.number_of_positions); // of a column
-      for(std::size_t i = begin; i < end; ++i) {
-        const auto first = m_columns.begin() + m_first[i];
-        auto last = first;
-        for_each_entry(i, [&](int, std::uint32_t column, double) {
-          if(last_seen[column] != i)
-            *last++ = column;
-          last_seen[column] = static_cast<std::uint32_t>(i);
-        });
-        std::sort(first, last);
-        for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
-          place[m_columns[k]] = m_first_values[i] + m_cluster_sizes[i] * (k - m_first[i]);
-        for_each_entry(i, [&](int lane, std::uint32_t column, double value) {
-          m_values[place[column] + lane] = static_cast<float>(value);
-        });
-      }
+    for_each_cluster([&](std::size_t i, Numbers& number_of_column) {
+      for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+        number_of_column[m_columns[k]] = static_cast<std::uint32_t>(k - m_first[i]);
+      float* const values = m_values.data() + m_first_values[i];
+      for_each_entry(i, [&](int lane, std::uint32_t column, double value) {
+        values[m_cluster_sizes[i] * number_of_column[column] + lane] = static_cast<float>(value);
+      });
     });
   }
 
@@ -125,8 +136,6 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t no_unknown = (std::numeric_limits<std::uint32_t>::max)();
-
   std::vector<std::uint8_t> m_cluster_sizes; // number of unknowns
   std::vector<std::size_t> m_first;          // column of each cluster, and one more
   std::vector<std::size_t> m_first_values;   // of each cluster, and one more

@@ -4,12 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_MATRIX_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_MATRIX_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/release_memory.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/panel_kernels.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/symmetric_halves.h>
 
-#include <Eigen/SparseCore>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,14 +29,28 @@ namespace internal {
 /// parts. So results are the same for any number of threads.
 class Symmetric_matrix {
 public:
-  /// Takes the half of a symmetric matrix all of whose entries are stored, with the rows of a
-  /// column sorted; it has the old content afterwards. (A `SparseMatrix` of Eigen 3.4 is copied
-  /// where another class would be moved.)
-  void take_half_of(Eigen::SparseMatrix<double>& a) {
-    m_upper.swap(a);
+  /// Takes the half of a symmetric matrix, with the rows of a column sorted; it is empty
+  /// afterwards. If there are entries below the diagonal, the half exists beside the whole for a
+  /// moment.
+  void take_half_of(Sparse_matrix& a) {
+    a.makeCompressed();
+    Sparse_matrix upper(a.rows(), a.cols());
+    int* const firsts = upper.outerIndexPtr();
+    for(int j = 0; j < a.cols(); ++j)
+      firsts[j + 1] = firsts[j] + number_above(a, j);
+    if(firsts[a.cols()] == a.nonZeros())
+      upper.swap(a);
+    else {
+      upper.resizeNonZeros(firsts[a.cols()]);
+      for(int j = 0; j < a.cols(); ++j) {
+        const int from = a.outerIndexPtr()[j], number = firsts[j + 1] - firsts[j];
+        std::copy_n(a.innerIndexPtr() + from, number, upper.innerIndexPtr() + firsts[j]);
+        std::copy_n(a.valuePtr() + from, number, upper.valuePtr() + firsts[j]);
+      }
+    }
+    Sparse_matrix().swap(a);
+    m_upper.swap(upper);
     m_parts.clear();
-    m_upper.prune([](Eigen::Index i, Eigen::Index j, double) { return i <= j; });
-    release_free_entries(m_upper);
     const std::size_t columns = static_cast<std::size_t>(m_upper.cols());
     const std::size_t width =
         (std::max)((columns + number_of_parts - 1) / number_of_parts, std::size_t(1024));
@@ -49,12 +64,18 @@ public:
     }
   }
 
+  void swap(Symmetric_matrix& other) {
+    m_upper.swap(other.m_upper);
+    m_parts.swap(other.m_parts);
+  }
+
   Eigen::Index rows() const { return m_upper.rows(); }
-  const Eigen::SparseMatrix<double>& upper_half() const { return m_upper; }
+  const Sparse_matrix& upper_half() const { return m_upper; }
 
   /// \f$ y = A x \f$
   template <int K>
   void multiply(const Block_vector<K>& x, Block_vector<K>& y, bool is_parallel) const {
+    CGAL_precondition(x.rows() == rows());
     y.resize(rows(), K);
     std::vector<Block_vector<K>> earlier_rows(m_parts.size());
     parallel_for(is_parallel, 0, m_parts.size(), 1, [&](std::size_t number, std::size_t) {
@@ -117,7 +138,7 @@ private:
     }
   }
 
-  Eigen::SparseMatrix<double> m_upper;
+  Sparse_matrix m_upper;
   std::vector<Part> m_parts;
 };
 

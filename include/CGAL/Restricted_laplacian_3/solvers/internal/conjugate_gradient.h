@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONJUGATE_GRADIENT_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONJUGATE_GRADIENT_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
 
 #include <cmath>
@@ -11,6 +12,10 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
+
+/// `f(x, y)` makes \f$y = A x\f$ of a linear operator \f$A\f$
+template <int K>
+using Block_operator = Function_view<void(const Block_vector<K>&, Block_vector<K>&)>;
 
 /// scalar products of corresponding columns
 template <int K> Block_row<K> dot(const Block_vector<K>& x, const Block_vector<K>& y) {
@@ -37,10 +42,11 @@ Block_row<K> safe_quotient(const Block_row<K>& numerator, const Block_row<K>& de
 /// \param r the residual of the initial `x`, on return the recursively updated residual
 /// \param target norms of the residuals at which the columns have converged
 /// \param iterations counts on from its value up to `maximum_iterations`
-template <int K, class Multiply, class Precondition, class Project>
-void conjugate_gradient(Multiply&& multiply, Precondition&& precondition, Project&& project,
-                        Block_vector<K>& r, Block_vector<K>& x, const Block_row<K>& target,
-                        int& iterations, int maximum_iterations) {
+template <int K>
+void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> precondition,
+                        Function_view<void(Block_vector<K>&)> project, Block_vector<K>& r,
+                        Block_vector<K>& x, const Block_row<K>& target, int& iterations,
+                        int maximum_iterations) {
   Block_vector<K> z, p, q;
   Block_row<K> rho = Block_row<K>::Zero();
   for(bool first = true; iterations < maximum_iterations; ++iterations, first = false) {
@@ -69,10 +75,11 @@ void conjugate_gradient(Multiply&& multiply, Precondition&& precondition, Projec
 }
 
 /// The iteration \f$ x \leftarrow x + B (b - A x) \f$; parameters as in `conjugate_gradient()`.
-template <int K, class Multiply, class Precondition, class Project>
-void stationary_iteration(Multiply&& multiply, Precondition&& precondition, Project&& project,
-                          Block_vector<K>& r, Block_vector<K>& x, const Block_row<K>& target,
-                          int& iterations, int maximum_iterations) {
+template <int K>
+void stationary_iteration(Block_operator<K> multiply, Block_operator<K> precondition,
+                          Function_view<void(Block_vector<K>&)> project, Block_vector<K>& r,
+                          Block_vector<K>& x, const Block_row<K>& target, int& iterations,
+                          int maximum_iterations) {
   Block_vector<K> z, q;
   for(; iterations < maximum_iterations; ++iterations) {
     const Block_row<K> norm = dot<K>(r, r).sqrt();

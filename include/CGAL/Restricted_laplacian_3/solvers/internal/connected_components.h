@@ -4,12 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONNECTED_COMPONENTS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONNECTED_COMPONENTS_H
 
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -18,25 +19,19 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// Number of the connected component of each unknown in the graph of a symmetric matrix, counted
-/// from 0, and the number of components.
-inline std::pair<std::vector<int>, int> connected_components(const Eigen::SparseMatrix<double>& a) {
-  std::vector<int> component(a.cols(), -1), stack;
+/// from 0, and the number of components. What is below the diagonal is not read.
+inline std::pair<std::vector<int>, int> connected_components(const Sparse_matrix& a) {
+  const std::size_t n = static_cast<std::size_t>(a.cols());
+  Disjoint_sets sets(n);
+  for(int j = 0; j < a.cols(); ++j)
+    for(Sparse_matrix::InnerIterator i(a, j); i && i.row() < j; ++i)
+      sets.unite(static_cast<std::uint32_t>(i.row()), static_cast<std::uint32_t>(j));
+  // A representative is the smallest of its component.
+  std::vector<int> component(n);
   int number = 0;
-  for(int start = 0; start < a.cols(); ++start) {
-    if(component[start] != -1)
-      continue;
-    component[start] = number;
-    stack.push_back(start);
-    while(!stack.empty()) {
-      const int j = stack.back();
-      stack.pop_back();
-      for(Eigen::SparseMatrix<double>::InnerIterator i(a, j); i; ++i)
-        if(component[i.row()] == -1) {
-          component[i.row()] = number;
-          stack.push_back(static_cast<int>(i.row()));
-        }
-    }
-    ++number;
+  for(std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t first = sets.find(static_cast<std::uint32_t>(i));
+    component[i] = first == i ? number++ : component[first];
   }
   return {std::move(component), number};
 }
@@ -46,11 +41,18 @@ constexpr double row_sum_tolerance = 1e-13;
 
 /// For each component of the graph of a matrix \f$A\f$, whether \f$A 1 = v\f$ in its rows. This
 /// counts as satisfied if no entry is off by more than `row_sum_tolerance` times the largest
-/// diagonal entry of the component, and never if that is 0.
-inline std::vector<char> maps_constants_to(const Eigen::VectorXd& v,
-                                           const Eigen::SparseMatrix<double>& a,
+/// diagonal entry of the component, and never if that is 0. What is below the diagonal of \f$A\f$
+/// is not read.
+inline std::vector<char> maps_constants_to(const Eigen::VectorXd& v, const Sparse_matrix& a,
                                            const std::vector<int>& component, int number) {
-  const Eigen::VectorXd defect = a * Eigen::VectorXd::Ones(a.cols()) - v, diagonal = a.diagonal();
+  Eigen::VectorXd defect = -v;
+  for(int j = 0; j < a.cols(); ++j)
+    for(Sparse_matrix::InnerIterator i(a, j); i && i.row() <= j; ++i) {
+      defect[i.row()] += i.value();
+      if(i.row() < j)
+        defect[j] += i.value();
+    }
+  const Eigen::VectorXd diagonal = a.diagonal();
   std::vector<double> largest_defect(number, 0.), largest_diagonal(number, 0.);
   for(std::size_t i = 0; i < component.size(); ++i) {
     double &largest = largest_defect[component[i]], &entry = largest_diagonal[component[i]];

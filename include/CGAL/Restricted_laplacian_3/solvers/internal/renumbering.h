@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_RENUMBERING_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_RENUMBERING_H
 
-#include <Eigen/SparseCore>
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace internal {
 /// small ones only have to take up what the large ones left: conjugate gradients need about half of
 /// the iterations that they need with the elements in the order of space. Octaves do as well as a
 /// full sort, and neighbours in space stay near in memory.
-inline std::vector<int> order_by_octave_of_diagonal(const Eigen::SparseMatrix<double>& a) {
+inline std::vector<int> order_by_octave_of_diagonal(const Sparse_matrix& a) {
   const Eigen::VectorXd diagonal = a.diagonal();
   std::vector<int> octave(diagonal.size());
   for(Eigen::Index i = 0; i < diagonal.size(); ++i)

@@ -1,17 +1,19 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_LEVEL_VECTORS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_LEVEL_VECTORS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_LEVEL_VECTORS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_LEVEL_VECTORS_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_kernels.h>
 
-#include <Eigen/SparseCore>
+#include <CGAL/assertions.h>
 
 #include <boost/align/aligned_allocator.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -29,9 +31,6 @@ constexpr int lanes_of_floats = 8;
 constexpr int vectors_of_a_block = lanes_of_floats;
 using Aligned_floats = std::vector<float, boost::alignment::aligned_allocator<float, 64>>;
 
-} // namespace internal
-
-/// \ingroup PkgRestrictedLaplacian3Solvers
 /// `K` vectors of a level of a hierarchy, side by side, in single precision: the `K` numbers of a
 /// position follow each other. `K` is 1 or 8; with 8 a position fills a vector register. Eight
 /// consecutive positions form a *cluster*.
@@ -44,16 +43,13 @@ public:
 
   /// the `K` numbers of position `i`
   float* position(std::size_t i) { return m_values.data() + K * i; }
-  /// the same, to be read only
   const float* position(std::size_t i) const { return m_values.data() + K * i; }
   /// the `8 * K` numbers of cluster `i`
-  float* cluster(std::size_t i) { return position(internal::lanes_of_floats * i); }
-  /// the same, to be read only
-  const float* cluster(std::size_t i) const { return position(internal::lanes_of_floats * i); }
+  float* cluster(std::size_t i) { return position(lanes_of_floats * i); }
+  const float* cluster(std::size_t i) const { return position(lanes_of_floats * i); }
 
   /// all numbers, `size()` of them
   float* data() { return m_values.data(); }
-  /// the same, to be read only
   const float* data() const { return m_values.data(); }
   /// `K` times the number of positions
   std::size_t size() const { return m_values.size(); }
@@ -61,13 +57,12 @@ public:
   void swap(Level_vectors& other) { m_values.swap(other.m_values); }
 
 private:
-  internal::Aligned_floats m_values;
+  Aligned_floats m_values;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
 /// Where the unknowns of a level are in its vectors. The number of positions is a multiple of
 /// eight. A cluster may have less than eight unknowns; they come first in it, and what is at the
-/// positions that belong to no unknown has no meaning.
+/// positions that belong to no unknown has no meaning: nothing may depend on it.
 struct Level_positions {
   /// the position of each unknown, all different
   std::vector<std::uint32_t> of_unknown;
@@ -75,11 +70,11 @@ struct Level_positions {
   std::size_t number_of_positions = 0;
 
   /// a cluster has eight positions
-  std::size_t number_of_clusters() const { return number_of_positions / internal::lanes_of_floats; }
+  std::size_t number_of_clusters() const { return number_of_positions / lanes_of_floats; }
 
   /// unknowns 0, 1, 2, ... at the positions 0, 1, 2, ...
   static Level_positions consecutive(std::size_t number_of_unknowns) {
-    constexpr std::size_t lanes = internal::lanes_of_floats;
+    constexpr std::size_t lanes = lanes_of_floats;
     Level_positions positions;
     positions.of_unknown.resize(number_of_unknowns);
     std::iota(positions.of_unknown.begin(), positions.of_unknown.end(), 0u);
@@ -88,7 +83,19 @@ struct Level_positions {
   }
 };
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
+/// Powers of two \f$d_i\f$ with \f$1/2 \le d_i^2 A_{ii} \le 2\f$; 1 where the diagonal entry is not
+/// positive. \f$D A D\f$ fits into single precision, also where elements hardly reach the surface.
+inline std::vector<double> balancing_scale(const Sparse_matrix& a) {
+  const Eigen::VectorXd diagonal = a.diagonal();
+  const double largest = diagonal.size() > 0 ? diagonal.maxCoeff() : 0;
+  std::vector<double> scale(static_cast<std::size_t>(diagonal.size()), 1.);
+  for(Eigen::Index i = 0; i < diagonal.size(); ++i)
+    // What is smaller than this has no significant digit left beside the large entries.
+    if(diagonal[i] > 1e-30 * largest)
+      scale[i] = std::ldexp(1., -static_cast<int>(std::lround(std::log2(diagonal[i]) / 2)));
+  return scale;
+}
+
 /// A sparse matrix in single precision, row by row, between the positions of two levels, or of one.
 class Level_matrix {
 public:
@@ -97,21 +104,35 @@ public:
 
   /// The matrix with row `rows.of_unknown[i]` for each row `i` of `a`, times `row_scale[i]`, and
   /// with its columns placed and scaled likewise.
-  static Level_matrix of(const Eigen::SparseMatrix<double>& a, const Level_positions& rows,
+  static Level_matrix of(const Sparse_matrix& a, const Level_positions& rows,
                          const std::vector<double>& row_scale, const Level_positions& columns,
                          const std::vector<double>& column_scale) {
-    return Level_matrix(a, rows, row_scale, columns, column_scale,
-                        [](int i, int /*j*/) { return i; });
+    return Level_matrix(rows, row_scale, columns, column_scale, [&a](auto&& visit) {
+      for_each_entry(a, [&visit](int i, int j, double value) { visit(i, j, value); });
+    });
   }
 
   /// the same for the transpose of `a`
-  static Level_matrix of_transpose(const Eigen::SparseMatrix<double>& a,
-                                   const Level_positions& rows,
+  static Level_matrix of_transpose(const Sparse_matrix& a, const Level_positions& rows,
                                    const std::vector<double>& row_scale,
                                    const Level_positions& columns,
                                    const std::vector<double>& column_scale) {
-    return Level_matrix(a, rows, row_scale, columns, column_scale,
-                        [](int /*i*/, int j) { return j; });
+    return Level_matrix(rows, row_scale, columns, column_scale, [&a](auto&& visit) {
+      for_each_entry(a, [&visit](int i, int j, double value) { visit(j, i, value); });
+    });
+  }
+
+  /// The same for a symmetric matrix, of which the entries on and above the diagonal are read.
+  static Level_matrix of_symmetric(const Sparse_matrix& a, const Level_positions& positions,
+                                   const std::vector<double>& scale) {
+    return Level_matrix(positions, scale, positions, scale, [&a](auto&& visit) {
+      for_each_entry(a, [&visit](int i, int j, double value) {
+        if(i <= j)
+          visit(i, j, value);
+        if(i < j)
+          visit(j, i, value);
+      });
+    });
   }
 
   /// \f$y = A x\f$, or \f$y = y + A x\f$
@@ -120,57 +141,56 @@ public:
     const std::size_t positions = m_first.size() - 1;
     if(!is_added)
       y.resize(positions);
+    CGAL_precondition(y.size() == K * positions);
     constexpr std::size_t grain = 4096;
-    internal::parallel_for(is_parallel, 0, positions, grain,
-                           [&](std::size_t begin, std::size_t end) {
-                             for(std::size_t i = begin; i < end; ++i) {
-                               float* to = y.position(i);
-                               if(!is_added)
-                                 std::fill(to, to + K, 0.f);
-                               add_row_product<K>(i, 1, x, to);
-                             }
-                           });
+    parallel_for(is_parallel, 0, positions, grain, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i) {
+        float* to = y.position(i);
+        if(!is_added)
+          std::fill(to, to + K, 0.f);
+        add_row_product<K>(i, 1, x, to);
+      }
+    });
   }
 
   /// adds row `i` times `x`, times a factor, to `K` numbers
   template <int K>
   void add_row_product(std::size_t i, float factor, const Level_vectors<K>& x, float* to) const {
-    internal::add_products<K>(m_entries.data() + m_first[i], m_first[i + 1] - m_first[i], factor,
-                              x.data(), to);
+    add_products<K>(m_entries.data() + m_first[i], m_first[i + 1] - m_first[i], factor, x.data(),
+                    to);
   }
 
 private:
-  using Entry = internal::Row_entry;
+  /// calls `visit(i, j, value)` column by column, also for a matrix that is not compressed
+  template <class Visitor> static void for_each_entry(const Sparse_matrix& a, Visitor&& visit) {
+    for(int j = 0; j < a.cols(); ++j)
+      for(Sparse_matrix::InnerIterator k(a, j); k; ++k)
+        visit(static_cast<int>(k.row()), j, k.value());
+  }
 
-  /// \param row whether an entry (i, j) of `a` goes to row i or j
-  template <class Row>
-  Level_matrix(const Eigen::SparseMatrix<double>& a, const Level_positions& rows,
-               const std::vector<double>& row_scale, const Level_positions& columns,
-               const std::vector<double>& column_scale, Row&& row)
+  /// \param for_each calls its argument for all entries
+  template <class For_each>
+  Level_matrix(const Level_positions& rows, const std::vector<double>& row_scale,
+               const Level_positions& columns, const std::vector<double>& column_scale,
+               For_each&& for_each)
     : m_first(rows.number_of_positions + 1, 0) {
-    const auto for_each_entry = [&](auto&& visit) {
-      for(int j = 0; j < a.cols(); ++j)
-        for(Eigen::SparseMatrix<double>::InnerIterator k(a, j); k; ++k) {
-          const int i = static_cast<int>(k.row());
-          visit(row(i, j), row(j, i), k.value());
-        }
-    };
     // Ends are counted down to beginnings while the rows are filled from their ends.
-    for_each_entry([&](int i, int, double) { ++m_first[rows.of_unknown[i]]; });
+    for_each([&](int i, int, double) { ++m_first[rows.of_unknown[i]]; });
     for(std::size_t i = 0; i < rows.number_of_positions; ++i)
       m_first[i + 1] += m_first[i];
     m_entries.resize(m_first.back());
-    for_each_entry([&](int i, int j, double value) {
+    for_each([&](int i, int j, double value) {
       m_entries[--m_first[rows.of_unknown[i]]] = {
           columns.of_unknown[j], static_cast<float>(row_scale[i] * value * column_scale[j])};
     });
   }
 
   std::vector<std::uint32_t> m_first;
-  std::vector<Entry> m_entries;
+  std::vector<Row_entry> m_entries;
 };
 
+} // namespace internal
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_LEVEL_VECTORS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_LEVEL_VECTORS_H

@@ -1,12 +1,16 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SMOOTHING_PATCHES_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SMOOTHING_PATCHES_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MULTIGRID_LEVELS_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MULTIGRID_LEVELS_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
-#include <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
-#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+
+#include <CGAL/assertions.h>
 
 #include <array>
 #include <cstddef>
@@ -17,18 +21,9 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// The patches of a level on which `Patch_smoother` works: one for each sheet of the next coarser
-/// level, with all elements that act on one of its children. On a smooth surface these are about 50
-/// of the \f$4 \times 4 \times 4\f$ elements around two cells by two by two.
-///
-/// A group consists of the patches in one block of \f$8 \times 8 \times 8\f$ coarser cells, its
-/// colour is the parity of the coordinates of the block. Two groups of the same colour are 16 cells
-/// apart; an element of a patch reaches 2 cells beyond the coarser cell, and elements that are 3
-/// cells apart are not coupled.
-/// \param space the space whose elements are grouped
-/// \param level not 0
-inline Smoothing_patches smoothing_patches(const Spline_space_3& space, int level) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Smoothing_patches smoothing_patches(const Spline_space_3& space,
+                                                                       int level) {
+  CGAL_precondition(level > 0 && level <= space.depth());
   constexpr int log_block_width = 3, number_of_colors = 8;
   const Octree_3& octree = space.octree();
   const std::size_t number_of_sheets = octree.number_of_sheets(level - 1);
@@ -80,17 +75,20 @@ inline Smoothing_patches smoothing_patches(const Spline_space_3& space, int leve
   return patches;
 }
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// The patches of the levels from `coarsest + 1` to depth.
-inline std::vector<Smoothing_patches> smoothing_patches_of_levels(const Spline_space_3& space,
-                                                                  int coarsest) {
-  std::vector<Smoothing_patches> result;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Multigrid_levels multigrid_levels(const Spline_space_3& space,
+                                                                     int coarsest) {
+  Multigrid_levels result;
+  result.prolongations = prolongation_matrices(space, coarsest);
   for(int level = coarsest + 1; level <= space.depth(); ++level)
-    result.push_back(smoothing_patches(space, level));
+    result.patches.push_back(smoothing_patches(space, level));
   return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Multigrid_levels multigrid_levels(const Spline_space_3& space) {
+  return multigrid_levels(space, internal::coarsest_multigrid_level(space));
 }
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SMOOTHING_PATCHES_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MULTIGRID_LEVELS_IMPL_H

@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/conjugate_gradient.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+inline void check_tolerance(double tolerance) {
+  if(!(tolerance > 0 && tolerance < 1))
+    throw Parameter_error("relative_tolerance", "must be between 0 and 1");
+}
+
+/// A row with a negative diagonal entry would be left out by the smoother, without a word. Sums of
+/// products that cancel may leave one that is negative by rounding.
+inline void check_entries(const Sparse_matrix& a) {
+  constexpr double rounding = 1e-12;
+  const Eigen::VectorXd diagonal = a.diagonal();
+  const double largest = diagonal.size() > 0 ? diagonal.cwiseAbs().maxCoeff() : 0;
+  for(Eigen::Index i = 0; i < diagonal.size(); ++i)
+    if(diagonal[i] < -rounding * largest)
+      throw Parameter_error("a", "is not positive semi-definite: the diagonal entry of row " +
+                                     std::to_string(i) + " is negative");
+  if(!a.coeffs().allFinite())
+    throw Parameter_error("a", "has an entry that is not a finite number");
+}
+
+inline Poisson_solver_options checked(const Sparse_matrix& a, const Eigen::VectorXd& integrals,
+                                      const Eigen::VectorXd& constant_loads,
+                                      const Poisson_solver_options& options) {
+  if(integrals.size() != a.cols())
+    throw Parameter_error("element_integrals", "does not fit the size of the matrix");
+  if(constant_loads.size() != a.cols())
+    throw Parameter_error("constant_loads", "does not fit the size of the matrix");
+  check_entries(a);
+  check_tolerance(options.relative_tolerance);
+  if(options.maximum_iterations < 0)
+    throw Parameter_error("number_of_iterations", "must not be negative");
+  if(options.smoothing_steps < 1)
+    throw Parameter_error("smoothing_steps", "must be positive");
+  return options;
+}
+
+} // namespace internal
+
+/// What a solver keeps, and the iteration.
+struct Poisson_solver::Impl {
+  /// \param a is compressed
+  Impl(Sparse_matrix&& a, Multigrid_levels levels, const Eigen::VectorXd& element_integrals,
+       const Eigen::VectorXd& constant_loads, const Options& given)
+    : options(internal::checked(a, element_integrals, constant_loads, given)),
+      means(a, element_integrals, constant_loads) {
+    CGAL::Real_timer timer;
+    timer.start();
+    if(levels.patches.empty())
+      options.smoother = Smoother_type::point;
+    if(options.smoother == Smoother_type::patch)
+      multigrid.emplace<Multigrid<Patch_smoother>>(std::move(a), std::move(levels),
+                                                   options.is_parallel, true);
+    else
+      multigrid.emplace<Multigrid<Gauss_seidel_smoother>>(std::move(a), std::move(levels),
+                                                          options.is_parallel, true);
+    setup_seconds = timer.time();
+  }
+
+  const internal::Symmetric_matrix& matrix() const {
+    return std::visit(
+        [](const auto& m) -> const internal::Symmetric_matrix& { return m.finest_matrix(); },
+        multigrid);
+  }
+
+  void check(const Eigen::Ref<const Eigen::MatrixXd>& b, double relative_tolerance) const {
+    internal::check_tolerance(relative_tolerance);
+    if(b.rows() != matrix().rows())
+      throw Parameter_error("b", "has " + std::to_string(b.rows()) + " rows, but the matrix has " +
+                                     std::to_string(matrix().rows()));
+    if(!b.allFinite())
+      throw Parameter_error("b", "has an entry that is not a finite number");
+  }
+
+  /// solves for the first columns of `b`, at most `K`, and adds to the report
+  template <int K>
+  void solve_block(double relative_tolerance, const Eigen::Ref<const Eigen::MatrixXd>& b,
+                   Eigen::Ref<Eigen::MatrixXd> x, Solve_report& report) const {
+    std::visit(
+        [&](const auto& hierarchy) {
+          typename std::decay_t<decltype(hierarchy)>::template Workspace<K> workspace;
+          using Block = internal::Block_vector<K>;
+          iterate<K>(
+              [&](const Block& p, Block& q) {
+                hierarchy.template nested_iteration<K>(p, q, options.cycle, options.smoothing_steps,
+                                                       workspace);
+              },
+              [&](const Block& p, Block& q) {
+                hierarchy.template apply<K>(p, q, options.cycle, options.smoothing_steps,
+                                            workspace);
+              },
+              relative_tolerance, b, x, report);
+        },
+        multigrid);
+  }
+
+  /// \param guess makes the first guess
+  /// \param precondition one cycle
+  template <int K>
+  void iterate(internal::Block_operator<K> guess, internal::Block_operator<K> precondition,
+               double relative_tolerance, const Eigen::Ref<const Eigen::MatrixXd>& b_all,
+               Eigen::Ref<Eigen::MatrixXd> x_all, Solve_report& report) const {
+    using Block = internal::Block_vector<K>;
+    using Row = internal::Block_row<K>;
+    const Eigen::Index count = (std::min)(b_all.cols(), Eigen::Index(K));
+    Block load = Block::Zero(b_all.rows(), K), b, x, r;
+    load.leftCols(count) = b_all.leftCols(count);
+    // Squares of very small or large loads would leave the range of numbers.
+    const Row scale = load.cwiseAbs().colwise().maxCoeff().array().unaryExpr(
+        [](double largest) { return largest > 0 ? largest : 1.; });
+    load = load * scale.inverse().matrix().asDiagonal();
+    b = load;
+    means.template project_load<K>(b);
+    Row norm = internal::dot<K>(b, b).sqrt();
+    // What the projection leaves of the load of a constant is rounding error.
+    norm = (norm > projection_tolerance * internal::dot<K>(load, load).sqrt()).select(norm, 0.);
+    b = b * (norm > 0).select(Row::Ones(), Row::Zero()).matrix().asDiagonal();
+    const Row target = relative_tolerance * norm;
+
+    const internal::Symmetric_matrix& matrix = this->matrix();
+    const auto multiply = [&](const Block& p, Block& q) {
+      matrix.template multiply<K>(p, q, options.is_parallel);
+    };
+    const auto project = [this](Block& p) { means.template project_load<K>(p); };
+    guess(b, x);
+    matrix.template residual<K>(b, x, r, options.is_parallel);
+    project(r);
+
+    // The recursively updated residual drifts away from the true one. Start again from the true one
+    // as long as that helps.
+    int iterations = 0;
+    Row residual = internal::dot<K>(r, r).sqrt();
+    while((residual > target).any() && iterations < options.maximum_iterations) {
+      if(options.stand_alone_multigrid)
+        internal::stationary_iteration<K>(multiply, precondition, project, r, x, target, iterations,
+                                          options.maximum_iterations);
+      else
+        internal::conjugate_gradient<K>(multiply, precondition, project, r, x, target, iterations,
+                                        options.maximum_iterations);
+      matrix.template residual<K>(b, x, r, options.is_parallel);
+      project(r);
+      const Row next = internal::dot<K>(r, r).sqrt();
+      const bool improved = (next.max(target) < residual.max(target) * restart_gain).any();
+      residual = next;
+      if(!improved)
+        break;
+    }
+
+    means.template shift_solution<K>(load, x);
+    x = x * scale.matrix().asDiagonal();
+    x_all.leftCols(count) = x.leftCols(count);
+    report.iterations = (std::max)(report.iterations, iterations);
+    for(Eigen::Index k = 0; k < count; ++k) {
+      const double relative = norm[k] > 0 ? residual[k] / norm[k] : 0;
+      report.relative_residuals.push_back(relative);
+      report.relative_residual = (std::max)(report.relative_residual, relative);
+      report.converged = report.converged && relative <= relative_tolerance;
+    }
+  }
+
+  /// a restart has to reduce a residual by this factor at least, else the iteration ends
+  static constexpr double restart_gain = 0.9;
+  /// a right-hand side that the projection reduces to this fraction is a constant
+  static constexpr double projection_tolerance = 1e-13;
+
+  Options options;
+  internal::Mean_projection means;
+  std::variant<Multigrid<Patch_smoother>, Multigrid<Gauss_seidel_smoother>> multigrid;
+  double setup_seconds;
+};
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Poisson_solver::Poisson_solver(const Sparse_matrix& a, Multigrid_levels levels,
+                               const Eigen::VectorXd& element_integrals, double alpha,
+                               const Options& options)
+  : Poisson_solver(Sparse_matrix(a), std::move(levels), element_integrals, alpha, options) {}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Poisson_solver::Poisson_solver(Sparse_matrix&& a, Multigrid_levels levels,
+                               const Eigen::VectorXd& element_integrals, double alpha,
+                               const Options& options)
+  : Poisson_solver(std::move(a), std::move(levels), element_integrals,
+                   Eigen::VectorXd(alpha * element_integrals), options) {}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Poisson_solver::Poisson_solver(Sparse_matrix&& a, Multigrid_levels levels,
+                               const Eigen::VectorXd& element_integrals,
+                               const Eigen::VectorXd& constant_loads, const Options& options) {
+  a.makeCompressed();
+  m_impl = std::make_unique<Impl>(std::move(a), std::move(levels), element_integrals,
+                                  constant_loads, options);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Poisson_solver::Poisson_solver(Poisson_solver&& other) noexcept = default;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver&
+Poisson_solver::operator=(Poisson_solver&& other) noexcept = default;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver::~Poisson_solver() = default;
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Poisson_solver::Options& Poisson_solver::options() const {
+  return m_impl->options;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Poisson_solver::Sparse_matrix&
+Poisson_solver::upper_half() const {
+  return m_impl->matrix().upper_half();
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE int Poisson_solver::kernel_dimension() const {
+  return m_impl->means.kernel_dimension();
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE const internal::Mean_projection&
+Poisson_solver::mean_projection() const {
+  return m_impl->means;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Poisson_solver::setup_seconds() const {
+  return m_impl->setup_seconds;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
+Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) const {
+  return solve(b, x, options().relative_tolerance);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
+Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
+                      double relative_tolerance) const {
+  m_impl->check(b, relative_tolerance);
+  Solve_report report;
+  report.converged = true;
+  report.setup_seconds = m_impl->setup_seconds;
+  CGAL::Real_timer timer;
+  timer.start();
+  x.resize(b.rows());
+  m_impl->solve_block<1>(relative_tolerance, b, x, report);
+  report.solve_seconds = timer.time();
+  return report;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
+Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x) const {
+  return solve(b, x, options().relative_tolerance);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
+Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
+                      double relative_tolerance) const {
+  m_impl->check(b, relative_tolerance);
+  Solve_report report;
+  report.converged = true;
+  report.setup_seconds = m_impl->setup_seconds;
+  CGAL::Real_timer timer;
+  timer.start();
+  x.resize(b.rows(), b.cols());
+  for(Eigen::Index first = 0; first < b.cols();) {
+    // Some columns travel with empty ones: eight take about twice as long as one.
+    const Eigen::Index left = b.cols() - first;
+    if(left == 1)
+      m_impl->solve_block<1>(relative_tolerance, b.rightCols(left), x.rightCols(left), report);
+    else
+      m_impl->solve_block<internal::vectors_of_a_block>(relative_tolerance, b.rightCols(left),
+                                                        x.rightCols(left), report);
+    first += internal::vectors_of_a_block;
+  }
+  report.solve_seconds = timer.time();
+  return report;
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_IMPL_H
