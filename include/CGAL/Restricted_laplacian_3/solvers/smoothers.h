@@ -106,12 +106,6 @@ public:
 /// \cgalModels `MultigridSmoother_3`
 class Patch_smoother : public internal::Group_smoother<internal::Patch_groups> {
 public:
-  /// Added to the diagonals, which are near 1, before a block is inverted: well above the rounding
-  /// errors of single precision, times the number of entries in a row. Without it a combination of
-  /// elements whose energy is only rounding error would be amplified by the inverse of that error.
-  /// With it the inverse is never too large, so the smoother converges for any matrix.
-  static constexpr double relative_regularization = 1e-5;
-
   /// \param a the matrix, see `MultigridSmoother_3`; what is below its diagonal is not read
   /// \param patches what is relaxed together
   /// \param is_parallel whether several threads are used; results do not depend on that

@@ -13,7 +13,6 @@
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_inverse.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_kernels.h>
-#include <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
 
 #include <CGAL/assertions.h>
 
@@ -26,6 +25,12 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
+
+/// Added to the diagonals, which are near 1, before a block is inverted: well above the rounding
+/// errors of single precision, times the number of entries in a row. Without it a combination of
+/// elements whose energy is only rounding error would be amplified by the inverse of that error.
+/// With it the inverse is never too large, so the smoother converges for any matrix.
+constexpr double relative_regularization = 1e-5;
 
 /// What `Patch_smoother` keeps, and how it relaxes a group.
 class Patch_groups : public Group_layout {
@@ -154,9 +159,9 @@ private:
             for(int i = 0; i < size; ++i) {
               double& diagonal = block[static_cast<std::size_t>(stride) * i + i];
               // Where it is 0 the row is 0, and the unknown remains 0.
-              diagonal = diagonal > 0 ? diagonal + Patch_smoother::relative_regularization : 0;
+              diagonal = diagonal > 0 ? diagonal + relative_regularization : 0;
             }
-            invert(block.data(), size, stride, Patch_smoother::relative_regularization / 2);
+            invert(block.data(), size, stride, relative_regularization / 2);
             pack(block, stride, m_inverses.as<float>() + patch.inverse);
           }
         });
