@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/spectra/heat_kernel_signature_impl.h>
-#include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs_impl.h>
 #include <CGAL/Restricted_laplacian_3/spectra/shape_dna_impl.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs_impl.h>
 #include <CGAL/Restricted_laplacian_3/spectra/spectral_embedding_impl.h>

@@ -288,10 +288,8 @@ TEST_CASE("surface_in_a_wall_is_stored_once", "[octree]") {
 TEST_CASE("coordinates_without_digits_for_the_depth_are_refused", "[octree]") {
   const shapes::Triangles t = shapes::sphere(3);
   const auto octree = [&t](double offset, int depth) {
-    std::vector<RL::Point_3> points;
-    for(const RL::Point_3& p : t.points)
-      points.push_back(p + RL::Vector_3(offset, 0, 0));
-    return RL::Octree_3(RL::Triangulated_surface_3(points, t.faces), depth, 1.1);
+    const shapes::Triangles m = shapes::moved(t, RL::Vector_3(offset, 0, 0));
+    return RL::Octree_3(RL::Triangulated_surface_3(m.points, m.faces), depth, 1.1);
   };
   // The sphere has diameter 2: at 2e12 its coordinates are multiples of 2^-12.
   CHECK(octree(2e12, 4).wall_tolerance(4) <= RL::Octree_3::largest_wall_tolerance);

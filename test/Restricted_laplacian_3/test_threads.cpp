@@ -7,9 +7,9 @@
 #include "shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
 

@@ -40,7 +40,7 @@ private:
 #ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// \f$P K P^T = L L^T\f$ by the supernodal factorisation of CHOLMOD. Exists if the macro
+/// \f$P K P^T = L L^T\f$ by CHOLMOD. Exists if the macro
 /// `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is defined.
 /// \cgalModels `SparseCholesky_3`
 class Cholmod_cholesky {

@@ -32,7 +32,7 @@ inline Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& a) {
   constexpr double relative_cutoff = 1e-6;
   const Eigen::LLT<Eigen::MatrixXd> cholesky(a);
   if(cholesky.info() == Eigen::Success &&
-     cholesky.matrixLLT().diagonal().minCoeff() > smallest_pivot)
+     (cholesky.matrixLLT().diagonal().array() > smallest_pivot).all())
     return cholesky.matrixU().solve(Eigen::MatrixXd::Identity(a.rows(), a.cols()));
   const auto of_a = dense_decomposition(a);
   const double cutoff = relative_cutoff * of_a.eigenvalues().maxCoeff();

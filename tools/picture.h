@@ -1,16 +1,17 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_PICTURE_H
-#define RESTRICTED_LAPLACIAN_3_EXAMPLES_PICTURE_H
+#ifndef RESTRICTED_LAPLACIAN_3_TOOLS_PICTURE_H
+#define RESTRICTED_LAPLACIAN_3_TOOLS_PICTURE_H
 
 // Draws a mesh, or points, with a color per vertex into a PNG file: parallel projection, a
 // z-buffer, smooth shading except across sharp edges, and each pixel the mean of 2 x 2.
 
-#include "color_map.h"
-#include "program.h"
+#include "../examples/Restricted_laplacian_3/support/color_map.h"
+#include "../examples/Restricted_laplacian_3/support/program.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
 #include <png.h>
 
@@ -65,7 +66,7 @@ private:
 struct Corner {
   Vector position; // in pixels, z in the same unit
   Vector normal;
-  Color color;
+  Color color;  // in linear light
   double value; // of the function whose level lines are drawn
 };
 using Triangle = std::array<Corner, 3>;
@@ -134,7 +135,8 @@ public:
           for(int j = 0; j < factor; ++j)
             for(int i = 0; i < factor; ++i)
               sum += m_color[static_cast<std::size_t>(y + j) * m_width + x + i][k];
-          bytes.push_back(srgb_byte(sum / (factor * factor)));
+          const double color = RL::linear_to_srgb(std::clamp(sum / (factor * factor), 0., 1.));
+          bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * color)));
         }
     png_alloc_size_t length = PNG_IMAGE_PNG_SIZE_MAX(image);
     std::vector<char> png(length);
@@ -246,9 +248,12 @@ inline void write_picture(const std::string& file, const RL::Triangulated_surfac
       options.isolines > 0 ? (range.high - range.low) / (options.isolines + 0.5) : 0;
   const auto faces_around = internal::faces_around_vertices(surface);
   const auto corner = [&](std::size_t face, std::size_t vertex, const Vector& position) {
+    Color color = colors[vertex];
+    for(double& component : color)
+      component = RL::srgb_to_linear(component);
     return internal::Corner{scale * (position - origin) + offset,
                             view(internal::corner_normal(surface, face, faces_around[vertex])),
-                            colors[vertex], values[vertex]};
+                            color, values[vertex]};
   };
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
     if(!surface.is_point_set()) {
@@ -269,4 +274,4 @@ inline void write_picture(const std::string& file, const RL::Triangulated_surfac
 
 } // namespace examples
 
-#endif // RESTRICTED_LAPLACIAN_3_EXAMPLES_PICTURE_H
+#endif // RESTRICTED_LAPLACIAN_3_TOOLS_PICTURE_H

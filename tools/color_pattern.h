@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_COLOR_PATTERN_H
-#define RESTRICTED_LAPLACIAN_3_EXAMPLES_COLOR_PATTERN_H
+#ifndef RESTRICTED_LAPLACIAN_3_TOOLS_COLOR_PATTERN_H
+#define RESTRICTED_LAPLACIAN_3_TOOLS_COLOR_PATTERN_H
 
 // Colors for meshes that have none.
 
-#include "color_map.h"
-#include "program.h"
+#include "../examples/Restricted_laplacian_3/support/color_map.h"
+#include "../examples/Restricted_laplacian_3/support/program.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
@@ -38,4 +38,4 @@ inline std::vector<Color> color_pattern(const RL::Triangulated_surface_3& surfac
 
 } // namespace examples
 
-#endif // RESTRICTED_LAPLACIAN_3_EXAMPLES_COLOR_PATTERN_H
+#endif // RESTRICTED_LAPLACIAN_3_TOOLS_COLOR_PATTERN_H

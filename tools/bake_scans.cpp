@@ -4,16 +4,13 @@
 // Makes synthetic scans of a colored mesh, each with its own exposure and light: input for
 // stitch_colors of which the truth is known.
 
-#include "support/color_pattern.h"
-#include "support/colored_mesh.h"
-#include "support/command_line.h"
-#include "support/mesh_input.h"
-#include "support/mesh_output.h"
-#include "support/poses.h"
-#include "support/program.h"
-#include "support/virtual_scanner.h"
-
-#include <Eigen/Core>
+#include "../examples/Restricted_laplacian_3/support/command_line.h"
+#include "../examples/Restricted_laplacian_3/support/mesh_input.h"
+#include "../examples/Restricted_laplacian_3/support/mesh_output.h"
+#include "../examples/Restricted_laplacian_3/support/program.h"
+#include "../examples/Restricted_laplacian_3/support/vertex_data.h"
+#include "color_pattern.h"
+#include "virtual_scanner.h"
 
 #include <cmath>
 #include <cstddef>
@@ -148,6 +145,21 @@ std::vector<Lighting> lightings(const Options& o) {
   return result;
 }
 
+// the file of poses that stitch_colors reads
+void write_poses(const std::string& file,
+                 const std::vector<std::pair<std::string, RL::Scan_pose>>& poses) {
+  write_file(file, [&](std::ostream& out) {
+    out << "# file, then the 4x4 matrix, row by row, that takes its coordinates to the world\n";
+    for(const auto& [name, pose] : poses) {
+      out << name;
+      for(int row = 0; row < 3; ++row)
+        for(int column = 0; column < 4; ++column)
+          out << ' ' << pose.m(row, column);
+      out << " 0 0 0 1\n";
+    }
+  });
+}
+
 void print_line(const std::string& name, const Virtual_scan& scan, const Lighting& lighting) {
   std::cout << std::left << std::setw(14) << name << std::right << std::setw(9)
             << scan.surface.number_of_vertices() << std::setw(10)
@@ -190,9 +202,8 @@ int main(int argc, char* argv[]) {
     require(!error, "cannot make the folder '" + o.folder + "'");
     const std::filesystem::path folder(o.folder);
     for(std::size_t i = 0; i < scans.size(); ++i)
-      write_mesh((folder / poses[i].first).string(), scans[i].surface, to_bytes(scans[i].colors),
-                 {}, {});
-    write_mesh((folder / "truth.ply").string(), surface, to_bytes(colors), {}, {});
+      write_mesh((folder / poses[i].first).string(), scans[i].surface, scans[i].colors);
+    write_mesh((folder / "truth.ply").string(), surface, colors);
     write_poses((folder / "poses.conf").string(), poses);
     progress.show("");
     if(!o.quiet) {

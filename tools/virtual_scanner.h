@@ -1,17 +1,19 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_VIRTUAL_SCANNER_H
-#define RESTRICTED_LAPLACIAN_3_EXAMPLES_VIRTUAL_SCANNER_H
+#ifndef RESTRICTED_LAPLACIAN_3_TOOLS_VIRTUAL_SCANNER_H
+#define RESTRICTED_LAPLACIAN_3_TOOLS_VIRTUAL_SCANNER_H
 
 // Range images with colors of a surface, as a camera that also measures depth takes them.
 
-#include "color_map.h"
-#include "poses.h"
+#include "../examples/Restricted_laplacian_3/support/color_map.h"
+#include "../examples/Restricted_laplacian_3/support/program.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
+#include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Triangle_tree.h>
+#include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
 #include <CGAL/number_utils.h>
 
@@ -363,4 +365,4 @@ private:
 
 } // namespace examples
 
-#endif // RESTRICTED_LAPLACIAN_3_EXAMPLES_VIRTUAL_SCANNER_H
+#endif // RESTRICTED_LAPLACIAN_3_TOOLS_VIRTUAL_SCANNER_H
