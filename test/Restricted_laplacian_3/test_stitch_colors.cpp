@@ -406,7 +406,12 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
     report(t.faces, params::gradient_source(source, params::octree_depth(3)));
     RL::Color_stitching_options options;
     options.gradient_source = source;
-    CHECK(stitcher_of(space, scans, options).stitch().colors == colors);
+    const RL::Stitched_colors expected = stitcher_of(space, scans, options).stitch();
+    double difference = 0; // of two tolerances of the solver
+    for(std::size_t v = 0; v < colors.size(); ++v)
+      for(int k = 0; k < 3; ++k)
+        difference = (std::max)(difference, std::abs(colors[v][k] - expected.colors[v][k]));
+    CHECK(difference < 1e-3);
   }
 }
 

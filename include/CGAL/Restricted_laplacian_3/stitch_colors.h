@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_STITCH_COLORS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
