@@ -3,14 +3,16 @@
 
 # CPack runs this script on the installed files before it packs them. In a Debian package the
 # documentation has a folder of the package's name, with the licence and the changes in the form
-# that Debian's policy asks for, and the manual uses Debian's MathJax.
+# that Debian's policy asks for, and the manual uses Debian's MathJax. The package of the library
+# depends on that of the headers, and needs only a link to its documentation.
 
 if(NOT CPACK_GENERATOR STREQUAL "DEB")
   return()
 endif()
 
-set(share "${CPACK_TEMPORARY_DIRECTORY}/usr/share")
-set(doc "${share}/doc/${CPACK_DEBIAN_PACKAGE_NAME}")
+set(share "${CPACK_TEMPORARY_DIRECTORY}/headers/usr/share")
+set(package ${CPACK_DEBIAN_HEADERS_PACKAGE_NAME})
+set(doc "${share}/doc/${package}")
 file(RENAME "${share}/doc/Restricted_laplacian_3" "${doc}")
 
 file(REMOVE "${doc}/LICENSE")
@@ -68,17 +70,23 @@ file(RENAME "${doc}/CHANGELOG.md" "${doc}/changelog")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(version "${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 file(WRITE "${doc}/changelog.Debian"
-"${CPACK_DEBIAN_PACKAGE_NAME} (${version}) unstable; urgency=medium
+"${package} (${version}) unstable; urgency=medium
 
   * Version ${CPACK_PACKAGE_VERSION}; its changes are in changelog.gz.
 
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")
 
-file(WRITE "${share}/lintian/overrides/${CPACK_DEBIAN_PACKAGE_NAME}"
+file(WRITE "${share}/lintian/overrides/${package}"
 "# CGAL's interval arithmetic needs this option of GCC.
-${CPACK_DEBIAN_PACKAGE_NAME}: pkg-config-bad-directive -frounding-math *
+${package}: pkg-config-bad-directive -frounding-math *
 ")
 
 execute_process(COMMAND gzip -9 -n changelog changelog.Debian WORKING_DIRECTORY "${doc}"
   COMMAND_ERROR_IS_FATAL ANY)
+
+set(usr "${CPACK_TEMPORARY_DIRECTORY}/compiled/usr")
+if(IS_DIRECTORY "${usr}")
+  file(MAKE_DIRECTORY "${usr}/share/doc")
+  file(CREATE_LINK ${package} "${usr}/share/doc/${CPACK_DEBIAN_COMPILED_PACKAGE_NAME}" SYMBOLIC)
+endif()

@@ -54,7 +54,7 @@ summarize_package("TBB" "${TBB_FOUND}" "${TBB_VERSION}" "programs run on one thr
 summarize_package("OpenMesh" "${OpenMesh_FOUND}" "found"
   "examples and tests on OpenMesh meshes are off")
 summarize_package("libpng" "${PNG_FOUND}" "${PNG_VERSION_STRING}"
-  "examples that draw pictures are off")
+  "the tool draw_mesh, which draws pictures, is off")
 summarize_package("program_options" "${Boost_PROGRAM_OPTIONS_FOUND}" "Boost ${Boost_VERSION}"
   "examples with a command line are off")
 summarize_package("Catch2" "${Catch2_FOUND}" "${Catch2_VERSION}" "unit tests are off")

@@ -4,7 +4,7 @@
 
 # Usage: scripts/demo.sh
 #
-# Installs what is missing, builds the example programs in build/, solves a Poisson problem on
+# Installs what is missing, builds the library and two programs in build/, solves a Poisson problem on
 # CGAL's bunny and computes its spectrum. Tables, coloured meshes (PLY) and pictures (PNG) go to
 # demo_output/.
 
@@ -12,9 +12,9 @@ set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-bash scripts/install_dependencies.sh
+bash scripts/install_dependencies.sh --programs
 cmake -S . -B build
-cmake --build build --parallel "${JOBS:-2}" --target solve_poisson laplace_spectrum
+cmake --build build --parallel "${JOBS:-2}" --target solve_poisson laplace_spectrum draw_mesh
 
 programs=$PWD/build/examples/Restricted_laplacian_3
 mesh=../build/data/meshes/bunny00.off
@@ -29,12 +29,13 @@ run() {
 
 echo
 echo "Laplacian u = z on the bunny:"
-run solve_poisson "$mesh" --rhs z --depth 7 \
-  --output poisson.ply --picture poisson.png --csv poisson.csv
+run solve_poisson "$mesh" --rhs z --depth 7 --output poisson.ply --csv poisson.csv
+run draw_mesh poisson.ply poisson.png --isolines 16
 echo
 echo "The twelve smallest eigenvalues of its Laplacian, and the eigenfunction of the seventh:"
 run laplace_spectrum "$mesh" --count 12 --depth 6 --eigenfunction 6 \
-  --output eigenfunction.ply --picture eigenfunction.png --csv spectrum.csv
+  --output eigenfunction.ply --csv spectrum.csv
+run draw_mesh eigenfunction.ply eigenfunction.png
 echo
 echo "Pictures (PNG), coloured meshes (PLY) and tables (CSV) are in $PWD:"
 ls -l

@@ -2,30 +2,34 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Usage: scripts/install_dependencies.sh [--benchmark]
+# Usage: scripts/install_dependencies.sh [--programs | --plots]
 #
-# Installs the Debian 12 packages that the library, its examples, its manual and its tests need, and
-# with the option those for the benchmarks. Needs root or sudo, and only where a package is missing.
+# Installs the Debian 12 packages that the library, its examples, benchmarks, manual and tests need.
+# With --programs only those of the library and the examples, with --plots also those that draw what
+# benchmarks have measured. Needs root or sudo, and only where a package is missing.
 
 set -euo pipefail
 
 packages=(
   g++ make cmake
-  clang libclang-rt-14-dev llvm clang-format
   libcgal-dev libcgal-demo libeigen3-dev libboost-program-options-dev
   libsuitesparse-dev libopenblas-dev libspectra-dev libtbb-dev
-  libopenmesh-dev libpng-dev catch2
+  libopenmesh-dev libpng-dev
+)
+others=(
+  pkg-config clang libclang-rt-14-dev llvm clang-format catch2
+  libbenchmark-dev libhypre-dev
   doxygen libjs-mathjax python3 hunspell hunspell-en-gb
 )
-for option in "$@"; do
-  case "$option" in
-    --benchmark) packages+=(libbenchmark-dev libhypre-dev gnuplot-nox python3-vtk9 xvfb xauth) ;;
-    *)
-      sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
-      exit 2
-      ;;
-  esac
-done
+case "$*" in
+  '') packages+=("${others[@]}") ;;
+  --programs) ;;
+  --plots) packages+=("${others[@]}" gnuplot-nox python3-vtk9 xvfb xauth) ;;
+  *)
+    sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+    ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -4,62 +4,111 @@
 
 # Usage: scripts/test.sh
 #
-# Installs what is missing, builds examples and tests in build/ with warnings as errors, runs the
-# tests, which build and check the manual, too, then builds the unit tests in build/sanitizers/ with
-# AddressSanitizer and UndefinedBehaviorSanitizer, runs them, and compiles each header alone. The last
-# line counts both runs together. JOBS in the environment is the number of parallel jobs, 2 if not
-# set.
+# What a change must pass. Installs what is missing; builds in build/ the library, tests, examples and
+# benchmarks with warnings as errors, and in build/sanitizers/ library and unit tests with
+# AddressSanitizer and UndefinedBehaviorSanitizer; and runs all tests, which build and check the
+# manual, too. Prints how long each stage took, what took longest, and what was compiled with more
+# than 1.5 GB of memory, which counts as a failure. The last line counts all tests. JOBS in the
+# environment is the number of parallel jobs, 2 if not set.
 
 set -euo pipefail
+export LC_ALL=C
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 jobs=${JOBS:-2}
-passed=0 failed=0 skipped=0 status=0
+compilations=$PWD/build/compilations.txt
+results=$PWD/build/results.xml
+stages=()
 
-# count FILE PATTERN
-count() {
-  grep --count "$2" "$1" || true
+# stage NAME COMMAND...: how long the command takes, on the wall and of all processors
+stage() {
+  local name=$1 start=$SECONDS before
+  read_cpu_seconds
+  before=$cpu_seconds
+  echo "=== $name"
+  "${@:2}"
+  read_cpu_seconds
+  stages+=("$(printf '%-13s %5d s, %5d s of processors' "$name" $((SECONDS - start)) \
+    $((cpu_seconds - before)))")
 }
 
-# run_tests BUILD_FOLDER [OPTION OF CTEST]...
-run_tests() {
-  local results="$PWD/$1/results.xml" all ok ignored
+# read_cpu_seconds: of all commands until now, into a variable: a subshell would tell its own
+read_cpu_seconds() {
+  times >build/times.txt
+  cpu_seconds=$(awk -F'[ms ]' 'NR == 2 { printf "%d", 60 * ($1 + $4) + $2 + $5 }' build/times.txt)
+}
+
+# configure FOLDER OPTION...
+configure() {
+  cmake -S . -B "$1" -G "Unix Makefiles" -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
+    -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON \
+    -DCMAKE_CXX_COMPILER_LAUNCHER="$python;$PWD/scripts/measure_compilation.py;$compilations" \
+    "${@:2}"
+}
+
+# The library at the speed that users have. In programs little is left to optimise.
+configure_all() {
+  configure build -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O1 \
+    -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON -DRESTRICTED_LAPLACIAN_3_BUILD_BENCHMARKS=ON \
+    -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON
+  # Clang compiles the checks faster than GCC and in half the memory, and its warnings are others.
+  # Debug stands for the assertions of Eigen and CGAL, -g1 for line numbers in reports.
+  configure build/sanitizers -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DRESTRICTED_LAPLACIAN_3_SANITIZE=address,undefined \
+    -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF \
+    -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF -DRESTRICTED_LAPLACIAN_3_INSTALL=OFF
+}
+
+# One call of make for both folders keeps all processors busy.
+build_all() {
+  printf '%s\n' '.PHONY: all build build/sanitizers' 'all: build build/sanitizers' \
+    'build build/sanitizers:' $'\t+$(MAKE) -C $@ all' |
+    make --no-print-directory --jobs "$jobs" --file -
+}
+
+# One call of ctest, too. Leak detection finds what tests leave.
+run_all() {
+  mkdir -p build/all_tests
+  printf 'subdirs("%s")\n' "$PWD/build" "$PWD/build/sanitizers" >build/all_tests/CTestTestfile.cmake
   rm -f "$results"
-  ctest --test-dir "$1" --parallel "$jobs" --output-on-failure --no-tests=error \
-    --output-junit "$results" "${@:2}" || status=1
-  # What could not be started is neither.
-  all=$(count "$results" '<testcase ')
-  ok=$(count "$results" '<testcase .* status="run"')
-  ignored=$(count "$results" '<skipped message="SKIP_')
-  passed=$((passed + ok))
-  skipped=$((skipped + ignored))
-  failed=$((failed + all - ok - ignored))
+  ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
+    ctest --test-dir build/all_tests --parallel "$jobs" --output-on-failure --no-tests=error \
+    --output-junit "$results" || true
 }
 
-bash scripts/install_dependencies.sh
+# count PATTERN
+count() {
+  grep --count "$1" "$results" || true
+}
 
-# Nearly all of the time of a compilation goes into functions of the package, of CGAL and of Eigen
-# that all unit tests and example programs use: two translation units for all unit tests and two for
-# all programs take a fraction of the time of one for each file, and up to 5 GB each.
-unity=(-DCMAKE_UNITY_BUILD=ON)
+mkdir -p build
+stage dependencies bash scripts/install_dependencies.sh
+python=$(python3 -c 'import sys; print(sys.executable)')
+: >"$compilations"
+stage configuration configure_all
+stage compilation build_all
+stage tests run_all
 
-cmake -S . -B build -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
-  -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON \
-  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON "${unity[@]}"
-cmake --build build --parallel "$jobs"
-run_tests build --label-exclude '^headers$'
+echo
+echo "The slowest compilations (seconds, MiB):"
+sort -rn "$compilations" | head -n 10
+echo
+echo "The slowest tests (seconds):"
+sed -n 's/.*<testcase name="\([^"]*\)".* time="\([^"]*\)".*/\2 \1/p' "$results" | sort -rn |
+  awk '{ printf "%.1f %s\n", $1, $2 }' | head -n 20
+echo
+printf '%s\n' "${stages[@]}"
 
-# Clang compiles the checks faster than GCC and in half the memory, and its warnings are others.
-# Debug stands for the assertions of Eigen and CGAL, -g1 for line numbers in reports.
-cmake -S . -B build/sanitizers -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
-  -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DRESTRICTED_LAPLACIAN_3_SANITIZE=address,undefined \
-  -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON \
-  -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF \
-  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF \
-  "${unity[@]}"
-cmake --build build/sanitizers --parallel "$jobs" --target test_restricted_laplacian_3
-ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
-  run_tests build/sanitizers --label-regex '^(unit|headers)$'
-
+# What could not be started is neither passed nor skipped.
+all=$(count '<testcase ')
+passed=$(count '<testcase .* status="run"')
+skipped=$(count '<skipped message="SKIP_')
+failed=$((all - passed - skipped))
+too_large=$(awk '$2 > 1.5e9 / 2^20' "$compilations")
+if [[ -n $too_large ]]; then
+  echo "More than 1.5 GB of memory (seconds, MiB):"
+  echo "$too_large"
+  failed=$((failed + 1))
+fi
 echo "$passed passed, $failed failed, $skipped skipped"
-exit "$status"
+((failed == 0 && all > 0))

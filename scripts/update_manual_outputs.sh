@@ -37,6 +37,10 @@ if [[ $# != 2 || ! -d $1 || ! -d $2 ]]; then
   exit 2
 fi
 programs=$(cd "$1" && pwd)
+if [[ $is_check == true && ! -x $programs/draw_mesh ]]; then
+  echo "SKIPPED: there is no $programs/draw_mesh"
+  exit
+fi
 data=$(cd "$2" && pwd)
 outputs=$(cd "$(dirname "${BASH_SOURCE[0]}")/../doc/Restricted_laplacian_3/outputs" && pwd)
 

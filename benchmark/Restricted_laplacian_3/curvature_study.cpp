@@ -215,7 +215,7 @@ Mesh flipped(Mesh mesh) {
 std::vector<RL::Surface_location> nearest_locations(const Mesh& original, const Mesh& mesh) {
   namespace PMP = CGAL::Polygon_mesh_processing;
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<RL::Kernel, Primitive>>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<CGAL::Simple_cartesian<double>, Primitive>>;
   Tree tree;
   PMP::build_AABB_tree(original, tree);
   const RL::Surface_location_converter<Mesh> convert(original);

@@ -29,6 +29,9 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <CGAL/Real_timer.h>
 

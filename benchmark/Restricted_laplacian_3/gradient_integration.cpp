@@ -25,7 +25,8 @@
 //
 // usage: gradient_integration [OPTION]... [MESH]...
 
-#include "../../examples/Restricted_laplacian_3/support/colored_mesh.h"
+#include "../../examples/Restricted_laplacian_3/support/mesh_output.h"
+#include "../../examples/Restricted_laplacian_3/support/vertex_data.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -138,9 +139,9 @@ void write(const Options& o, const Colored_mesh& m, const Row& row) {
     return;
   const RL::Triangulated_surface_3 surface = RL::read_surface(m.points, m.triangles);
   const std::string file = o.folder + "/" + m.name;
-  examples::write_mesh(file + ".ply", surface, examples::to_bytes(m.colors), {}, {});
+  examples::write_mesh(file + ".ply", surface, m.colors);
   examples::write_mesh(file + "_d" + std::to_string(row.depth) + "_" + row.method + ".ply", surface,
-                       examples::to_bytes(m.solution), {}, {});
+                       m.solution);
 }
 
 template <class Parameters>
@@ -196,9 +197,9 @@ void run_cholmod(Colored_mesh& m) {
   Row row;
   row.method = "cholmod";
   const auto field = m.gradients();
-  auto system = RL::internal::vertex_system<3>(
-      RL::read_surface(m.points, m.triangles), field, [](const RL::Surface_point&) { return 0.; },
-      [](const RL::Surface_point&) { return Eigen::Vector3d(0, 0, 0); }, 0);
+  auto system = RL::internal::vertex_system(
+      RL::read_surface(m.points, m.triangles), field, [](const RL::Surface_point*, std::size_t) {},
+      [](std::size_t) { return 0.; }, [](std::size_t) -> const double* { return nullptr; }, 0);
   row.unknowns = static_cast<std::size_t>(system.matrix.cols());
   row.report.assembly_seconds = timer.time();
   system.matrix.coeffRef(0, 0) *= 2;

@@ -27,7 +27,7 @@
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
-#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Timer.h>

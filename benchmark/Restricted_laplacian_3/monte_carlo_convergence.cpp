@@ -327,7 +327,7 @@ std::vector<Points> scan_points(const std::string& poses) {
 /// whether points are within a distance of some points
 std::vector<char> are_near(const std::vector<RL::Point_3>& points,
                            const std::vector<RL::Point_3>& others, double distance) {
-  using Traits = CGAL::Search_traits_3<RL::Kernel>;
+  using Traits = CGAL::Search_traits_3<CGAL::Simple_cartesian<double>>;
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
   const Search::Tree tree(others.begin(), others.end());
   std::vector<char> result;
@@ -387,7 +387,8 @@ RL::Spline_function_3 poisson_solution(const RL::Spline_space_3& space) {
 /// square, relative to that of the latter.
 double poisson_difference(const RL::Spline_space_3& of_points, const RL::Spline_space_3& of_mesh) {
   using Map = CGAL::Pointer_property_map<RL::Point_3>::const_type;
-  using Traits = CGAL::Search_traits_adapter<std::size_t, Map, CGAL::Search_traits_3<RL::Kernel>>;
+  using Traits = CGAL::Search_traits_adapter<std::size_t, Map,
+                                             CGAL::Search_traits_3<CGAL::Simple_cartesian<double>>>;
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
   const std::vector<double> u = poisson_solution(of_points).values_at_vertices(),
                             v = poisson_solution(of_mesh).values_at_vertices();

@@ -21,7 +21,7 @@
 //
 // usage: normal_fitting [OPTION]... [MESH]...
 
-#include "../../examples/Restricted_laplacian_3/support/picture.h"
+#include "../../tools/picture.h"
 #include "support/measure.h"
 #include "support/package.h"
 #include "support/vertex_normals.h"
@@ -185,9 +185,8 @@ void draw(const std::string& file, const RL::Triangulated_surface_3& surface,
   constexpr double decades = 3; // below 1
   std::vector<examples::Color> colors;
   for(double error : errors)
-    colors.push_back(std::isfinite(error)
-                         ? examples::sequential_color(1 + std::log10(error) / decades)
-                         : examples::Color{0.5, 0.5, 0.5});
+    colors.push_back(
+        examples::color_at(examples::sequential_colors, 1 + std::log10(error) / decades));
   examples::write_picture(file, surface, colors, errors, examples::Picture_options());
 }
 

@@ -21,11 +21,11 @@
 // usage: texture_stitching [OPTION]... [MESH]...
 
 #include "../../examples/Restricted_laplacian_3/support/color_error.h"
-#include "../../examples/Restricted_laplacian_3/support/color_pattern.h"
-#include "../../examples/Restricted_laplacian_3/support/colored_mesh.h"
 #include "../../examples/Restricted_laplacian_3/support/mesh_input.h"
 #include "../../examples/Restricted_laplacian_3/support/mesh_output.h"
-#include "../../examples/Restricted_laplacian_3/support/virtual_scanner.h"
+#include "../../examples/Restricted_laplacian_3/support/vertex_data.h"
+#include "../../tools/color_pattern.h"
+#include "../../tools/virtual_scanner.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -132,7 +132,7 @@ void write(const Mesh& mesh, const Options& o, double lamp, int depth, const std
   char file[512];
   std::snprintf(file, sizeof file, "%s/%s_d%d_lamp%g_%s.ply", o.meshes_folder.c_str(),
                 mesh.name.c_str(), depth, lamp, method.c_str());
-  examples::write_mesh(file, mesh.surface, examples::to_bytes(colors), {}, {});
+  examples::write_mesh(file, mesh.surface, colors);
 }
 
 void run(const Mesh& mesh, const Options& o, double lamp, int depth) {

@@ -4,7 +4,7 @@
 
 # Usage: make_figures.sh BUILD_DIR OUTPUT_DIR
 #
-# Makes the pictures of the manual that show what the example programs draw, from CGAL's meshes. The
+# Makes the pictures of the manual that show what the example programs write, from CGAL's meshes. The
 # other ones come from the benchmarks: plots/texture_stitching.sh, and the files plots/*.gp with the
 # results. The drawings (*.svg) are made by hand. Needs ImageMagick.
 
@@ -23,9 +23,16 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
-# draw PICTURE PROGRAM MESH OPTION...
+# draw PICTURE [--isolines N] [--up AXIS] PROGRAM MESH OPTION...
 draw() {
-  "$programs/$2" "$3" --quiet --picture "$1.png" "${@:4}"
+  local picture=$1 look=()
+  shift
+  while [[ $1 == --* ]]; do
+    look+=("$1" "$2")
+    shift 2
+  done
+  "$programs/$1" "$2" --quiet --output "$picture.ply" "${@:3}"
+  "$programs/draw_mesh" "$picture.ply" "$picture.png" "${look[@]}"
 }
 
 # side_by_side FIGURE HEIGHT PICTURE...
@@ -65,10 +72,10 @@ bunny=$meshes/bunny00.off
 elephant=$meshes/elephant.off
 lion=$meshes/lion-head.off
 
-draw poisson solve_poisson "$bunny" --depth 7 --isolines 16
-draw eigenfunction laplace_spectrum "$bunny" --depth 5 --count 12 --eigenfunction 9 --isolines 12
+draw poisson --isolines 16 solve_poisson "$bunny" --depth 7
+draw eigenfunction --isolines 12 laplace_spectrum "$bunny" --depth 5 --count 12 --eigenfunction 9
 draw curvature estimate_curvature "$lion" --depth 6
-draw signature spectral_descriptors "$elephant" --depth 5 --time 0.02 --isolines 10
+draw signature --isolines 10 spectral_descriptors "$elephant" --depth 5 --time 0.02
 side_by_side teaser 400 {poisson,eigenfunction,curvature,signature}.png
 
 for i in 1 6 14 40; do
@@ -80,9 +87,9 @@ draw screened_weak solve_poisson "$bunny" --rhs random --alpha 1 --depth 7
 draw screened_strong solve_poisson "$bunny" --rhs random --alpha 300 --depth 7
 side_by_side screened 400 screened_{weak,strong}.png
 
-draw short spectral_descriptors "$elephant" --depth 5 --time 0.01 --isolines 10
-draw long spectral_descriptors "$elephant" --depth 5 --time 0.1 --isolines 10
-draw wave spectral_descriptors "$elephant" --depth 5 --descriptor wks --energy 6 --isolines 10
+draw short --isolines 10 spectral_descriptors "$elephant" --depth 5 --time 0.01
+draw long --isolines 10 spectral_descriptors "$elephant" --depth 5 --time 0.1
+draw wave --isolines 10 spectral_descriptors "$elephant" --depth 5 --descriptor wks --energy 6
 side_by_side descriptors 500 {short,long,wave}.png
 
 draw normals fit_function "$lion" --normals --depth 7
@@ -104,7 +111,7 @@ for i in 1 2 3 4 5 6; do
   mv finer.off star.off
 done
 for i in 1 2 4; do
-  draw "soup_$i" laplace_spectrum star.off --count 6 --eigenfunction "$i" --isolines 10 --up z
+  draw "soup_$i" --isolines 10 --up z laplace_spectrum star.off --count 6 --eigenfunction "$i"
 done
 side_by_side soup 300 soup_{1,2,4}.png
 
@@ -113,7 +120,7 @@ draw rough estimate_curvature "$meshes/femur.off"
 draw smooth estimate_curvature smooth.ply
 side_by_side smoothing 300 {rough,smooth}.png
 
-# what the commands draw that the page of the programs shows
+# what the commands write that the page of the programs shows
 mkdir shown
 cd shown
 ln -s "$meshes"/elephant*.off .
@@ -123,5 +130,10 @@ for name in solve_poisson laplace_spectrum spectral_descriptors fit_function est
     "$outputs/$name.txt"
 done >commands.sh
 PATH=$programs:$PATH bash -e commands.sh >output.txt
+for picture in "u --isolines 20" "u5 --isolines 12" hks normals mean colored; do
+  read -r name look <<<"$picture"
+  # shellcheck disable=SC2086
+  "$programs/draw_mesh" "$name.ply" "$name.png" $look
+done
 montage u.png u5.png hks.png normals.png mean.png colored.png -resize 300x -geometry +12+6 -tile 3x \
   -depth 8 -strip "$output/programs.png"

@@ -4,7 +4,6 @@
 // Estimates mean and Gaussian curvature of a mesh, and writes them at its vertices.
 
 #include "support/command_line.h"
-#include "support/picture.h"
 #include "support/point_input.h"
 #include "support/program.h"
 #include "support/solver_options.h"
@@ -34,9 +33,9 @@ A sphere of radius r whose normals point outward has H = 1 / r; if they point in
 H = -1 / r. The faces must be oriented alike. The values are NaN at vertices that have no
 face, or only faces without area.
 )") + about_meshes + about_points,
-                   R"(  estimate_curvature elephant.off --picture mean.png
-      a picture of the mean curvature
-  estimate_curvature elephant.off --show gaussian --csv curvature.csv --output curvature.ply
+                   R"(  estimate_curvature elephant.off --output mean.ply
+      a mesh colored by mean curvature
+  estimate_curvature elephant.off --show gaussian --csv curvature.csv --output gaussian.ply
       a table of both curvatures, and a mesh colored by Gaussian curvature
 )"};
 
@@ -131,7 +130,6 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
     result.values.row(static_cast<Eigen::Index>(shown.size())) << c.mean, c.gaussian;
     shown.push_back(o.show == "mean" ? c.mean : c.gaussian);
   }
-  result.shown = o.show == "mean" ? 0 : 1;
   result.colors = clipped_colors(shown, o.clip / 100);
   if(!report.converged)
     result.failure = ": the residual is " + std::to_string(report.relative_residual);

@@ -5,18 +5,18 @@
 // vertices.
 
 #include "support/command_line.h"
-#include "support/picture.h"
-#include "support/ply_property.h"
 #include "support/point_input.h"
 #include "support/program.h"
 #include "support/solver_options.h"
 #include "support/space.h"
 #include "support/surface_program.h"
 #include "support/table.h"
+#include "support/vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
+#include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -43,7 +43,7 @@ The functions are given at the vertices, and interpolated linearly. With --smoot
 integral of W times the squared gradient is added. A fit is NaN at vertices that have no
 face, or only faces without area.
 )") + about_meshes + about_points,
-                   R"(  fit_function elephant.off --normals --depth 5 --picture normals.png
+                   R"(  fit_function elephant.off --normals --depth 5 --output normals.ply
       smooth normals, shown as red, green and blue
   fit_function elephant.off --property x,y --smoothing 1 --csv fit.csv
       smooth coordinates x and y
@@ -142,7 +142,7 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 template <class Integration>
 RL::Function_fit fit_all(const RL::Spline_space_3& space, const Integration& integration,
                          const RL::Function_fit_options& options, const Functions& functions) {
-  RL::Function_fitter<Integration> fitter(space, integration, options);
+  RL::Function_fitter fitter(space, integration, options);
   const auto& values = functions.values;
   if(values.size() == 3) {
     std::vector<RL::Vector_3> vectors;
@@ -162,9 +162,10 @@ std::vector<Color> colors(const Options& o, const Eigen::MatrixXd& u) {
     return value_colors(u.col(0));
   std::vector<Color> result;
   for(Eigen::Index v = 0; v < u.rows(); ++v) {
-    Color color = {0.5, 0.5, 0.5};
-    for(int axis = 0; axis < 3 && std::isfinite(u(v, axis)); ++axis)
-      color[axis] = std::clamp(0.5 + 0.5 * u(v, axis), 0., 1.);
+    Color color;
+    for(int axis = 0; axis < 3; ++axis)
+      color[axis] = RL::linear_to_srgb(
+          std::isfinite(u(v, axis)) ? std::clamp(0.5 + 0.5 * u(v, axis), 0., 1.) : 0.5);
     result.push_back(color);
   }
   return result;

@@ -4,7 +4,6 @@
 // Computes the smallest eigenvalues of the Laplacian on a mesh, and writes one eigenfunction.
 
 #include "support/command_line.h"
-#include "support/picture.h"
 #include "support/point_input.h"
 #include "support/program.h"
 #include "support/space.h"
@@ -14,7 +13,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
-#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <CGAL/Real_timer.h>
@@ -43,8 +42,8 @@ have no meaning.
 )") + about_meshes + about_points,
                    R"(  laplace_spectrum elephant.off --count 50 --depth 5 --csv eigenvalues.csv
       a table of 50 eigenvalues
-  laplace_spectrum elephant.off --count 10 --eigenfunction 5 --isolines 12 --picture u5.png
-      a picture of eigenfunction 5, with level lines
+  laplace_spectrum elephant.off --count 10 --eigenfunction 5 --output u5.ply
+      a mesh with eigenfunction 5
   laplace_spectrum elephant.off --operator cotangent --count 10
       the usual operator, for comparison
 )"};
@@ -66,7 +65,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("mass", po::value(&o.mass)->value_name("lumped|full")->default_value(o.mass),
       "mass matrix of --operator cotangent");
   add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
-      "index, from 0, of the eigenfunction for --output and --picture");
+      "index, from 0, of the eigenfunction for --output");
   po::options_description all(help_width);
   all.add(problem)
       .add(eigensolver_options(o))
@@ -133,9 +132,9 @@ RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const 
   return pairs;
 }
 
-void print_eigenvalues(std::ostream& out, const std::vector<double>& values) {
-  constexpr std::size_t largest_number = 20;
-  for(std::size_t i = 0; i < std::min(values.size(), largest_number); ++i)
+void print_eigenvalues(std::ostream& out, const Eigen::VectorXd& values) {
+  constexpr Eigen::Index largest_number = 20;
+  for(Eigen::Index i = 0; i < std::min(values.size(), largest_number); ++i)
     out << std::left << std::setw(value_column) << (i == 0 ? "eigenvalues" : "") << values[i]
         << '\n';
   if(values.size() > largest_number)
@@ -149,10 +148,10 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
   const RL::Eigenpairs pairs = o.operator_name == "restricted"
                                    ? solve_restricted(surface, o, u, summary, progress)
                                    : solve_cotangent(surface, o, u, summary, progress);
-  const std::vector<double> eigenvalues(pairs.values.begin(), pairs.values.end());
+  const Eigen::VectorXd eigenvalues = pairs.values;
   Outcome result = outcome(u);
   result.write_table = [=](const std::string& file, const Summary& lines) {
-    write_csv(file, lines, "index,eigenvalue", eigenvalues);
+    write_csv(file, lines, "index", {"eigenvalue"}, eigenvalues);
   };
   result.print = [=](std::ostream& out) { print_eigenvalues(out, eigenvalues); };
   if(!pairs.converged)

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/spectra/heat_kernel_signature.h>
-#include <CGAL/Restricted_laplacian_3/spectra/shape_dna.h>
-#include <CGAL/Restricted_laplacian_3/spectra/spectral_embedding.h>
+#include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>

@@ -4,7 +4,8 @@
 // An application that the package does not have, written as the package writes its own: a function
 // for any mesh with named parameters, made of the steps of the lower rooms.
 
-#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>

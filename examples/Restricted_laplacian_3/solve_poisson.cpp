@@ -4,14 +4,13 @@
 // Solves a Poisson problem on a mesh, and writes the solution at its vertices.
 
 #include "support/command_line.h"
-#include "support/picture.h"
-#include "support/ply_property.h"
 #include "support/point_input.h"
 #include "support/program.h"
 #include "support/solver_options.h"
 #include "support/space.h"
 #include "support/surface_program.h"
 #include "support/table.h"
+#include "support/vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
@@ -45,10 +44,10 @@ subtracted, and u has mean 0. With --alpha the mean of f on the whole surface is
 Boundaries of the surface have the natural condition: u does not change across them. u is
 NaN at vertices that have no face, or only faces without area.
 )") + about_meshes + about_points,
-                   R"(  solve_poisson elephant.off --rhs x --isolines 20 --picture u.png --csv u.csv
-      a picture of the solution for f = x, with level lines, and a table
-  solve_poisson elephant.off --alpha 100 --depth 7 --output u.ply
-      a screened problem on a finer grid, and a colored mesh
+                   R"(  solve_poisson elephant.off --rhs x --output u.ply --csv u.csv
+      the solution for f = x, as a colored mesh and a table
+  solve_poisson elephant.off --alpha 100 --depth 7 --output screened.ply
+      a screened problem on a finer grid
   solve_poisson ../points_3/kitten.xyz --csv u.csv
       on points with normals
 )"};

@@ -5,20 +5,15 @@
 
 #include "support/command_line.h"
 #include "support/mesh_input.h"
-#include "support/mesh_output.h"
-#include "support/picture.h"
 #include "support/program.h"
 #include "support/space.h"
 #include "support/spectrum.h"
+#include "support/surface_program.h"
 #include "support/table.h"
-#include "support/threads.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/spectra/heat_kernel_signature.h>
-#include <CGAL/Restricted_laplacian_3/spectra/shape_dna.h>
-#include <CGAL/Restricted_laplacian_3/spectra/spectral_embedding.h>
-#include <CGAL/Restricted_laplacian_3/spectra/wave_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 
 #include <CGAL/Real_timer.h>
@@ -54,8 +49,8 @@ Times are in units of the area of the surface, and energies are natural logarith
 eigenvalues times area: they mean the same for surfaces of different size. The values of hks
 and wks and the coordinates are in the units of MESH.
 )") + about_meshes,
-    R"(  spectral_descriptors elephant.off --count 50 --depth 5 --time 0.01 --picture hks.png
-      a picture of the heat kernel signature at one time
+    R"(  spectral_descriptors elephant.off --count 50 --depth 5 --time 0.01 --output hks.ply
+      a mesh with the heat kernel signature at one time
   spectral_descriptors elephant.off --descriptor biharmonic --depth 5 --csv biharmonic.csv
       coordinates of each vertex, of which the biharmonic distance is the usual one
   spectral_descriptors elephant.off --descriptor shape-dna --count 20 --depth 5 \
@@ -114,8 +109,9 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("compare", po::value(&o.other_mesh)->value_name("MESH"),
       "shape-dna: print the distance to that of another mesh");
   add("column", po::value(&o.column)->value_name("I"),
-      "index, from 0, of the column for --output and --picture (default: the middle one of hks and "
-      "wks, the first of others)");
+      "index, from 0, of the column for --output (default: the middle one of hks and wks, the "
+      "first "
+      "of others)");
   po::options_description all(help_width);
   all.add(problem)
       .add(eigensolver_options(o))
@@ -147,8 +143,8 @@ bool read_options(int argc, char* argv[], Options& o) {
   require(std::isfinite(o.energy), "the argument of --energy must be a finite number");
   require(!o.is_column_given || o.is_of_vertices(), "shape-dna has no --column");
   require(o.column >= 0, "the argument of --column must not be negative");
-  require(o.is_of_vertices() || (o.output.empty() && o.picture.empty()),
-          "--output and --picture need a descriptor of vertices, and shape-dna is none");
+  require(o.is_of_vertices() || o.output.empty(),
+          "--output needs a descriptor of vertices, and shape-dna is none");
   return true;
 }
 
@@ -226,10 +222,9 @@ Descriptor embedding(const RL::Laplace_spectrum& spectrum, const Options& o) {
   return d;
 }
 
-// Computes the descriptor of all vertices, and writes it.
-void describe_vertices(const RL::Triangulated_surface_3& surface,
-                       const RL::Laplace_spectrum& spectrum, const Options& o, Summary& summary,
-                       const Progress& progress) {
+// the descriptor of all vertices
+Outcome describe_vertices(const RL::Laplace_spectrum& spectrum, const Options& o, Summary& summary,
+                          const Progress& progress) {
   progress.show("computing the descriptor");
   const Descriptor d = o.descriptor == "hks"   ? heat_kernel_signature(spectrum, o)
                        : o.descriptor == "wks" ? wave_kernel_signature(spectrum, o)
@@ -247,13 +242,11 @@ void describe_vertices(const RL::Triangulated_surface_3& surface,
   summary.add("smallest_value", range.low);
   summary.add("largest_value", range.high);
 
-  progress.show("writing the results");
-  if(!o.csv.empty())
-    write_csv(o.csv, summary, "vertex", d.columns, d.values);
-  if(!o.output.empty())
-    write_mesh(o.output, surface, values);
-  if(!o.picture.empty())
-    write_picture(o.picture, surface, value_colors(values), values, {o.up == "z", o.isolines});
+  Outcome result = outcome(values);
+  result.write_table = [d](const std::string& file, const Summary& lines) {
+    write_csv(file, lines, "vertex", d.columns, d.values);
+  };
+  return result;
 }
 
 Eigen::VectorXd shape_dna(const RL::Laplace_spectrum& spectrum, const Options& o) {
@@ -264,12 +257,11 @@ Eigen::VectorXd shape_dna(const RL::Laplace_spectrum& spectrum, const Options& o
                                                               : Normalization::none);
 }
 
-// Computes the ShapeDNA of the surface, and its distance to that of another mesh; returns whether
-// the solver converged for that one.
-bool describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, Summary& summary,
-                    const Progress& progress) {
+// The ShapeDNA of the surface, and its distance to that of another mesh; `converged` becomes false
+// if the solver did not converge for that one.
+Outcome describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, bool& converged,
+                       Summary& summary, const Progress& progress) {
   const Eigen::VectorXd dna = shape_dna(spectrum, o);
-  bool converged = true;
   if(!o.other_mesh.empty()) {
     progress.show("reading " + o.other_mesh);
     const Mesh_input other = read_mesh(o.other_mesh);
@@ -278,12 +270,26 @@ bool describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, Summ
     const Eigen::VectorXd other_dna = shape_dna(other_spectrum, o);
     const Eigen::Index number = std::min(dna.size(), other_dna.size());
     summary.add("distance", RL::shape_dna_distance(dna.head(number), other_dna.head(number)));
-    converged = other_spectrum.pairs.converged;
+    converged = converged && other_spectrum.pairs.converged;
   }
-  if(!o.csv.empty())
-    write_csv(o.csv, summary, "index,shape_dna", std::vector<double>(dna.begin(), dna.end()));
-  progress.show("");
-  return converged;
+  Outcome result;
+  result.write_table = [dna](const std::string& file, const Summary& lines) {
+    write_csv(file, lines, "index", {"shape_dna"}, dna);
+  };
+  return result;
+}
+
+Outcome describe(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
+                 const Progress& progress) {
+  const RL::Laplace_spectrum spectrum = spectrum_of(surface, o, summary, progress);
+  summary.add("descriptor", o.descriptor);
+  bool converged = spectrum.pairs.converged;
+  Outcome result = o.is_of_vertices() ? describe_vertices(spectrum, o, summary, progress)
+                                      : describe_shape(spectrum, o, converged, summary, progress);
+  if(!converged)
+    result.failure = ": it found " + std::to_string(spectrum.eigenvalues.size()) + " of " +
+                     std::to_string(o.count) + " eigenvalues";
+  return result;
 }
 
 int main(int argc, char* argv[]) {
@@ -291,29 +297,10 @@ int main(int argc, char* argv[]) {
     Options o;
     if(!read_options(argc, argv, o))
       return success;
-    const Progress progress(o.quiet);
-
-    progress.show("reading " + o.mesh);
-    const Mesh_input input = read_mesh(o.mesh);
-    Summary summary(input);
-    const Thread_limit threads(o.threads);
-    summary.add("threads", threads.number());
-    const RL::Laplace_spectrum spectrum = spectrum_of(input.surface, o, summary, progress);
-    summary.add("descriptor", o.descriptor);
-    bool converged = spectrum.pairs.converged;
-    if(o.is_of_vertices())
-      describe_vertices(input.surface, spectrum, o, summary, progress);
-    else
-      converged = describe_shape(spectrum, o, summary, progress) && converged;
-    progress.show("");
-    if(!o.quiet)
-      summary.print(std::cout);
-    if(!converged) {
-      print_error("spectral_descriptors", "the solver did not converge: it found " +
-                                              std::to_string(spectrum.eigenvalues.size()) + " of " +
-                                              std::to_string(o.count) + " eigenvalues");
-      return not_converged;
-    }
-    return success;
+    return run_on_surface(
+        "spectral_descriptors", o, [&] { return read_mesh(o.mesh); },
+        [&](const auto& surface, Summary& summary, const Progress& progress) {
+          return describe(surface, o, summary, progress);
+        });
   });
 }

@@ -4,9 +4,7 @@
 // Colors a mesh from several colored scans, without visible seams.
 
 #include "support/color_error.h"
-#include "support/colored_mesh.h"
 #include "support/command_line.h"
-#include "support/picture.h"
 #include "support/poses.h"
 #include "support/program.h"
 #include "support/scan_input.h"
@@ -14,6 +12,7 @@
 #include "support/space.h"
 #include "support/surface_program.h"
 #include "support/table.h"
+#include "support/vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
@@ -51,7 +50,7 @@ of the matrix that takes its coordinates to those of MESH. Lines that begin with
 comments.
 )") + about_meshes,
     R"(  stitch_colors elephant.off scans/scan_*.ply --poses scans/poses.conf --depth 6 \
-    --picture colored.png --output colored.ply
+    --output colored.ply
       colors from the scans that the first example of bake_scans --help makes
   stitch_colors elephant.off scans/scan_*.ply --poses scans/poses.conf --depth 6 \
     --method nearest --truth scans/truth.ply
@@ -249,14 +248,10 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
     result.values(static_cast<Eigen::Index>(v), 0) =
         found.scans[v] == RL::no_scan ? -1. : static_cast<double>(found.scans[v]);
   Eigen::MatrixXd table(static_cast<Eigen::Index>(found.colors.size()), 3);
-  for(std::size_t v = 0; v < found.colors.size(); ++v) {
-    Color light;
-    for(std::size_t k = 0; k < 3; ++k) {
+  for(std::size_t v = 0; v < found.colors.size(); ++v)
+    for(std::size_t k = 0; k < 3; ++k)
       table(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) = found.colors[v][k];
-      light[k] = RL::srgb_to_linear(found.colors[v][k]);
-    }
-    result.colors.push_back(light);
-  }
+  result.colors = std::move(found.colors);
   result.write_table = [table](const std::string& file, const Summary& lines) {
     write_csv(file, lines, "vertex", {"red", "green", "blue"}, table);
   };

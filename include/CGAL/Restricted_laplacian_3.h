@@ -5,28 +5,19 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_H
 
 /// \file
-/// Includes all public headers of the package. `laplace_spectrum.h` and `monte_carlo_error.h` need
-/// Spectra; without it the rest works, and their functions do not exist.
+/// Includes all public headers of the package.
 
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
+#include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
-#include <CGAL/Restricted_laplacian_3/spectra/heat_kernel_signature.h>
-#include <CGAL/Restricted_laplacian_3/spectra/shape_dna.h>
-#include <CGAL/Restricted_laplacian_3/spectra/spectral_embedding.h>
-#include <CGAL/Restricted_laplacian_3/spectra/wave_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/version.h>
-
-#if defined(__has_include)
-#if __has_include(<Spectra/SymEigsSolver.h>)
-#include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
-#endif
-#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_H

@@ -1,16 +1,19 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Cells and their keys, the spline in one dimension, cubature rules, samples of a surface, and the
-// version.
+// Lists by key, cells and their keys, the spline in one dimension and the basis made of it, cubature
+// rules, edges and samples of a surface, and the version.
 
 #include "catch.h"
 #include "shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 #include <CGAL/Restricted_laplacian_3/version.h>
 
@@ -18,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <set>
 #include <string>
@@ -79,6 +83,65 @@ double chi_squared_bound(double degrees_of_freedom) {
 }
 
 } // namespace
+
+TEST_CASE("numbers_are_grouped_by_key", "[basics]") {
+  namespace internal = RL::internal;
+  std::mt19937 generator(4);
+  for(std::size_t size : {0u, 1u, 7u, 100u}) {
+    std::vector<std::size_t> keys(300);
+    for(std::size_t& key : keys)
+      key = generator() % (size + 1);
+    std::vector<std::vector<std::uint32_t>> expected(size + 1);
+    for(std::uint32_t i = 0; i < keys.size(); ++i)
+      expected[keys[i]].push_back(i);
+    const auto lists =
+        internal::Number_lists::by_key(size, keys.size(), [&](std::size_t i) { return keys[i]; });
+    REQUIRE(lists.size() == size);
+    CHECK(lists.numbers().size() == keys.size() - expected[size].size());
+    for(std::size_t i = 0; i < size; ++i) {
+      CHECK(std::vector<std::uint32_t>(lists[i].begin(), lists[i].end()) == expected[i]);
+      CHECK(lists.first(i + 1) - lists.first(i) == expected[i].size());
+    }
+  }
+}
+
+TEST_CASE("edges_are_those_of_a_plain_search", "[basics]") {
+  using RL::internal::Surface_edges;
+  shapes::Triangles open = shapes::sphere(2);
+  open.faces.erase(open.faces.begin() + 20, open.faces.begin() + 50);
+  open.faces.push_back(open.faces[0]); // a side of three faces
+  open.faces.push_back({open.faces[5][0], open.faces[5][1], open.faces[5][0]}); // degenerate
+  for(const shapes::Triangles& t : {shapes::sphere(2), open})
+    for(const auto faces : {Surface_edges::Faces::all, Surface_edges::Faces::not_degenerate}) {
+      const RL::Triangulated_surface_3 surface(t.points, t.faces);
+      std::map<std::array<std::uint32_t, 2>, std::multiset<std::uint32_t>> expected;
+      for(std::uint32_t f = 0; f < t.faces.size(); ++f)
+        for(int i = 0; i < 3; ++i) {
+          const std::uint32_t a = t.faces[f][i], b = t.faces[f][(i + 1) % 3];
+          if(faces == Surface_edges::Faces::all || !surface.is_degenerate(f))
+            expected[{(std::min)(a, b), (std::max)(a, b)}].insert(f);
+        }
+      const Surface_edges edges(surface, faces);
+      REQUIRE(edges.size() == expected.size());
+      std::vector<char> is_on_boundary(t.points.size(), 0);
+      std::size_t edge = 0;
+      for(const auto& [ends, with_edge] : expected) {
+        CHECK(edges.ends(edge) == ends);
+        std::multiset<std::uint32_t> found;
+        for(const Surface_edges::Side& side : edges.sides(edge)) {
+          found.insert(side.face);
+          const std::uint32_t a = t.faces[side.face][side.number],
+                              b = t.faces[side.face][(side.number + 1) % 3];
+          CHECK(((std::min)(a, b) == ends[0] && (std::max)(a, b) == ends[1]));
+        }
+        CHECK(found == with_edge);
+        if(with_edge.size() == 1)
+          is_on_boundary[ends[0]] = is_on_boundary[ends[1]] = 1;
+        ++edge;
+      }
+      CHECK(edges.boundary_vertices() == is_on_boundary);
+    }
+}
 
 TEST_CASE("morton_key_interleaves_bits_and_has_an_inverse", "[basics]") {
   const int last = (1 << 21) - 1;
@@ -209,6 +272,36 @@ TEST_CASE("spline_is_a_combination_of_splines_of_the_finer_grid", "[basics]") {
       REQUIRE(sum == Approx(spline(coarse, x)).margin(1e-15));
     }
   }
+}
+
+TEST_CASE("products_of_splines_are_those_of_their_pieces", "[basics]") {
+  using Basis = RL::Tensor_basis_3;
+  const std::array<double, 3> t = {0.3, 0.85, 0.1};
+  const Basis::Values values = Basis::values(t);
+  const std::array<Basis::Values, 3> gradients = Basis::gradients(t);
+  RL::Cell_elements elements;
+  elements.fill(RL::no_element);
+  std::vector<double> coefficients;
+  double sum = 0;
+  for(int i = 0; i < Basis::size; ++i) {
+    const auto [x, y, z] = Basis::pieces_of(i);
+    CHECK(Basis::number(x, y, z) == i);
+    CHECK(Basis::offset(i) == std::array<int, 3>{x - 1, y - 1, z - 1});
+    // the spline that is centred on the cell at the offset
+    const std::array<double, 3> b = {spline(x - 1, t[0]), spline(y - 1, t[1]), spline(z - 1, t[2])};
+    CHECK(values[i] == Approx(b[0] * b[1] * b[2]));
+    for(int axis = 0; axis < 3; ++axis) {
+      std::array<double, 3> factors = b;
+      factors[axis] = RL::B_spline_1::derivatives(t[axis])[Basis::pieces_of(i)[axis]];
+      CHECK(gradients[axis][i] == Approx(factors[0] * factors[1] * factors[2]));
+    }
+    if(i % 2 == 0) {
+      elements[i] = static_cast<std::uint32_t>(coefficients.size());
+      coefficients.push_back(i + 0.5);
+      sum += (i + 0.5) * values[i];
+    }
+  }
+  CHECK(RL::combination(elements, values, coefficients) == Approx(sum));
 }
 
 TEST_CASE("cubature_rules_are_exact_up_to_their_degree_and_no_further", "[basics]") {

@@ -477,3 +477,11 @@ TEST_CASE("triangles_without_area_have_no_fragments", "[clip]") {
                                 {Point{0, 2, 0}, {4, 2, 0}, {3, 2, 0}}})
     CHECK(fragments(corners, 4).empty());
 }
+
+TEST_CASE("no_corner_of_a_fragment_is_lost", "[clip]") {
+  RL::Fragment fragment;
+  for(std::size_t i = 0; i < RL::Fragment::capacity; ++i)
+    fragment.push_back({});
+  CHECK(fragment.size == RL::Fragment::capacity);
+  CHECK_THROWS_AS(fragment.push_back({}), RL::Numerical_error);
+}

@@ -8,8 +8,10 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
+#include <CGAL/Restricted_laplacian_3/textures/internal/Labelling.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Scan_choice.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/exposure_gains.h>
+#include <CGAL/Restricted_laplacian_3/textures/internal/harmonic_fill.h>
 
 #include <Eigen/Core>
 
@@ -114,10 +116,10 @@ TEST_CASE("nearest_points_are_those_of_all_triangles", "[stitch]") {
     const Point_3 q(uniform(generator), uniform(generator), uniform(generator));
     double nearest = std::numeric_limits<double>::infinity();
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      nearest = (std::min)(nearest,
-                           std::sqrt(CGAL::squared_distance(
-                               q, RL::Kernel::Triangle_3(surface.point(f, 0), surface.point(f, 1),
-                                                         surface.point(f, 2)))));
+      nearest = (std::min)(
+          nearest, std::sqrt(CGAL::squared_distance(
+                       q, CGAL::Simple_cartesian<double>::Triangle_3(
+                              surface.point(f, 0), surface.point(f, 1), surface.point(f, 2)))));
     RL::Scan_sample s;
     const bool is_found = sampler(q, 0.3, s);
     CHECK(is_found == (nearest <= 0.3));
@@ -290,6 +292,26 @@ TEST_CASE("back_projection_does_not_depend_on_the_number_of_threads", "[stitch]"
   }
   CHECK(std::abs(static_cast<double>(serial.vertices.size()) - static_cast<double>(facing)) < 20);
   CHECK(std::is_sorted(serial.vertices.begin(), serial.vertices.end()));
+}
+
+TEST_CASE("pose_and_viewpoint_of_named_parameters_are_those_of_the_constructor", "[stitch]") {
+  const shapes::Triangles t = scan_plane(4);
+  const std::vector<Rgb_color> colors = linear_colors(t.points);
+  const RL::Scan_pose pose = RL::scan_pose({0, 0, 2.5, 1, 2.5, 0, 0, -2, 0, 2.5, 0, 3, 0, 0, 0, 1});
+  const auto np = params::pose(pose, params::viewpoint(Point_3(1, 2, 3)));
+  const RL::Colored_scan soup(t.points, t.faces, CGAL::make_property_map(colors), np);
+  shapes::Mesh mesh = shapes::mesh(t);
+  auto map = mesh.add_property_map<shapes::Mesh::Vertex_index, Rgb_color>("v:rgb").first;
+  for(const auto v : mesh.vertices())
+    map[v] = colors[v];
+  const RL::Colored_scan of_mesh(mesh, map, np);
+  for(const RL::Colored_scan& scan : {soup, of_mesh}) {
+    CHECK(scan.viewpoint() == Point_3(8.5, 0.5, 8)); // 2.5 (z, x, y) + (1, -2, 3)
+    CHECK(scan.spacing() == Approx(2.5 / 4));
+    for(std::size_t v = 0; v < t.points.size(); ++v)
+      CHECK(scan.surface().point(v) ==
+            Point_3(1, 2.5 * t.points[v].x() - 2, 2.5 * t.points[v].y() + 3));
+  }
 }
 
 TEST_CASE("colors_of_maps_are_read", "[stitch]") {
@@ -477,6 +499,97 @@ TEST_CASE("seams_become_short", "[stitch]") {
       of_faces[v].insert(rough.scans_of_faces()[f]);
   for(std::size_t v = 0; v < of_vertices.size(); ++v)
     CHECK(of_faces[v].count(of_vertices[v]) == 1);
+}
+
+namespace {
+
+using Label_edge = RL::internal::Labelling::Edge;
+
+double label_energy(const std::vector<std::vector<double>>& costs,
+                    const std::vector<Label_edge>& edges,
+                    const std::vector<std::uint32_t>& labels) {
+  double sum = 0;
+  for(std::size_t i = 0; i < costs.size(); ++i)
+    sum += costs[i][labels[i]];
+  for(const Label_edge& edge : edges)
+    if(labels[edge.i] != labels[edge.j])
+      sum += edge.cost;
+  return sum;
+}
+
+/// the labels, each 0 or 1, that a number stands for
+std::vector<std::uint32_t> labels_of_bits(std::size_t n, unsigned bits) {
+  std::vector<std::uint32_t> labels(n);
+  for(std::size_t i = 0; i < n; ++i)
+    labels[i] = bits >> i & 1;
+  return labels;
+}
+
+} // namespace
+
+TEST_CASE("two_labels_are_the_cheapest_and_no_expansion_of_more_is_cheaper", "[stitch]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::size_t n = 10;
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for(const std::size_t number_of_labels : {2, 4})
+    for(int graph = 0; graph < 20; ++graph) {
+      std::vector<std::vector<double>> costs(n);
+      for(auto& of_vertex : costs) {
+        for(std::size_t label = 0; label < number_of_labels; ++label)
+          of_vertex.push_back(uniform(generator) < 0.1 ? infinity : uniform(generator));
+        of_vertex[generator() % number_of_labels] = 0.5;
+      }
+      std::vector<Label_edge> edges;
+      for(std::uint32_t i = 0; i < n; ++i)
+        for(std::uint32_t j = i + 1; j < n; ++j)
+          if(uniform(generator) < 0.4) // in weak and strong graphs, and twice
+            edges.push_back({i, j, uniform(generator) * (graph % 4 + 1) / 8});
+      edges.push_back(edges.front());
+      const RL::internal::Labelling labelling(costs, edges);
+      const std::vector<std::uint32_t>& labels = labelling.labels();
+      REQUIRE(labels.size() == n);
+      const double found = label_energy(costs, edges, labels);
+      CHECK(found < infinity);
+      double smallest = infinity;
+      for(std::uint32_t label = 0; label < number_of_labels; ++label)
+        for(unsigned bits = 0; bits < 1u << n; ++bits) {
+          std::vector<std::uint32_t> others = labels_of_bits(n, bits);
+          if(number_of_labels > 2) // those that take the label
+            for(std::size_t i = 0; i < n; ++i)
+              others[i] = others[i] ? label : labels[i];
+          smallest = (std::min)(smallest, label_energy(costs, edges, others));
+        }
+      CHECK(found == Approx(smallest).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("linear_functions_are_filled_in", "[stitch]") {
+  shapes::Triangles t = scan_plane(8);
+  for(Point_3& p : t.points)
+    p = Point_3(p.x() + 0.05 * std::sin(7 * p.y()), p.y(), 0);
+  const RL::Triangulated_surface_3 surface = scan_surface(t);
+  const std::vector<char> is_on_boundary = RL::internal::Surface_edges(surface).boundary_vertices();
+  Eigen::MatrixXd exact(81, 2), values(81, 2);
+  for(Eigen::Index v = 0; v < 81; ++v) {
+    const Point_3& p = surface.point(static_cast<std::size_t>(v));
+    exact.row(v) << 1 + p.x() - 2 * p.y(), 3 * p.y();
+  }
+  values = exact;
+  for(Eigen::Index v = 0; v < 81; ++v)
+    if(!is_on_boundary[static_cast<std::size_t>(v)])
+      values.row(v) << -1, 1e3;
+  RL::internal::fill_harmonically(surface, is_on_boundary, values);
+  CHECK((values - exact).cwiseAbs().maxCoeff() < 1e-13);
+}
+
+TEST_CASE("fills_that_rounding_makes_singular_are_refused", "[stitch]") {
+  // The squares of both long sides, and minus their product, are 1 to the last bit.
+  const RL::Triangulated_surface_3 needle(
+      {Point_3(0, 0, 0), Point_3(0, 1e-8, 0), Point_3(1, 5e-9, 0)}, {{0, 1, 2}});
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(3, 3);
+  CHECK_THROWS_AS(RL::internal::fill_harmonically(needle, {0, 0, 1}, values), RL::Numerical_error);
+  CHECK_NOTHROW(RL::internal::fill_harmonically(needle, {0, 1, 1}, values));
 }
 
 TEST_CASE("exposures_are_found_from_overlaps", "[stitch]") {

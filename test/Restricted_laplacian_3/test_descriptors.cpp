@@ -7,12 +7,10 @@
 #include "catch.h"
 #include "special_shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/spectra/heat_kernel_signature.h>
-#include <CGAL/Restricted_laplacian_3/spectra/shape_dna.h>
-#include <CGAL/Restricted_laplacian_3/spectra/spectral_embedding.h>
-#include <CGAL/Restricted_laplacian_3/spectra/wave_kernel_signature.h>
+#include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
@@ -49,11 +47,13 @@ struct Surface_nodes {
     const double h = space.octree().cell_width(space.depth());
     const RL::Cubature cubature(space);
     for(std::size_t sheet = 0; sheet < space.number_of_sheets(space.depth()); ++sheet)
-      cubature.for_each_node(sheet, [&](const std::array<double, 3>&,
-                                        const RL::Surface_location& location, double weight) {
-        locations.push_back(location);
-        weights.push_back(weight * h * h);
-      });
+      RL::Surface_integration_view(cubature).visit_nodes(
+          sheet, 12, [&](const RL::Integration_node_block& block) {
+            for(std::size_t i = 0; i < block.size; ++i) {
+              locations.push_back(block.points[i]);
+              weights.push_back(block.weights[i] * h * h);
+            }
+          });
   }
   /// the integrals of functions, given by their values at the nodes, one column for each
   Eigen::VectorXd integrals(const Eigen::MatrixXd& values) const {

@@ -6,12 +6,26 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/Column_panels.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/largest_pairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/shift_invert_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/sparse_cholesky.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -75,6 +89,32 @@ void check_pairs(const Mesh& mesh, int depth, int k) {
     CHECK(pairs.vectors.col(i).maxCoeff() >= -pairs.vectors.col(i).minCoeff());
   }
 }
+
+/// Makes room between the columns. (A copy has none.)
+void uncompress(RL::Sparse_matrix& a) {
+  a.reserve(Eigen::VectorXi::Constant(a.cols(), 3));
+  REQUIRE_FALSE(a.isCompressed());
+}
+
+/// A factorization as a user may write one: dense, and with another order of the unknowns.
+class Dense_cholesky {
+public:
+  void compute(const RL::Sparse_matrix& k) {
+    ++number_of_factorizations;
+    m_factor.compute(Eigen::MatrixXd(k).reverse());
+  }
+  Eigen::ComputationInfo info() const { return m_factor.info(); }
+  Eigen::VectorXd solve_lower(const Eigen::VectorXd& b) const {
+    return m_factor.matrixL().solve(b.reverse());
+  }
+  Eigen::VectorXd solve_upper(const Eigen::VectorXd& b) const {
+    return m_factor.matrixU().solve(b).reverse();
+  }
+  static inline int number_of_factorizations = 0;
+
+private:
+  Eigen::LLT<Eigen::MatrixXd> m_factor;
+};
 
 } // namespace
 
@@ -290,3 +330,99 @@ TEST_CASE("panels_are_multiplied_as_matrices", "[eigensolver]") {
       REQUIRE(result.column(j)[width * i] == Approx(expected_p(i, j)).margin(1e-5));
   }
 }
+
+TEST_CASE("eigenpairs_do_not_depend_on_the_factorization", "[eigensolver]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Operators o = RL::assemble_operators(space);
+  const Eigen::VectorXd expected = RL::smallest_eigenpairs(o.stiffness, o.mass, 20).values;
+  std::vector<RL::Eigenpairs> found = {
+      RL::shift_invert_eigenpairs<RL::Eigen_simplicial_cholesky>(o.stiffness, o.mass, 20),
+      RL::shift_invert_eigenpairs<Dense_cholesky>(o.stiffness, o.mass, 20)};
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
+  found.push_back(RL::shift_invert_eigenpairs<RL::Cholmod_cholesky>(o.stiffness, o.mass, 20));
+#endif
+  CHECK(Dense_cholesky::number_of_factorizations > 0);
+  for(const RL::Eigenpairs& pairs : found) {
+    CHECK(pairs.converged);
+    CHECK(pairs.iterations > 0);
+    CHECK((pairs.values - expected).cwiseAbs().maxCoeff() <= 1e-7 * expected[19]);
+  }
+}
+
+TEST_CASE("eigensolvers_take_uncompressed_matrices", "[eigensolver]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));
+  Level_matrices m = level_matrices(space, 2);
+  const RL::Eigenpairs by_multigrid = multigrid_pairs(m, 10, {}),
+                       by_factorization =
+                           RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), 10);
+  REQUIRE(by_multigrid.iterations > 0);
+  for(auto* matrices : {&m.stiffness, &m.mass, &m.prolongations})
+    for(RL::Sparse_matrix& a : *matrices)
+      uncompress(a);
+  const RL::Eigenpairs pairs = RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), 10);
+  CHECK(pairs.shift == by_factorization.shift);
+  CHECK(pairs.values == by_factorization.values);
+  CHECK(RL::multigrid_eigenpairs(std::move(m.stiffness), std::move(m.mass),
+                                 std::move(m.prolongations), std::move(m.patches), 10)
+            .values == by_multigrid.values);
+}
+
+TEST_CASE("eigensolvers_name_a_matrix_with_an_entry_that_is_not_finite", "[eigensolver]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  for(double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
+    for(const char* name : {"s", "m"}) {
+      RL::Operators o = RL::assemble_operators(space);
+      (name[0] == 's' ? o.stiffness : o.mass).valuePtr()[100] = bad;
+      const auto refused = [&](int k) -> std::string {
+        try {
+          RL::smallest_eigenpairs(o.stiffness, o.mass, k);
+        } catch(const RL::Parameter_error& e) {
+          return e.parameter();
+        }
+        return "nothing";
+      };
+      CHECK(refused(5) == name);
+      CHECK(refused(static_cast<int>(space.dimension()) / 2) == name); // solved densely
+    }
+}
+
+TEST_CASE("a_decomposition_that_fails_is_thrown", "[eigensolver]") {
+  Eigen::MatrixXd a = Eigen::MatrixXd::Identity(5, 5);
+  CHECK(RL::internal::dense_decomposition(a).eigenvalues() == Eigen::VectorXd::Ones(5));
+  a(3, 1) = a(1, 3) = std::nan("");
+  CHECK_THROWS_AS(RL::internal::dense_decomposition(a), RL::Numerical_error);
+  CHECK_THROWS_AS(RL::internal::orthonormal_basis(a), RL::Numerical_error);
+  CHECK_THROWS_AS(RL::internal::largest_pairs(a, a, 2), RL::Numerical_error);
+}
+
+TEST_CASE("largest_pairs_leave_dependent_directions_out", "[eigensolver]") {
+  // M = C^T D C and A = C^T C with a matrix C of three rows: the values are those of D
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for(Eigen::Index columns : {3, 5}) {
+    const Eigen::MatrixXd c =
+        Eigen::MatrixXd::NullaryExpr(3, columns, [&]() { return uniform(generator); });
+    const Eigen::VectorXd d = Eigen::Vector3d(2, 7, 3);
+    const Eigen::MatrixXd m = c.transpose() * d.asDiagonal() * c, a = c.transpose() * c;
+    const RL::internal::Dense_pairs pairs = RL::internal::largest_pairs(m, a, 2);
+    CHECK(pairs.values[0] == Approx(7));
+    CHECK(pairs.values[1] == Approx(3));
+    CHECK((pairs.vectors.transpose() * a * pairs.vectors - Eigen::MatrixXd::Identity(2, 2))
+              .cwiseAbs()
+              .maxCoeff() <= 1e-10);
+    CHECK(
+        (m * pairs.vectors - a * pairs.vectors * pairs.values.asDiagonal()).cwiseAbs().maxCoeff() <=
+        1e-10);
+    if(columns == 5)
+      CHECK_THROWS_AS(RL::internal::largest_pairs(m, a, 4), RL::Numerical_error);
+  }
+}
+
+#ifndef NDEBUG
+TEST_CASE("eigensolvers_check_symmetry_in_debug_builds", "[eigensolver]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  RL::Operators o = RL::assemble_operators(space);
+  o.stiffness = o.stiffness.triangularView<Eigen::Upper>();
+  CHECK_THROWS_AS(RL::smallest_eigenpairs(o.stiffness, o.mass, 5), CGAL::Precondition_exception);
+}
+#endif

@@ -136,9 +136,10 @@ TEST_CASE("the_part_of_a_field_that_is_no_gradient_is_ignored", "[gradient]") {
   const RL::Cubature cubature(space);
   const double h = space.octree().cell_width(3);
   for(std::size_t sheet = 0; sheet < space.number_of_sheets(3); ++sheet)
-    cubature.for_each_node(
-        sheet, [&](const std::array<double, 3>&, const RL::Surface_location& l, double weight) {
-          square += h * h * weight * swirling(space.surface().surface_point(l)).squaredNorm();
+    RL::Surface_integration_view(cubature).visit_nodes(
+        sheet, 12, [&](const RL::Integration_node_block& block) {
+          for(std::size_t i = 0; i < block.size; ++i)
+            square += h * h * block.weights[i] * swirling(block.points[i]).squaredNorm();
         });
   CHECK(fit.root_mean_square_residuals[0] ==
         Approx(std::sqrt(square / space.surface().area())).epsilon(1e-5));
@@ -243,14 +244,13 @@ TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {
   };
   const auto systems = [&](const auto& integration, const Weight& w, int degree, double c) {
     const auto weight = RL::function_of_degree(w, degree);
-    const RL::internal::Mass_weighted_integration<std::decay_t<decltype(integration)>,
-                                                  RL::Function_of_degree<Weight>>
-        weighted(space, integration, weight);
-    return RL::internal::assemble_system(space, 2, weighted, 1, c);
+    RL::internal::Elliptic_operator elliptic;
+    elliptic.reaction_function = weight;
+    elliptic.normal_stabilization = c;
+    return RL::internal::assemble_system(space, 2, integration, elliptic);
   };
   const auto expected = [&](const auto& integration, const Weight& w) {
-    const RL::Weighted_integration<std::decay_t<decltype(integration)>, Weight> weighted(
-        space, integration, w);
+    const RL::Weighted_integration<Weight> weighted(integration, w);
     return RL::Sparse_matrix(RL::assemble_stiffness_matrix(space, 4, integration) +
                              RL::assemble_operators(space, 4, weighted).mass);
   };
@@ -261,9 +261,13 @@ TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {
   // the stabilisation has the weight too
   const auto one = systems(
       cubature, [](const RL::Surface_point&) { return 2.; }, 0, 0.1);
-  CHECK(matrix_difference(
-            one.matrices.back(),
-            RL::internal::assemble_system(space, 4, cubature, 2, 0.1).matrices.back()) < 1e-14);
+  RL::internal::Elliptic_operator with_number;
+  with_number.reaction = 2;
+  with_number.normal_stabilization = 0.1;
+  const auto of_number = RL::internal::assemble_system(space, 2, cubature, with_number);
+  CHECK(matrix_difference(one.matrices.back(), of_number.matrices.back()) < 1e-14);
+  CHECK(matrix_difference<Eigen::VectorXd>(one.integrals, of_number.integrals) < 1e-14);
+  CHECK(matrix_difference<Eigen::VectorXd>(one.constant_loads, of_number.constant_loads) < 1e-14);
   CHECK(matrix_difference(fast.matrices.back(), general.matrices.back()) < 1e-14);
   for(const auto* system : {&fast, &of_smooth}) {
     RL::Sparse_matrix finer = system->matrices.back();
@@ -435,9 +439,15 @@ TEST_CASE("details_solve_the_cotangent_system", "[gradient]") {
   const shapes::Triangles t = shapes::sphere(2);
   const RL::Triangulated_surface_3 surface = RL::read_surface(t.points, t.faces);
   const auto field = [](const RL::Surface_point& p) { return RL::Vector_3(1 + p.point.y(), 1, 2); };
-  const auto system = RL::internal::vertex_system<1>(
-      surface, field, [](const RL::Surface_point&) { return 0.7; },
-      [](const RL::Surface_point& p) { return Eigen::Matrix<double, 1, 1>(p.point.x()); }, 12);
+  std::vector<double> targets;
+  const auto system = RL::internal::vertex_system(
+      surface, field,
+      [&](const RL::Surface_point* points, std::size_t number) {
+        targets.clear();
+        for(std::size_t i = 0; i < number; ++i)
+          targets.push_back(points[i].point.x());
+      },
+      [](std::size_t) { return 0.7; }, [&](std::size_t i) { return targets.data() + i; }, 12);
   const RL::Operators o = RL::cotangent_operators(surface);
   CHECK(matrix_difference<RL::Sparse_matrix>(system.matrix, o.stiffness + 0.7 * o.mass) < 1e-13);
   Eigen::VectorXd x(surface.number_of_vertices());

@@ -11,6 +11,8 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/Running_mean.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -8,7 +8,12 @@
 
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/exceptions.h>
 
 #include <algorithm>
 #include <array>
@@ -278,4 +283,65 @@ TEST_CASE("surface_in_a_wall_is_stored_once", "[octree]") {
       REQUIRE_FALSE(octree.meets_element(depth, i, 0, 0, 1));
     }
   }
+}
+
+TEST_CASE("coordinates_without_digits_for_the_depth_are_refused", "[octree]") {
+  const shapes::Triangles t = shapes::sphere(3);
+  const auto octree = [&t](double offset, int depth) {
+    const shapes::Triangles m = shapes::moved(t, RL::Vector_3(offset, 0, 0));
+    return RL::Octree_3(RL::Triangulated_surface_3(m.points, m.faces), depth, 1.1);
+  };
+  // The sphere has diameter 2: at 2e12 its coordinates are multiples of 2^-12.
+  CHECK(octree(2e12, 4).wall_tolerance(4) <= RL::Octree_3::largest_wall_tolerance);
+  for(const auto& [offset, depth] : {std::make_pair(2e12, 5), {2e12, 12}, {1e14, 3}, {1e14, 1}}) {
+    std::string parameter, what;
+    try {
+      octree(offset, depth);
+    } catch(const RL::Parameter_error& error) {
+      parameter = error.parameter();
+      what = error.what();
+    }
+    INFO(what);
+    CHECK(parameter == "octree_depth");
+    CHECK(what.find(offset == 2e12 ? "a depth of at most 4" : "no depth") != std::string::npos);
+  }
+}
+
+TEST_CASE("violated_preconditions_throw_in_debug_builds", "[octree]") {
+#ifdef CGAL_NO_PRECONDITIONS
+  SUCCEED("Preconditions are not checked in this build.");
+#else
+  using Exception = CGAL::Precondition_exception;
+  const shapes::Triangles t = shapes::sphere(1);
+  RL::Spline_space_options options;
+  options.octree_depth = 2;
+  const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);
+  const RL::Octree_3& octree = space.octree();
+  const RL::Triangulated_surface_3& surface = space.surface();
+  for(int level : {-1, 3}) {
+    CHECK_THROWS_AS(octree.number_of_cells(level), Exception);
+    CHECK_THROWS_AS(octree.number_of_sheets(level), Exception);
+    CHECK_THROWS_AS(octree.find({level, {0, 0, 0}}), Exception);
+    CHECK_THROWS_AS(space.dimension(level), Exception);
+  }
+  const std::size_t sheet = octree.number_of_sheets(2), cell = octree.number_of_cells(2);
+  CHECK_THROWS_AS(octree.cell(2, sheet), Exception);
+  CHECK_THROWS_AS(octree.links(2, sheet), Exception);
+  CHECK_THROWS_AS(octree.sheets(2, cell), Exception);
+  CHECK_THROWS_AS(octree.faces(sheet), Exception);
+  CHECK_THROWS_AS(octree.sheet_of_face(cell, 0), Exception);
+  CHECK_THROWS_AS(octree.parent(0, 0), Exception);
+  CHECK_THROWS_AS(octree.children(2, 0), Exception);
+  CHECK_THROWS_AS(octree.meets_element(2, sheet, 0, 0, 0), Exception);
+  CHECK_THROWS_AS(octree.fragment(octree.cell(1, 0), 0), Exception);
+  CHECK_THROWS_AS(space.elements(2, sheet), Exception);
+  CHECK_THROWS_AS(space.slot(2, space.dimension(2)), Exception);
+  CHECK_THROWS_AS(surface.point(t.points.size()), Exception);
+  CHECK_THROWS_AS(surface.point(0, 3), Exception);
+  CHECK_THROWS_AS(surface.triangle(t.faces.size()), Exception);
+  CHECK_THROWS_AS(surface.normal(t.faces.size()), Exception);
+  CHECK_THROWS_AS(surface.area(t.faces.size()), Exception);
+  const RL::Surface_seams seams(surface, 0, -1);
+  CHECK_THROWS_AS(seams.seam(0, 3), Exception);
+#endif
 }

@@ -5,6 +5,8 @@
 #include "shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -386,6 +386,28 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   CHECK_THAT(message(params::seam_weight(-1.)), Catch::Contains("seam_weight"));
   CHECK_THAT(message(params::screening_weight(0.)), Catch::Contains("screening_weight"));
   CHECK_THAT(message(params::quality_smoothing_steps(-1)), Catch::Contains("quality_smoothing"));
+  CHECK_THAT(message(params::boundary_width(-1.)), Catch::Contains("boundary_width is -1"));
+  CHECK_THAT(message(params::minimum_facing_cosine(2.)),
+             Catch::Contains("minimum_facing_cosine is 2"));
+  CHECK_THAT(message(params::minimum_normal_cosine(2.)),
+             Catch::Contains("minimum_normal_cosine is 2"));
+  std::vector<std::array<std::uint32_t, 3>> inwards;
+  for(const auto& f : t.faces)
+    inwards.push_back({f[0], f[2], f[1]});
+  const auto report = [&](const auto& faces, const auto& np) {
+    return RL::stitch_colors(t.points, faces, scans, CGAL::make_property_map(colors), np);
+  };
+  CHECK_THAT(stitch_message([&] { report(inwards, np); }), Catch::Contains("no scan"));
+  CHECK(report(inwards, params::oriented_surface(false, np)).uncovered_vertices == 0);
+  CHECK(a.scans[1].gains[0] != 1);
+  CHECK(report(t.faces, params::match_exposures(false, np)).scans[1].gains[0] == 1);
+  const RL::Spline_space_3 space = stitch_space(t, 3);
+  for(const auto source : {RL::Gradient_source::scans, RL::Gradient_source::back_projection}) {
+    report(t.faces, params::gradient_source(source, params::octree_depth(3)));
+    RL::Color_stitching_options options;
+    options.gradient_source = source;
+    CHECK(stitcher_of(space, scans, options).stitch().colors == colors);
+  }
 }
 
 TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", "[stitch]") {

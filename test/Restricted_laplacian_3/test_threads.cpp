@@ -7,8 +7,10 @@
 #include "shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -61,7 +63,10 @@ struct Assembled {
     const RL::Cubature cubature(*space);
     operators = RL::assemble_operators(*space, 0, depth, cubature);
     stabilized = RL::assemble_operators(*space, 0, depth, cubature, 0.1);
-    alone = internal::assemble_stiffness_and_integrals(*space, depth, cubature, 0.1);
+    internal::Elliptic_operator elliptic;
+    elliptic.reaction = 2;
+    elliptic.normal_stabilization = 0.1;
+    system = internal::assemble_system(*space, depth, cubature, elliptic);
     for(int level : {depth - 2, depth}) {
       loads.push_back(RL::assemble_load(
           *space, [](const RL::Surface_point& p) { return std::sin(p.point.x()); }, level));
@@ -72,7 +77,7 @@ struct Assembled {
 
   std::unique_ptr<RL::Spline_space_3> space;
   std::vector<RL::Operators> operators, stabilized;
-  internal::Stiffness_and_integrals alone;
+  internal::System_matrices system;
   std::vector<Eigen::VectorXd> loads;
 };
 
@@ -94,8 +99,8 @@ void check_identical(const Assembled& a, const Assembled& b) {
     CHECK(are_identical(a.stabilized[level].stiffness, b.stabilized[level].stiffness));
     CHECK(are_identical(a.stabilized[level].mass, b.stabilized[level].mass));
   }
-  CHECK(are_identical(a.alone.stiffness, b.alone.stiffness));
-  CHECK(a.alone.integrals == b.alone.integrals);
+  CHECK(are_identical(a.system.matrices.front(), b.system.matrices.front()));
+  CHECK(a.system.integrals == b.system.integrals);
   CHECK(a.loads == b.loads);
 }
 
@@ -227,9 +232,9 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
                              4.1 + uniform(generator) / 2},
                             {0, 0, 0}});
       }
-      const RL::Vector_3 normal(0.48, 0.6, 0.64);
-      plain::add_fragment(fragment, {2, 3, 4}, normal, a[lane], 0.7);
-      lanes::add_fragment(fragment, {2, 3, 4}, normal, b[lane], 0.7);
+      const auto metric = RL::tangent_projector(RL::Vector_3(0.48, 0.6, 0.64));
+      plain::add_fragment(fragment, {2, 3, 4}, metric, a[lane], 0.7);
+      lanes::add_fragment(fragment, {2, 3, 4}, metric, b[lane], 0.7);
     }
     CHECK(difference(a[lane], b[lane]) <= 1e-15);
   }
@@ -247,15 +252,16 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
   lanes::mass_blocks(sheets, q);
   CHECK(difference(p, q) <= 1e-15);
 
-  internal::Cell_load_nodes nodes;
-  for(std::size_t i = 0; i < internal::Cell_load_nodes::size; ++i) {
-    for(auto& coordinates : nodes.t)
+  internal::Node_positions positions;
+  internal::Node_values values;
+  for(std::size_t i = 0; i < values.size(); ++i) {
+    for(auto& coordinates : positions)
       coordinates[i] = uniform(generator);
-    nodes.value[i] = uniform(generator) - 0.5;
+    values[i] = uniform(generator) - 0.5;
   }
   internal::Cell_load_sums of_plain = {}, of_lanes = {};
-  plain::add_nodes(nodes, of_plain);
-  lanes::add_nodes(nodes, of_lanes);
+  plain::add_load(positions, values, of_plain);
+  lanes::add_load(positions, values, of_lanes);
   for(int i = 0; i < 27; ++i)
     for(int lane = 0; lane < 4; ++lane)
       CHECK(std::abs(of_plain[i][lane] - of_lanes[i][lane]) <= 1e-15);

@@ -8,7 +8,7 @@
 # usage: texture_stitching.sh BUILD_DIR MESH_DIR OUTPUT_DIR
 #
 # BUILD_DIR is a build of the package with its examples and benchmarks, MESH_DIR the folder of shared
-# meshes. Needs what scripts/install_dependencies.sh --benchmark installs.
+# meshes. Needs what scripts/install_dependencies.sh --plots installs.
 
 set -eu -o pipefail
 

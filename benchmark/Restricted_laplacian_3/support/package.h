@@ -92,6 +92,10 @@ inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System
     return result;
   const RL::Cubature cubature(space);
   const double h = space.octree().cell_width(space.depth());
+  RL::internal::Elliptic_operator elliptic;
+  elliptic.reaction = factors.mass / (h * h);
+  elliptic.diffusion = factors.stiffness;
+  elliptic.normal_stabilization = stabilization;
   std::array<double, 2> seconds = {1e9, 1e9};
   for(int repetition = 0; repetition < 3; ++repetition)
     for(int is_all = 0; is_all < 2; ++is_all) {
@@ -99,7 +103,7 @@ inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System
       auto matrices =
           RL::internal::assemble_system(
               space, is_all ? RL::internal::coarsest_multigrid_level(space) : space.depth(),
-              cubature, factors.mass / (h * h), stabilization, factors.stiffness)
+              cubature, elliptic)
               .matrices;
       seconds[is_all] = std::min(seconds[is_all], seconds_now() - begin);
       if(is_all)

@@ -36,4 +36,10 @@ public:
   \param p face, barycentric coordinates, vertices, point and unit normal of the location
   */
   unspecified_type operator()(const CGAL::Restricted_laplacian_3::Surface_point& p) const;
+
+  /*!
+  optional: the degree, from 0 to 6, of the polynomials that the function is close to on each triangle;
+  6 without it. The lower it is, the fewer nodes are evaluated.
+  */
+  int degree() const;
 };

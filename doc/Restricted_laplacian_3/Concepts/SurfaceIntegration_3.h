@@ -2,40 +2,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /*!
-\headerfile surface_integration.h <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+\headerfile Integration_nodes.h <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 \ingroup PkgRestrictedLaplacian3Concepts
 \cgalConcept
 
 A way to integrate over a surface, sheet by sheet of the finest level of an octree: by nodes on the
-surface, each with a weight that is not negative. All integrals are sums over the same nodes. The
-weights of all nodes on all sheets sum to the area of the surface, in units of the squared cell width.
+surface, each with a weight that is not negative, a unit normal, and a metric. All integrals are sums
+over these nodes. The weights of all nodes on all sheets sum to the area of the surface, in units of
+the squared cell width.
 
-A surface is thus a set of positions, normals and weights, each in a cell: the nodes of a rule on the
-parts of triangles, samples of a mesh, or the points of a point set.
+A surface is thus a set of positions, normals, weights and metrics, each in a cell: the nodes of a rule
+on the parts of triangles, samples of a mesh, or the points of a point set. Nodes may be moved to a
+curved surface nearby, and metrics may hold a diffusion tensor.
 
-The functions that assemble matrices and right-hand sides take a model as argument. If the space
-uses several threads, they call its members from several threads at once.
+The functions that assemble matrices and right-hand sides take a model as argument, by a
+`CGAL::Restricted_laplacian_3::Surface_integration_view`. If the space uses several threads, they call
+its member from several threads at once.
 
 \cgalHasModel `CGAL::Restricted_laplacian_3::Cubature`
+\cgalHasModel `CGAL::Restricted_laplacian_3::Point_cubature`
 \cgalHasModel `CGAL::Restricted_laplacian_3::Monte_carlo`
 \cgalHasModel `CGAL::Restricted_laplacian_3::Weighted_integration`
+\cgalHasModel `CGAL::Restricted_laplacian_3::Diffusion_integration`
 */
 class SurfaceIntegration_3 {
 public:
   /*!
-  adds the moments of a sheet of the finest level to `moments`, which need not be 0 before: for a
-  node at the local coordinate \f$t\f$ with weight \f$w\f$ and unit normal \f$n\f$,
-  \f$w\, B_a(t_x) B_b(t_y) B_c(t_z)\f$ to the mass, and that times \f$I - n n^T\f$ to the tensor.
-  */
-  void add_moments(std::size_t sheet, CGAL::Restricted_laplacian_3::Cell_moments& moments) const;
+  adds the nodes on a sheet of the finest level to `nodes`, see
+  `CGAL::Restricted_laplacian_3::Integration_nodes::add()`.
 
-  /*!
-  calls `visit(t, location, weight)` for all nodes on a sheet of the finest level.
-
-  `t` is the local coordinate in the cell, a `std::array<double, 3>`, in \f$[0,1]^3\f$ up to
-  rounding; `location` is the same place as a `CGAL::Restricted_laplacian_3::Surface_location`;
-  `weight` is in units of the squared cell width. A node that lies on a wall between cells belongs
-  to one of them only, and elements are evaluated by their polynomial pieces in that cell.
+  A node that lies on a wall between cells belongs to one of them only, and elements are evaluated by
+  their polynomial pieces in that cell.
+  \param sheet number of the sheet
+  \param degree of the integrand on a plane, at most 12: the nodes may be those of a rule that is exact
+  for it. With 12 the matrices are exact.
+  \param nodes what takes the nodes
   */
-  template <class Visitor> void for_each_node(std::size_t sheet, Visitor&& visit) const;
+  void add_nodes(std::size_t sheet, int degree,
+                 CGAL::Restricted_laplacian_3::Integration_nodes& nodes) const;
 };

@@ -34,9 +34,7 @@ struct Common_options {
   long long samples = 1000000;
   long long seed = 0;
   int threads = 0; // all
-  std::string csv, output, picture;
-  std::string up = "y";
-  int isolines = 0;
+  std::string csv, output;
   bool quiet = false;
 };
 
@@ -100,12 +98,6 @@ inline po::options_description output_options(Common_options& o, const std::stri
       ("write a CSV table with the columns " + table).c_str());
   add("output", po::value(&o.output)->value_name("FILE"),
       ("write the mesh as binary PLY, with colors and, at its vertices, " + properties).c_str());
-  add("picture", po::value(&o.picture)->value_name("FILE"),
-      "write a PNG picture of the colored mesh");
-  add("up", po::value(&o.up)->value_name("y|z")->default_value(o.up),
-      "the axis that points up in the picture");
-  add("isolines", po::value(&o.isolines)->value_name("N")->default_value(o.isolines),
-      "draw level lines in the picture that divide the range of values into about N bands");
   return description;
 }
 
@@ -218,8 +210,6 @@ inline bool parse_command_line(int argc, char* argv[], const Help& help,
   if(given.count("assembly"))
     check_integration_options(o, given);
   require_positive(given, "threads", o.threads);
-  require_choice("up", o.up, {"y", "z"});
-  require(o.isolines >= 0, "the argument of --isolines must not be negative");
   return true;
 }
 

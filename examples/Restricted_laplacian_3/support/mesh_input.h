@@ -7,6 +7,7 @@
 // Reads a surface from a file in any format that CGAL knows.
 
 #include "program.h"
+#include "vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
@@ -38,20 +39,35 @@ struct Mesh_input {
 namespace internal {
 
 using Polygon = std::vector<std::size_t>; // indices of points
-using Triangles = std::vector<RL::Triangulated_surface_3::Triangle>;
+
+// what a file holds
+struct Polygon_soup {
+  std::vector<RL::Point_3> points;
+  std::vector<Polygon> polygons;
+};
+
+inline Polygon_soup read_soup(const std::string& file) {
+  Polygon_soup soup;
+  require(std::ifstream(file).good(), "cannot open '" + file + "'");
+  coordinate_types(file); // throws if CGAL cannot read them
+  require(CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons,
+                                      CGAL::parameters::verbose(false)),
+          "cannot read '" + file +
+              "': not a valid file of a known format (off, obj, ply, stl, ts)");
+  return soup;
+}
 
 // Throws unless face number `i` is one. Vertices that no face uses may be anything.
-inline void check_face(const std::vector<RL::Point_3>& points, const Polygon& polygon,
-                       const std::string& file, std::size_t i) {
+inline void check_face(const Polygon_soup& soup, std::size_t i, const std::string& file) {
   const auto fail = [&](const std::string& reason) {
     throw Error("'" + file + "': face " + std::to_string(i) + reason);
   };
-  if(polygon.size() < 3)
+  if(soup.polygons[i].size() < 3)
     fail(" has fewer than three corners");
-  for(const std::size_t vertex : polygon) {
-    if(vertex >= points.size())
+  for(const std::size_t vertex : soup.polygons[i]) {
+    if(vertex >= soup.points.size())
       fail(" names a vertex that does not exist");
-    const RL::Point_3& p = points[vertex];
+    const RL::Point_3& p = soup.points[vertex];
     if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
       fail(": vertex " + std::to_string(vertex) + " has a coordinate that is not finite");
   }
@@ -60,7 +76,7 @@ inline void check_face(const std::vector<RL::Point_3>& points, const Polygon& po
 // Appends the triangles of a polygon, which need not be plane, convex or free of
 // self-intersections.
 inline void triangulate(const std::vector<RL::Point_3>& points, Polygon polygon,
-                        Triangles& triangles) {
+                        std::vector<RL::Triangulated_surface_3::Triangle>& triangles) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
   using Corners = CGAL::Triple<std::size_t, std::size_t, std::size_t>;
   std::vector<Corners> parts;
@@ -80,10 +96,22 @@ inline void triangulate(const std::vector<RL::Point_3>& points, Polygon polygon,
     for(std::size_t i = 2; i < polygon.size(); ++i)
       parts.push_back({0, i - 1, i});
   }
+  const auto corner = [&](std::size_t i) { return static_cast<std::uint32_t>(polygon[i]); };
   for(const Corners& part : parts)
-    triangles.push_back({static_cast<std::uint32_t>(polygon[part.first]),
-                         static_cast<std::uint32_t>(polygon[part.second]),
-                         static_cast<std::uint32_t>(polygon[part.third])});
+    triangles.push_back({corner(part.first), corner(part.second), corner(part.third)});
+}
+
+inline Mesh_input mesh_of(Polygon_soup soup, const std::string& file) {
+  require(!soup.polygons.empty(), "'" + file + "' holds no face");
+  std::vector<RL::Triangulated_surface_3::Triangle> triangles;
+  bool is_triangulated = false;
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i) {
+    check_face(soup, i, file);
+    is_triangulated = is_triangulated || soup.polygons[i].size() > 3;
+    triangulate(soup.points, std::move(soup.polygons[i]), triangles);
+  }
+  return {RL::Triangulated_surface_3(std::move(soup.points), std::move(triangles)),
+          is_triangulated};
 }
 
 } // namespace internal
@@ -91,22 +119,7 @@ inline void triangulate(const std::vector<RL::Point_3>& points, Polygon polygon,
 // Nothing is repaired: it does not matter how many faces meet in an edge and how they are oriented,
 // and points at the same place remain different vertices.
 inline Mesh_input read_mesh(const std::string& file) {
-  std::vector<RL::Point_3> points;
-  std::vector<internal::Polygon> polygons;
-  require(std::ifstream(file).good(), "cannot open '" + file + "'");
-  require(CGAL::IO::read_polygon_soup(file, points, polygons, CGAL::parameters::verbose(false)),
-          "cannot read '" + file +
-              "': not a valid file of a known format (off, obj, ply, stl, ts)");
-  require(!polygons.empty(), "'" + file + "' holds no face");
-
-  internal::Triangles triangles;
-  bool is_triangulated = false;
-  for(std::size_t i = 0; i < polygons.size(); ++i) {
-    internal::check_face(points, polygons[i], file, i);
-    is_triangulated = is_triangulated || polygons[i].size() > 3;
-    internal::triangulate(points, std::move(polygons[i]), triangles);
-  }
-  return {RL::Triangulated_surface_3(std::move(points), std::move(triangles)), is_triangulated};
+  return internal::mesh_of(internal::read_soup(file), file);
 }
 
 } // namespace examples

@@ -17,12 +17,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <istream>
 #include <map>
 #include <sstream>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace examples {
 
@@ -75,20 +73,6 @@ inline const RL::Scan_pose& pose_of(const std::map<std::string, RL::Scan_pose>& 
       return pose->second;
   }
   throw Error("'" + file + "' has no pose for '" + scan + "'");
-}
-
-inline void write_poses(const std::string& file,
-                        const std::vector<std::pair<std::string, RL::Scan_pose>>& poses) {
-  write_file(file, [&](std::ostream& out) {
-    out << "# file, then the 4x4 matrix, row by row, that takes its coordinates to the world\n";
-    for(const auto& [name, pose] : poses) {
-      out << name;
-      for(int row = 0; row < 3; ++row)
-        for(int column = 0; column < 4; ++column)
-          out << ' ' << pose.m(row, column);
-      out << " 0 0 0 1\n";
-    }
-  });
 }
 
 } // namespace examples

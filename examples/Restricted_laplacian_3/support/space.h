@@ -10,7 +10,8 @@
 #include "program.h"
 #include "table.h"
 
-#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <cstddef>
@@ -37,7 +38,7 @@ auto assemble_with(const RL::Spline_space_3& space, const Common_options& o, Ass
     return assemble(RL::Monte_carlo(
         space, static_cast<std::size_t>(o.samples), static_cast<std::uint64_t>(o.seed),
         o.sampling == "stratified" ? RL::Sampling::stratified : RL::Sampling::independent));
-  return assemble(RL::Cubature(space));
+  return assemble(RL::Default_integration(space));
 }
 
 } // namespace examples

@@ -11,15 +11,20 @@
 #include "command_line.h"
 #include "mesh_input.h"
 #include "mesh_output.h"
-#include "picture.h"
 #include "program.h"
 #include "table.h"
-#include "threads.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <Eigen/Core>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <iostream>
 #include <string>
@@ -28,13 +33,32 @@
 
 namespace examples {
 
+// Bounds the number of threads as long as it exists; 0 stands for all processors.
+class Thread_limit {
+public:
+#ifdef CGAL_LINKED_WITH_TBB
+  explicit Thread_limit(int number)
+    : m_number(number > 0 ? number : (std::max)(1, tbb::info::default_concurrency())),
+      m_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(m_number)) {}
+#else
+  explicit Thread_limit(int) : m_number(1) {}
+#endif
+
+  int number() const { return m_number; }
+
+private:
+  int m_number;
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::global_control m_control;
+#endif
+};
+
 // What a program found.
 struct Outcome {
-  // at the vertices: a column for each name, colors, and the column that they and level lines show
+  // at the vertices: a column for each name, and colors
   std::vector<std::string> names;
   Eigen::MatrixXd values;
   std::vector<Color> colors;
-  Eigen::Index shown = 0;
   // writes a table of something else; by default it is that of the values
   std::function<void(const std::string& file, const Summary& summary)> write_table;
   // prints more than the summary
@@ -61,11 +85,6 @@ inline void write_results(const Common_options& o, const Summary& summary,
     write_csv(o.csv, summary, "vertex", outcome.names, outcome.values);
   if(!o.output.empty())
     write_mesh(o.output, surface, outcome.colors, outcome.names, outcome.values);
-  if(!o.picture.empty()) {
-    const Eigen::VectorXd shown = outcome.values.col(outcome.shown);
-    write_picture(o.picture, surface, outcome.colors, {shown.begin(), shown.end()},
-                  {o.up == "z", o.isolines});
-  }
 }
 
 // Runs `read()`, which returns a `Mesh_input`, and `work(surface, summary, progress)`, which
@@ -73,10 +92,10 @@ inline void write_results(const Common_options& o, const Summary& summary,
 template <typename Read, typename Work>
 int run_on_surface(const std::string& program, const Common_options& o, Read read, Work work) {
   const Progress progress(o.quiet);
+  const Thread_limit threads(o.threads);
   progress.show("reading " + o.mesh);
   const Mesh_input input = read();
   Summary summary(input);
-  const Thread_limit threads(o.threads);
   summary.add("threads", threads.number());
   const Outcome outcome = work(input.surface, summary, progress);
 

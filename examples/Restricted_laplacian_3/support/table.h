@@ -11,7 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <cstddef>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -68,21 +67,8 @@ private:
   std::vector<Line> m_lines;
 };
 
-// Writes the lines of `summary` as comments, the names of the two columns, and the values with
-// their positions.
-inline void write_csv(const std::string& file, const Summary& summary, const std::string& columns,
-                      const std::vector<double>& values) {
-  write_file(file, [&](std::ostream& out) {
-    summary.print_comments(out);
-    out << columns << '\n';
-    std::size_t i = 0;
-    for(const double value : values)
-      out << i++ << ',' << value << '\n';
-  });
-}
-
-// The same with a named column for each column of a matrix; its rows are numbered in the column
-// `position`.
+// Writes the lines of `summary` as comments, and a named column for each column of a matrix; its
+// rows are numbered in the column `position`.
 inline void write_csv(const std::string& file, const Summary& summary, const std::string& position,
                       const std::vector<std::string>& columns, const Eigen::MatrixXd& values) {
   write_file(file, [&](std::ostream& out) {

@@ -31,7 +31,7 @@ namespace Restricted_laplacian_3 {
 /// \param f a function object that takes a `const Surface_point&` and returns a number, a
 /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal.
 /// Integrated as in `assemble_load()`.
-/// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
+/// \param integration any model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
 /// - `smoothing_weight`: \f$w\f$ in units of length^2; default 0
 /// - `refinement_steps`: default 0
@@ -43,24 +43,21 @@ namespace Restricted_laplacian_3 {
 /// \return the coefficients, whether the solver converged, iterations (of all solves together but
 /// those of refinement steps), residuals, errors, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
-template <class SurfaceIntegration, class Function,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<Function> = 0>
-Function_fit fit_function(const Spline_space_3& space, const SurfaceIntegration& integration,
-                          const Function& f,
+template <class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Function_fit fit_function(const Spline_space_3& space, const Surface_integration_view& integration,
+                          const Surface_function_view& f,
                           const NamedParameters& np = parameters::default_values()) {
-  return Function_fitter<SurfaceIntegration>(space, integration, internal::function_fit_options(np))
-      .fit(f);
+  return Function_fitter(space, integration, internal::function_fit_options(np)).fit(f);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same by cubature.
-template <class Function, class NamedParameters = parameters::Default_named_parameters,
+/// The same by `Default_integration`.
+template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
-Function_fit fit_function(const Spline_space_3& space, const Function& f,
+Function_fit fit_function(const Spline_space_3& space, const Surface_function_view& f,
                           const NamedParameters& np = parameters::default_values()) {
-  return fit_function(space, Cubature(space), f, np);
+  return fit_function(space, Default_integration(space), f, np);
 }
 
 namespace internal {

@@ -7,7 +7,6 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
-#include <CGAL/Restricted_laplacian_3/problems/internal/Screening.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/function_components.h>
@@ -36,6 +35,24 @@ auto optional_function(const Function& f, OnSurface&& on_surface) {
     return on_surface(f);
 }
 
+/// \param target,weight function objects on `Surface_point`, a number, or `Param_not_found`; have to
+/// outlive the result
+template <class Target, class Weight, class NamedParameters>
+Screening make_screening(const Target& target, const Weight& weight, const NamedParameters& np) {
+  Screening screening;
+  if constexpr(!std::is_same_v<Target, internal_np::Param_not_found>)
+    screening.target = target;
+  if constexpr(std::is_arithmetic_v<Weight>)
+    screening.weight = static_cast<double>(weight);
+  else if constexpr(!std::is_same_v<Weight, internal_np::Param_not_found>)
+    screening.weight_function = weight;
+  if constexpr(is_given_v<NamedParameters, internal_np::mean_value_t>) {
+    const auto mean = parameters::get_parameter(np, internal_np::mean_value);
+    screening.mean = Function_components<std::decay_t<decltype(mean)>>::read(mean);
+  }
+  return screening;
+}
+
 template <class Source, class Field, class PropertyMap, class NamedParameters>
 Gradient_report integrate_gradient_field(const Source& source, const Field& v, PropertyMap u,
                                          const NamedParameters& np) {
@@ -43,21 +60,20 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   CGAL::Real_timer timer;
   timer.start();
   const auto field = vector_field_on_surface(source, v);
-  constexpr int K = Channels_of<std::decay_t<decltype(field)>>::number;
-  static_assert(Components::number == K, "u needs as many components as v has channels");
+  static_assert(Components::number == Channels_of<std::decay_t<decltype(field)>>::number,
+                "u needs as many components as v has channels");
   const auto target =
       optional_function(parameters::get_parameter(np, internal_np::target_values),
                         [&](const auto& f) { return components_on_surface(source, f); });
   const auto weight =
       optional_function(parameters::get_parameter(np, internal_np::screening_weight),
                         [&](const auto& f) { return numbers_on_surface(source, f); });
-  const Screening<K, std::decay_t<decltype(target)>, std::decay_t<decltype(weight)>> screening(
-      target, weight, np);
+  const Screening screening = make_screening(target, weight, np);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
   const Gradient_options options = gradient_options(space, np);
-  Gradient_solution<K> solution =
-      integrate_gradients<K>(space, Cubature(space), field, screening, options);
+  Gradient_solution solution =
+      integrate_gradients(space, Default_integration(space), field, screening, options);
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_details),
@@ -93,7 +109,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// each other.)
 ///
 /// \param space the space that the solution is in
-/// \param integration a model of `SurfaceIntegration_3`: `Cubature`, or samples
+/// \param integration any model of `SurfaceIntegration_3`
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal
 /// (one channel), a `std::array` of such vectors, or an `Eigen::Matrix<double, 3, K>`, whose
 /// columns are the channels; for example a `Face_function`, a `Corner_vector_field`, or the result
@@ -120,30 +136,27 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 ///
 /// Takes time and memory proportional to the number of triangles (or samples) plus the number of
 /// elements, times the number of iterations.
-template <class SurfaceIntegration, class VectorField,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VectorField> = 0>
+template <class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
 Gradient_fit integrate_gradient_field(const Spline_space_3& space,
-                                      const SurfaceIntegration& integration, const VectorField& v,
+                                      const Surface_integration_view& integration,
+                                      const Vector_field_view& v,
                                       const NamedParameters& np = parameters::default_values()) {
-  constexpr int K = internal::Channels_of<VectorField>::number;
   const auto target = parameters::get_parameter(np, internal_np::target_values);
   const auto weight = parameters::get_parameter(np, internal_np::screening_weight);
-  const internal::Screening<K, std::decay_t<decltype(target)>, std::decay_t<decltype(weight)>>
-      screening(target, weight, np);
-  return internal::integrate_gradients<K>(space, integration, v, screening,
-                                          internal::gradient_options(space, np))
+  return internal::integrate_gradients(space, integration, v,
+                                       internal::make_screening(target, weight, np),
+                                       internal::gradient_options(space, np))
       .fit;
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same by cubature.
-template <class VectorField, class NamedParameters = parameters::Default_named_parameters,
+/// The same by `Default_integration`.
+template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
-Gradient_fit integrate_gradient_field(const Spline_space_3& space, const VectorField& v,
+Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_field_view& v,
                                       const NamedParameters& np = parameters::default_values()) {
-  return integrate_gradient_field(space, Cubature(space), v, np);
+  return integrate_gradient_field(space, Default_integration(space), v, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems

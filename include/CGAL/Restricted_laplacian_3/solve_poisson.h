@@ -4,27 +4,22 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVE_POISSON_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVE_POISSON_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
-#include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <CGAL/Real_timer.h>
 
-#include <Eigen/Core>
-
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <string>
+#include <optional>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,48 +31,69 @@ namespace internal {
 template <class Source, class NamedParameters>
 Point_constraints vertex_constraints(const Source& source, const Spline_space_3& space,
                                      const NamedParameters& np) {
+  static_assert(is_given_v<NamedParameters, internal_np::constraint_values_t>,
+                "vertex_is_constrained_map needs constraint_values");
   constexpr double default_weight = 1e4;
   const auto is_constrained = parameters::get_parameter(np, internal_np::vertex_is_constrained);
   const auto values = parameters::get_parameter(np, internal_np::constraint_values);
   const double weight = parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::constraint_weight), default_weight);
-  const Triangulated_surface_3& surface = space.surface();
-  // a location of each vertex
-  std::vector<Surface_location> locations(surface.number_of_vertices());
-  std::vector<char> is_on_surface(surface.number_of_vertices(), 0);
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int corner = 0; corner < 3 && !surface.is_degenerate(f); ++corner) {
-      const std::uint32_t v = surface.triangle(f)[corner];
-      is_on_surface[v] = 1;
-      locations[v].face = f;
-      locations[v].barycentric.fill(0);
-      locations[v].barycentric[corner] = 1;
-    }
+  const std::vector<Surface_location> locations = locations_of_vertices(space.surface());
   Point_constraints constraints(space);
   source.for_each_vertex([&](std::size_t i, const auto& v) {
     if(!value_at(is_constrained, v))
       return;
-    if(!is_on_surface[i])
+    if(locations[i].barycentric[0] < 0)
       throw Invalid_vertex_error(i, "is constrained, but has no face of positive area");
     constraints.add(locations[i], static_cast<double>(value_at(values, v)), weight);
   });
   return constraints;
 }
 
+/// \param alpha a number, or a function on the surface
 template <class Source, class Function, class Alpha, class VertexMap, class NamedParameters>
 Solve_report solve_poisson(const Source& source, const Function& f, const Alpha& alpha, VertexMap u,
-                           const NamedParameters& np);
+                           const NamedParameters& np) {
+  using Value = typename boost::property_traits<VertexMap>::value_type;
+  constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
+  constexpr bool has_constraints =
+      is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>;
+  CGAL::Real_timer timer;
+  timer.start();
+  const Spline_space_3 space = source.space(np);
+  const double space_seconds = timer.time();
 
-/// Prescribed values enter the right-hand side with large factors, and its norm with them: the
-/// same relative residual means less.
-constexpr double tolerance_with_constraints = 1e-7;
-
-/// refuses a screening weight that is a number and not positive
-template <class Alpha> void check_screening_weight(const Alpha& alpha) {
+  const auto right_hand_side = surface_function(source, f);
+  const auto weight = number_or_surface_function(source, alpha);
+  const auto boundary_values = number_or_surface_function(
+      source,
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::boundary_values), 0));
+  Poisson_problem problem = {right_hand_side, {}, {}, {}, poisson_solver_options(np)};
   if constexpr(std::is_arithmetic_v<Alpha>)
-    if(!(alpha > 0 && std::isfinite(static_cast<double>(alpha))))
-      throw Parameter_error("alpha", "is " + std::to_string(alpha) +
-                                         ", but must be a positive, finite number");
+    problem.elliptic.reaction = static_cast<double>(alpha);
+  else
+    problem.elliptic.reaction_function = weight;
+  problem.elliptic.normal_stabilization = normal_stabilization(space, np);
+  if constexpr(has_boundary_values)
+    problem.boundary_values = boundary_values;
+  if constexpr(has_constraints)
+    problem.constraints = vertex_constraints(source, space, np);
+  if((has_boundary_values || has_constraints) &&
+     !is_given_v<NamedParameters, internal_np::relative_tolerance_t>)
+    problem.options.relative_tolerance = tolerance_with_constraints;
+
+  std::vector<double> values;
+  Solve_report report = solve_poisson_problem(space, problem, values);
+  report.space_seconds = space_seconds;
+  source.for_each_vertex(
+      [&](std::size_t i, const auto& v) { put_value_at(u, v, static_cast<Value>(values[i])); });
+  return report;
+}
+
+/// refuses a weight that is a number and not positive
+template <class Alpha> void check_weight(const Alpha& alpha) {
+  if constexpr(std::is_arithmetic_v<Alpha>)
+    check_screening_weight(static_cast<double>(alpha));
 }
 
 } // namespace internal
@@ -165,7 +181,7 @@ template <class FaceGraph, class Function, class Alpha, class VertexMap,
 Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, const Alpha& alpha,
                                     VertexMap u,
                                     const NamedParameters& np = parameters::default_values()) {
-  internal::check_screening_weight(alpha);
+  internal::check_weight(alpha);
   return internal::solve_poisson(internal::mesh_or_point_source(tm), f, alpha, u, np);
 }
 
@@ -177,87 +193,10 @@ template <class PointRange, class TriangleRange, class Function, class Alpha, cl
 Solve_report solve_screened_poisson(const PointRange& points, const TriangleRange& triangles,
                                     const Function& f, const Alpha& alpha, IndexMap u,
                                     const NamedParameters& np = parameters::default_values()) {
-  internal::check_screening_weight(alpha);
+  internal::check_weight(alpha);
   return internal::solve_poisson(
       internal::Soup_source<PointRange, TriangleRange>(points, triangles), f, alpha, u, np);
 }
-
-namespace internal {
-
-template <class Source, class Function, class Alpha, class VertexMap, class NamedParameters>
-Solve_report solve_poisson(const Source& source, const Function& f, const Alpha& alpha, VertexMap u,
-                           const NamedParameters& np) {
-  using Value = typename boost::property_traits<VertexMap>::value_type;
-  constexpr bool has_weight_function = !std::is_arithmetic_v<Alpha>;
-  constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
-  constexpr bool has_constraints =
-      is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>;
-  CGAL::Real_timer timer;
-  timer.start();
-  const Spline_space_3 space = source.space(np);
-  const double space_seconds = timer.time();
-
-  Poisson_solver_options options = poisson_solver_options(np);
-  if((has_boundary_values || has_constraints) &&
-     !is_given_v<NamedParameters, internal_np::relative_tolerance_t>)
-    options.relative_tolerance = tolerance_with_constraints;
-  const double stabilization = normal_stabilization(space, np);
-  bool is_screened = has_weight_function;
-  if constexpr(!has_weight_function)
-    is_screened = alpha > 0;
-  Eigen::VectorXd load = assemble_load(space, surface_function(source, f));
-  if(!is_screened)
-    load = -load;
-
-  const auto assembled_solver = [&]() {
-    if constexpr(!has_weight_function && !has_boundary_values && !has_constraints)
-      return poisson_solver(space, Cubature(space), static_cast<double>(alpha), stabilization,
-                            options);
-    else {
-      // What is added is known for the finest level only.
-      double constant_alpha = 0;
-      if constexpr(!has_weight_function)
-        constant_alpha = static_cast<double>(alpha);
-      System_matrices system =
-          assemble_system(space, space.depth(), Cubature(space), constant_alpha, stabilization);
-      Sparse_matrix& a = system.matrices.front();
-      if constexpr(has_weight_function) {
-        const Cubature cubature(space);
-        const auto weight = surface_function(source, alpha);
-        const Weighted_integration<Cubature, decltype(weight)> weighted(space, cubature, weight);
-        a.coeffs() += assemble_operators(space, space.depth(), weighted).mass.coeffs();
-      }
-      if constexpr(has_boundary_values) {
-        const Dirichlet_boundary boundary(space);
-        boundary.add_to_matrix(a);
-        load += boundary.load(
-            surface_function(source, parameters::get_parameter(np, internal_np::boundary_values)));
-      }
-      if constexpr(has_constraints) {
-        static_assert(is_given_v<NamedParameters, internal_np::constraint_values_t>,
-                      "vertex_is_constrained_map needs constraint_values");
-        const Point_constraints constraints = vertex_constraints(source, space, np);
-        constraints.add_to_matrix(a);
-        load += constraints.load();
-      }
-      return poisson_solver(space, std::move(a), {}, system.integrals, constant_alpha, options);
-    }
-  };
-  const Poisson_solver solver = assembled_solver();
-  const double assembly_seconds = timer.time() - space_seconds - solver.setup_seconds();
-
-  Eigen::VectorXd coefficients;
-  Solve_report report = solver.solve(load, coefficients);
-  report.space_seconds = space_seconds;
-  report.assembly_seconds = assembly_seconds;
-  const std::vector<double> values =
-      Spline_function_3(space, std::move(coefficients)).values_at_vertices();
-  source.for_each_vertex(
-      [&](std::size_t i, const auto& v) { put_value_at(u, v, static_cast<Value>(values[i])); });
-  return report;
-}
-
-} // namespace internal
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

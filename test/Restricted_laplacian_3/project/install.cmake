@@ -1,8 +1,9 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Installs the project ROOT, configured in BUILD_DIR, into an empty PREFIX. Every header and example
-# must have gone there, and what other build systems read must name no path of this machine.
+# Installs the project ROOT, built in BUILD_DIR, into an empty PREFIX. Every header and example must
+# have gone there, LIBRARY, if it is not empty, into the folder LIBDIR, and what other build systems
+# read must name no path of this machine.
 
 cmake_minimum_required(VERSION 3.16)
 
@@ -36,10 +37,20 @@ if(EXISTS "${BUILD_DIR}/${manual}" AND NOT EXISTS "${doc}/html/index.html")
   message(SEND_ERROR "the manual was not installed")
 endif()
 
+set(expected_number 6)
+if(LIBRARY)
+  set(expected_number 11)
+  get_filename_component(name "${LIBRARY}" NAME)
+  if(NOT EXISTS "${PREFIX}/${LIBDIR}/${name}")
+    message(SEND_ERROR "${name} was not installed into ${LIBDIR}")
+  endif()
+endif()
+
 file(GLOB_RECURSE files "${PREFIX}/*.cmake" "${PREFIX}/*.pc")
+list(FILTER files EXCLUDE REGEX "/examples/")
 list(LENGTH files number)
-if(number LESS 6)
-  message(SEND_ERROR "CMake's or pkg-config's files were not installed: there are only ${files}")
+if(NOT number EQUAL expected_number)
+  message(SEND_ERROR "CMake's or pkg-config's files are not ${expected_number}: ${files}")
 endif()
 foreach(file IN LISTS files)
   file(READ "${file}" text)

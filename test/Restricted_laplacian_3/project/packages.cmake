@@ -1,10 +1,11 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Configures the project ROOT in BUILD_DIR with OPTIONS, makes all packages, and unpacks them into
-# BUILD_DIR/deb, BUILD_DIR/archive and BUILD_DIR/source. The first two must hold what is installed
-# into BUILD_DIR/prefix, and the last one what belongs to the sources. Without DPKG_DEB the Debian
-# package is only made; with LINTIAN it must have no error.
+# Makes all packages of the project ROOT, which is built in BUILD_DIR, and unpacks them into
+# OUTPUT_DIR/deb (both Debian packages), OUTPUT_DIR/archive and OUTPUT_DIR/source. The first two must
+# hold what is installed in PREFIX, and the last one what belongs to the sources. If there is a
+# LIBRARY, its package is for ARCHITECTURE, and DEPENDS is what it depends on besides the headers.
+# Without DPKG_DEB the Debian packages are only made; with LINTIAN they must have no error.
 
 cmake_minimum_required(VERSION 3.19)
 
@@ -16,14 +17,16 @@ function(run)
   endif()
 endfunction()
 
-# contents(dir result): `path hash` of each file
+# contents(dir result): `path hash` of each file, without links that lead outside
 function(contents dir result)
   file(GLOB_RECURSE files RELATIVE "${dir}" "${dir}/*")
   list(FILTER files EXCLUDE REGEX "^\\.git/")
   set(lines "")
   foreach(file IN LISTS files)
-    file(SHA1 "${dir}/${file}" hash)
-    list(APPEND lines "${file} ${hash}")
+    if(EXISTS "${dir}/${file}")
+      file(SHA1 "${dir}/${file}" hash)
+      list(APPEND lines "${file} ${hash}")
+    endif()
   endforeach()
   set(${result} "${lines}" PARENT_SCOPE)
 endfunction()
@@ -50,33 +53,30 @@ if(NOT section MATCHES "^## ${pattern}($|[^.0-9])")
 endif()
 
 # All packages
-file(REMOVE_RECURSE "${BUILD_DIR}")
+file(REMOVE_RECURSE "${OUTPUT_DIR}")
 set(ENV{DEBFULLNAME} "Ada Lovelace")
 set(ENV{DEBEMAIL} "ada@debian.org")
-run("${CMAKE_COMMAND}" -S "${ROOT}" -B "${BUILD_DIR}" ${OPTIONS}
-  -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=OFF -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF
-  -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF)
-run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${BUILD_DIR}/prefix")
 foreach(config IN ITEMS CPackConfig.cmake CPackSourceConfig.cmake)
-  run("${CPACK}" --config "${BUILD_DIR}/${config}" -B "${BUILD_DIR}/packages")
+  run("${CPACK}" --config "${BUILD_DIR}/${config}" -B "${OUTPUT_DIR}/packages")
 endforeach()
-set(name "Restricted_laplacian_3-${VERSION}")
-contents("${BUILD_DIR}/prefix" installed)
+contents("${PREFIX}" installed)
 if(NOT installed MATCHES "include/CGAL/Restricted_laplacian_3/solve_poisson\\.h")
   message(FATAL_ERROR "nothing was installed")
 endif()
 
 # The archive
-file(ARCHIVE_EXTRACT INPUT "${BUILD_DIR}/packages/${name}-noarch.tar.gz"
-  DESTINATION "${BUILD_DIR}/archive")
-contents("${BUILD_DIR}/archive/${name}-noarch" found)
+set(name "Restricted_laplacian_3-${VERSION}")
+include("${BUILD_DIR}/CPackConfig.cmake")
+file(ARCHIVE_EXTRACT INPUT "${OUTPUT_DIR}/packages/${CPACK_PACKAGE_FILE_NAME}.tar.gz"
+  DESTINATION "${OUTPUT_DIR}/archive")
+contents("${OUTPUT_DIR}/archive/${CPACK_PACKAGE_FILE_NAME}" found)
 require_same("the archive" "${installed}" "${found}")
 
 # The sources: where Git knows better than this test what belongs to them, all of that
-file(ARCHIVE_EXTRACT INPUT "${BUILD_DIR}/packages/${name}-source.tar.gz"
-  DESTINATION "${BUILD_DIR}/source")
-file(GLOB_RECURSE found RELATIVE "${BUILD_DIR}/source/${name}-source"
-  "${BUILD_DIR}/source/${name}-source/*")
+file(ARCHIVE_EXTRACT INPUT "${OUTPUT_DIR}/packages/${name}-source.tar.gz"
+  DESTINATION "${OUTPUT_DIR}/source")
+file(GLOB_RECURSE found RELATIVE "${OUTPUT_DIR}/source/${name}-source"
+  "${OUTPUT_DIR}/source/${name}-source/*")
 set(expected "")
 if(GIT AND EXISTS "${ROOT}/.git")
   execute_process(COMMAND "${GIT}" -C "${ROOT}" ls-files --cached --others --exclude-standard
@@ -103,20 +103,30 @@ else()
   endif()
 endif()
 
-# The Debian package
+# The Debian packages
 set(package libcgal-restricted-laplacian-3-dev)
-set(deb "${BUILD_DIR}/packages/${package}_${VERSION}-1_all.deb")
-if(NOT EXISTS "${deb}")
-  message(FATAL_ERROR "there is no ${deb}")
+set(deb "${OUTPUT_DIR}/packages/${package}_${VERSION}-1_all.deb")
+set(debs "${deb}")
+if(LIBRARY)
+  set(compiled_package libcgal-restricted-laplacian-3-compiled-dev)
+  set(compiled_deb "${OUTPUT_DIR}/packages/${compiled_package}_${VERSION}-1_${ARCHITECTURE}.deb")
+  list(APPEND debs "${compiled_deb}")
 endif()
+foreach(file IN LISTS debs)
+  if(NOT EXISTS "${file}")
+    message(FATAL_ERROR "there is no ${file}")
+  endif()
+endforeach()
 if(NOT DPKG_DEB)
   return()
 endif()
-run("${DPKG_DEB}" -x "${deb}" "${BUILD_DIR}/deb")
-contents("${BUILD_DIR}/deb/usr" found)
+
+# The manual has a link to Debian's MathJax in place of a copy.
+run("${DPKG_DEB}" -x "${deb}" "${OUTPUT_DIR}/deb")
+contents("${OUTPUT_DIR}/deb/usr" found)
 set(doc "share/doc/${package}")
 list(TRANSFORM installed REPLACE "^share/doc/Restricted_laplacian_3/" "${doc}/")
-list(FILTER installed EXCLUDE REGEX "/(LICENSE|CHANGELOG\\.md) ")
+list(FILTER installed EXCLUDE REGEX "/(LICENSE|CHANGELOG\\.md) |/html/mathjax/")
 set(of_debian "^(${doc}/(copyright|changelog\\.gz|changelog\\.Debian\\.gz)|share/lintian/.*) ")
 set(additional "${found}")
 list(FILTER additional INCLUDE REGEX "${of_debian}")
@@ -124,26 +134,54 @@ list(LENGTH additional number)
 if(NOT number EQUAL 4)
   message(SEND_ERROR "the Debian package holds, of Debian's own files, only ${additional}")
 endif()
-list(FILTER found EXCLUDE REGEX "${of_debian}")
+list(FILTER found EXCLUDE REGEX "${of_debian}|/html/mathjax/")
+
+# What depends on the processor is in the package of the library and nowhere else.
+if(LIBRARY)
+  set(of_library "(\\.a|\\.so|\\.so\\.[0-9.]+|/[^/]*_compiled[^/]*\\.(cmake|pc)) ")
+  set(expected "${installed}")
+  list(FILTER expected INCLUDE REGEX "${of_library}")
+  list(FILTER installed EXCLUDE REGEX "${of_library}")
+  run("${DPKG_DEB}" -x "${compiled_deb}" "${OUTPUT_DIR}/compiled_deb")
+  contents("${OUTPUT_DIR}/compiled_deb/usr" found_of_library)
+  require_same("the Debian package of the library" "${expected}" "${found_of_library}")
+  run("${DPKG_DEB}" -x "${compiled_deb}" "${OUTPUT_DIR}/deb")
+  if(NOT EXISTS "${OUTPUT_DIR}/deb/usr/share/doc/${compiled_package}/copyright")
+    message(SEND_ERROR "the Debian package of the library has no documentation")
+  endif()
+endif()
 require_same("the Debian package" "${installed}" "${found}")
 
-foreach(field IN ITEMS
-    "Package=${package}"
-    "Version=${VERSION}-1"
-    "Architecture=all"
-    "Section=libdevel"
-    "Maintainer=Ada Lovelace <ada@debian.org>"
-    "Depends=libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4)"
-    "Recommends=libsuitesparse-dev, libopenblas-dev, libspectra-dev, libtbb-dev")
-  string(REGEX MATCH "^([A-Za-z]+)=(.*)$" ignored "${field}")
-  set(expected "${CMAKE_MATCH_2}")
-  execute_process(COMMAND "${DPKG_DEB}" --field "${deb}" "${CMAKE_MATCH_1}"
-    OUTPUT_VARIABLE value OUTPUT_STRIP_TRAILING_WHITESPACE)
-  if(NOT value STREQUAL expected)
-    message(SEND_ERROR "${CMAKE_MATCH_1} of the Debian package is '${value}', not '${expected}'")
-  endif()
-endforeach()
+# require_fields(deb [NAME=value]...)
+function(require_fields deb)
+  foreach(field IN LISTS ARGN ITEMS "Version=${VERSION}-1" "Section=libdevel"
+      "Maintainer=Ada Lovelace <ada@debian.org>")
+    string(REGEX MATCH "^([A-Za-z]+)=(.*)$" ignored "${field}")
+    set(expected "${CMAKE_MATCH_2}")
+    execute_process(COMMAND "${DPKG_DEB}" --field "${deb}" "${CMAKE_MATCH_1}"
+      OUTPUT_VARIABLE value OUTPUT_STRIP_TRAILING_WHITESPACE)
+    if(NOT value STREQUAL expected)
+      message(SEND_ERROR "${CMAKE_MATCH_1} of ${deb} is '${value}', not '${expected}'")
+    endif()
+  endforeach()
+endfunction()
+
+require_fields("${deb}"
+  "Package=${package}"
+  "Architecture=all"
+  "Depends=libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4)")
+execute_process(COMMAND "${DPKG_DEB}" --field "${deb}" Recommends OUTPUT_VARIABLE value)
+if(NOT value MATCHES "^libsuitesparse-dev, libopenblas-dev, libspectra-dev, libtbb-dev")
+  message(SEND_ERROR "the Debian package recommends '${value}'")
+endif()
+if(LIBRARY)
+  require_fields("${compiled_deb}"
+    "Package=${compiled_package}"
+    "Architecture=${ARCHITECTURE}"
+    "Depends=${package} (= ${VERSION}-1)${DEPENDS}"
+    "Recommends=libopenblas-dev")
+endif()
 
 if(LINTIAN)
-  run("${LINTIAN}" --allow-root --fail-on error "${deb}")
+  run("${LINTIAN}" --allow-root --fail-on error ${debs})
 endif()

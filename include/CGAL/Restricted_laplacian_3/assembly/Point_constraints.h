@@ -4,17 +4,16 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_POINT_CONSTRAINTS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_POINT_CONSTRAINTS_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -39,50 +38,16 @@ public:
 
   /// \throws Location_error if the location is not on the surface
   /// \throws Parameter_error if the weight is negative, or if a number is not finite
-  void add(const Surface_location& location, double value, double weight) {
-    const Triangulated_surface_3& surface = m_space->surface();
-    if(location.face >= surface.number_of_faces())
-      throw Location_error("there is no face " + std::to_string(location.face));
-    if(!(weight >= 0 && std::isfinite(weight)))
-      throw Parameter_error("constraint_weight", "must be a finite number that is not negative");
-    if(!std::isfinite(value))
-      throw Parameter_error("constraint_values", "has a value that is not a finite number");
-    const int depth = m_space->depth();
-    const auto [sheet, t] =
-        m_space->locate(depth, surface.surface_point(location).point, location.face);
-    if(sheet == m_space->octree().number_of_sheets(depth))
-      throw Location_error("a constraint with face " + std::to_string(location.face) +
-                           " is not on the surface");
-    m_constraints.push_back({sheet, t, value, weight});
-  }
+  void add(const Surface_location& location, double value, double weight);
 
   /// number of prescribed values
   std::size_t size() const { return m_constraints.size(); }
 
   /// adds to a matrix of the finest level that has the pattern of the stiffness matrix
-  void add_to_matrix(Sparse_matrix& a) const {
-    for(const Constraint& c : m_constraints) {
-      const Cell_elements& elements = m_space->elements(m_space->depth(), c.sheet);
-      const std::array<double, 27> b = values(c);
-      for(int j = 0; j < 27; ++j)
-        for(int i = 0; i < 27; ++i)
-          if(elements[i] != Spline_space_3::no_element && elements[j] != Spline_space_3::no_element)
-            a.coeffRef(elements[i], elements[j]) += c.weight * (b[i] * b[j]);
-    }
-  }
+  void add_to_matrix(Sparse_matrix& a) const;
 
   /// `dimension()` entries
-  Eigen::VectorXd load() const {
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(m_space->dimension());
-    for(const Constraint& c : m_constraints) {
-      const Cell_elements& elements = m_space->elements(m_space->depth(), c.sheet);
-      const std::array<double, 27> b = values(c);
-      for(int i = 0; i < 27; ++i)
-        if(elements[i] != Spline_space_3::no_element)
-          load[elements[i]] += c.weight * c.value * b[i];
-    }
-    return load;
-  }
+  Eigen::VectorXd load() const;
 
 private:
   struct Constraint {
@@ -91,20 +56,15 @@ private:
     double value, weight;
   };
 
-  static std::array<double, 27> values(const Constraint& c) {
-    const auto x = B_spline_1::values(c.t[0]), y = B_spline_1::values(c.t[1]),
-               z = B_spline_1::values(c.t[2]);
-    std::array<double, 27> b;
-    for(int i = 0; i < 27; ++i)
-      b[i] = x[i % 3] * y[i / 3 % 3] * z[i / 9];
-    return b;
-  }
-
   const Spline_space_3* m_space;
   std::vector<Constraint> m_constraints;
 };
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/assembly/Point_constraints_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_POINT_CONSTRAINTS_H

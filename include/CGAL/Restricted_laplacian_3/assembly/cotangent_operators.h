@@ -5,13 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_COTANGENT_OPERATORS_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-
-#include <Eigen/SparseCore>
-
-#include <array>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -30,38 +25,13 @@ namespace Restricted_laplacian_3 {
 /// The package `Weights` of \cgal has cotangent weights too, but no consistent mass matrix, and an
 /// interface that differs from version to version.
 /// \throws Input_error the surface is a point set
-inline Operators cotangent_operators(const Triangulated_surface_3& surface,
-                                     bool lumped_mass = false) {
-  surface.require_triangles("the cotangent Laplacian");
-  std::vector<Eigen::Triplet<double>> stiffness, mass;
-  stiffness.reserve(9 * surface.number_of_faces());
-  mass.reserve((lumped_mass ? 3 : 9) * surface.number_of_faces());
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    if(surface.is_degenerate(f))
-      continue;
-    std::array<Vector_3, 3> side;
-    for(int i = 0; i < 3; ++i)
-      side[i] = surface.point(f, (i + 2) % 3) - surface.point(f, (i + 1) % 3);
-    const double area = surface.area(f);
-    const auto& v = surface.triangle(f);
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3; ++j) {
-        const int row = static_cast<int>(v[i]), column = static_cast<int>(v[j]);
-        stiffness.emplace_back(row, column, side[i] * side[j] / (4 * area));
-        if(!lumped_mass)
-          mass.emplace_back(row, column, area / (i == j ? 6 : 12));
-        else if(i == j)
-          mass.emplace_back(row, column, area / 3);
-      }
-  }
-  const Eigen::Index n = static_cast<Eigen::Index>(surface.number_of_vertices());
-  Operators operators{Sparse_matrix(n, n), Sparse_matrix(n, n)};
-  operators.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
-  operators.mass.setFromTriplets(mass.begin(), mass.end());
-  return operators;
-}
+Operators cotangent_operators(const Triangulated_surface_3& surface, bool lumped_mass = false);
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_COTANGENT_OPERATORS_H

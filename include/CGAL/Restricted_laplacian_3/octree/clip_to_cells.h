@@ -4,6 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_CLIP_TO_CELLS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_CLIP_TO_CELLS_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,10 +51,12 @@ struct Fragment {
     return *this;
   }
 
-  /// adds a corner, if there are less than `capacity` of them
+  /// adds a corner
+  /// \throws Numerical_error there are `capacity` of them: a part of the surface would be lost
   void push_back(const Fragment_corner& corner) {
-    if(size < capacity)
-      corners[size++] = corner;
+    if(size == capacity)
+      throw Numerical_error("a fragment of a triangle has too many corners");
+    corners[size++] = corner;
   }
 
   /// twice the area of the polygon, in units of the squared cell width

@@ -124,6 +124,15 @@ auto surface_function(const Source& source, const Function& f) {
     return source.interpolated(f);
 }
 
+/// the same, but a number remains one
+template <class Source, class Function>
+auto number_or_surface_function(const Source& source, const Function& f) {
+  if constexpr(std::is_arithmetic_v<Function>)
+    return f;
+  else
+    return surface_function(source, f);
+}
+
 } // namespace internal
 
 } // namespace Restricted_laplacian_3

@@ -4,32 +4,25 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MAKE_POISSON_SOLVER_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MAKE_POISSON_SOLVER_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
-#include <string>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
-
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// The factor \f$c\f$ of the stabilisation, see `assemble_operators()`, that the functions for
-/// Poisson problems use unless told otherwise: 1e-3, and 0 in the space of the paper. The number of
-/// iterations does not depend on the depth of the octree then, while the error of the solution is
-/// up to about twice that without stabilisation.
-inline double default_normal_stabilization(const Spline_space_3& space) {
-  return space.is_paper_space() ? 0 : 1e-3;
-}
 
 namespace internal {
 
@@ -52,60 +45,36 @@ Poisson_solver_options poisson_solver_options(const NamedParameters& np) {
   return options;
 }
 
-/// the value of `normal_stabilization`, by default that of the space
-template <class NamedParameters>
-double normal_stabilization(const Spline_space_3& space, const NamedParameters& np) {
-  return checked_normal_stabilization(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::normal_stabilization),
-                                   default_normal_stabilization(space)));
-}
-
-/// \f$\int b_i\f$
-inline Eigen::VectorXd element_integrals(const Spline_space_3& space, const Operators& operators) {
-  return space.is_paper_space()
-             ? assemble_element_integrals(space)
-             : Eigen::VectorXd(operators.mass * Eigen::VectorXd::Ones(operators.mass.cols()));
-}
-
-inline void check_alpha(double alpha) {
-  if(!(alpha >= 0 && std::isfinite(alpha)))
-    throw Parameter_error("alpha", "is " + std::to_string(alpha) +
-                                       ", but must be a finite number that is not negative");
-}
-
+/// The levels of a space as a multigrid hierarchy, for a system on its finest level.
 /// \param coarse_matrices of the levels above the coarsest one of the hierarchy; may be empty
-/// \param screening the number \f$\alpha\f$, or the loads of constants
-template <class Screening>
+/// \param constant_loads what the matrix maps the constant 1 to
 Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                               std::vector<Sparse_matrix> coarse_matrices,
-                              const Eigen::VectorXd& integrals, const Screening& screening,
-                              const Poisson_solver_options& options) {
-  Multigrid_levels levels = multigrid_levels(space);
-  levels.coarse_matrices = std::move(coarse_matrices);
-  return Poisson_solver(std::move(a), std::move(levels), integrals, screening, options);
-}
-
-/// The coarsest level whose matrices are assembled for the solver. Those of the space of the paper
-/// are not the Galerkin products, which are computed then.
-inline int coarsest_assembled_level(const Spline_space_3& space) {
-  return space.is_paper_space() ? space.depth() : coarsest_multigrid_level(space);
-}
+                              const Eigen::VectorXd& integrals,
+                              const Eigen::VectorXd& constant_loads,
+                              const Poisson_solver_options& options);
 
 /// with the matrices of all levels from one pass over the surface
-template <class SurfaceIntegration>
-Poisson_solver poisson_solver(const Spline_space_3& space, const SurfaceIntegration& integration,
-                              double alpha, double normal_stabilization,
-                              const Poisson_solver_options& options) {
-  System_matrices system = assemble_system(space, coarsest_assembled_level(space), integration,
-                                           alpha, normal_stabilization);
-  if(space.is_paper_space())
-    system.integrals = assemble_element_integrals(space);
-  Sparse_matrix finest;
-  finest.swap(system.matrices.back());
-  system.matrices.pop_back();
-  return poisson_solver(space, std::move(finest), std::move(system.matrices), system.integrals,
-                        alpha, options);
-}
+/// \param constant_loads if not null, on return what the matrix maps the constant 1 to
+/// \throws Parameter_error if the reaction or the stabilisation is outside its domain
+Poisson_solver elliptic_solver(const Spline_space_3& space,
+                               const Surface_integration_view& integration,
+                               const Elliptic_operator& elliptic,
+                               const Poisson_solver_options& options,
+                               Eigen::VectorXd* constant_loads = nullptr);
+
+/// The same with prescribed values: their matrices are known for the finest level only.
+/// \param load what they add to the right-hand side is added to it
+Poisson_solver constrained_solver(const Spline_space_3& space,
+                                  const Surface_integration_view& integration,
+                                  const Elliptic_operator& elliptic,
+                                  const std::optional<Surface_function_view>& boundary_values,
+                                  const std::optional<Point_constraints>& constraints,
+                                  const Poisson_solver_options& options, Eigen::VectorXd& load);
+
+/// with matrices of any patterns
+Poisson_solver poisson_solver_of(const Spline_space_3& space, const Operators& operators,
+                                 double alpha, const Poisson_solver_options& options);
 
 } // namespace internal
 
@@ -119,22 +88,17 @@ Poisson_solver poisson_solver(const Spline_space_3& space, const SurfaceIntegrat
 /// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
 /// \param options tolerance, iterations, cycle, smoother
 /// \throws Parameter_error if a parameter is outside its domain
-inline Poisson_solver
+Poisson_solver
 make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                     const Eigen::VectorXd& element_integrals, double alpha = 0,
-                    const Poisson_solver_options& options = Poisson_solver_options()) {
-  internal::check_alpha(alpha);
-  return internal::poisson_solver(space, std::move(a), {}, element_integrals, alpha, options);
-}
+                    const Poisson_solver_options& options = Poisson_solver_options());
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// The same with a copy of the matrix.
-inline Poisson_solver
+Poisson_solver
 make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
                     const Eigen::VectorXd& element_integrals, double alpha = 0,
-                    const Poisson_solver_options& options = Poisson_solver_options()) {
-  return make_poisson_solver(space, Sparse_matrix(a), element_integrals, alpha, options);
-}
+                    const Poisson_solver_options& options = Poisson_solver_options());
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, which assembles the
@@ -149,21 +113,20 @@ template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0,
                                    const NamedParameters& np = parameters::default_values()) {
-  return make_poisson_solver(space, alpha, Cubature(space), np);
+  return make_poisson_solver(space, alpha, Default_integration(space), np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// The same with an integration that the caller chooses.
-/// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
-template <class SurfaceIntegration, class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<SurfaceIntegration> = 0>
+/// The same with an integration that the caller chooses: any model of `SurfaceIntegration_3`.
+template <class NamedParameters = parameters::Default_named_parameters>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
-                                   const SurfaceIntegration& integration,
+                                   const Surface_integration_view& integration,
                                    const NamedParameters& np = parameters::default_values()) {
-  internal::check_alpha(alpha);
-  return internal::poisson_solver(space, integration, alpha,
-                                  internal::normal_stabilization(space, np),
-                                  internal::poisson_solver_options(np));
+  internal::Elliptic_operator elliptic;
+  elliptic.reaction = alpha;
+  elliptic.normal_stabilization = internal::normal_stabilization(space, np);
+  return internal::elliptic_solver(space, integration, elliptic,
+                                   internal::poisson_solver_options(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
@@ -186,15 +149,14 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators& operators,
                                    double alpha = 0,
                                    const NamedParameters& np = parameters::default_values()) {
-  // The patterns are the same, so values can be added without a merge.
-  Sparse_matrix a = operators.stiffness;
-  if(alpha != 0)
-    a.coeffs() += alpha * operators.mass.coeffs();
-  return make_poisson_solver(space, std::move(a), internal::element_integrals(space, operators),
-                             alpha, internal::poisson_solver_options(np));
+  return internal::poisson_solver_of(space, operators, alpha, internal::poisson_solver_options(np));
 }
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MAKE_POISSON_SOLVER_H

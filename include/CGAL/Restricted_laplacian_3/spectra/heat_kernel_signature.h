@@ -4,14 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_HEAT_KERNEL_SIGNATURE_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_HEAT_KERNEL_SIGNATURE_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/spectra/internal/filtered_squares.h>
 #include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues.h>
 
 #include <Eigen/Core>
-
-#include <cmath>
-#include <string>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -37,17 +34,7 @@ enum class Heat_kernel_scaling {
 /// \return ascending, in units of area
 /// \throws Parameter_error if `number` is less than 2, if eigenvalues are not finite, ascending and
 /// not negative, or if all of them are 0
-inline Eigen::VectorXd heat_kernel_times(const Eigen::VectorXd& eigenvalues, int number = 100) {
-  if(number < 2)
-    throw Parameter_error("number", "is " + std::to_string(number) + ", but must be at least 2");
-  const Eigen::VectorXd checked = internal::checked_eigenvalues(eigenvalues);
-  const double first = checked[internal::number_of_zeros_before_others(checked)];
-  const double last = checked[checked.size() - 1];
-  const double numerator = 4 * std::log(10.);
-  return Eigen::VectorXd::LinSpaced(number, std::log(numerator / last), std::log(numerator / first))
-      .array()
-      .exp();
-}
+Eigen::VectorXd heat_kernel_times(const Eigen::VectorXd& eigenvalues, int number = 100);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same for a `Laplace_spectrum`.
@@ -60,12 +47,7 @@ Eigen::VectorXd heat_kernel_times(const Spectrum& spectrum, int number = 100) {
 /// The heat trace \f$\sum_i e^{-\lambda_i t}\f$ of the given eigenvalues, for each time: the
 /// integral of the heat kernel signature over the surface.
 /// \throws Parameter_error as `heat_kernel_signature()`
-inline Eigen::VectorXd heat_trace(const Eigen::VectorXd& eigenvalues,
-                                  const Eigen::VectorXd& times) {
-  const Eigen::VectorXd checked = internal::checked_eigenvalues(eigenvalues);
-  internal::check_positive("times", times);
-  return (-times * checked.transpose()).array().exp().rowwise().sum();
-}
+Eigen::VectorXd heat_trace(const Eigen::VectorXd& eigenvalues, const Eigen::VectorXd& times);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The heat kernel signature
@@ -86,21 +68,10 @@ inline Eigen::VectorXd heat_trace(const Eigen::VectorXd& eigenvalues,
 /// negative, or if a time is not positive and finite
 ///
 /// Takes one product for each point, eigenvalue and time.
-inline Eigen::MatrixXd
-heat_kernel_signature(const Eigen::VectorXd& eigenvalues,
-                      const Eigen::Ref<const Eigen::MatrixXd>& values, const Eigen::VectorXd& times,
-                      Heat_kernel_scaling scaling = Heat_kernel_scaling::none) {
-  Eigen::VectorXd checked = internal::checked_eigenvalues(eigenvalues);
-  internal::check_columns(checked, values);
-  internal::check_positive("times", times);
-  // A factor that all terms have cancels, and without it the sum cannot underflow.
-  if(scaling == Heat_kernel_scaling::heat_trace)
-    checked.array() -= checked[0];
-  Eigen::MatrixXd weights = (-checked * times.transpose()).array().exp();
-  if(scaling == Heat_kernel_scaling::heat_trace)
-    weights.array().rowwise() /= weights.colwise().sum().eval().array();
-  return internal::filtered_squares(values, weights);
-}
+Eigen::MatrixXd heat_kernel_signature(const Eigen::VectorXd& eigenvalues,
+                                      const Eigen::Ref<const Eigen::MatrixXd>& values,
+                                      const Eigen::VectorXd& times,
+                                      Heat_kernel_scaling scaling = Heat_kernel_scaling::none);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
@@ -113,5 +84,9 @@ Eigen::MatrixXd heat_kernel_signature(const Spectrum& spectrum, const Eigen::Vec
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/spectra/heat_kernel_signature_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_HEAT_KERNEL_SIGNATURE_H

@@ -4,12 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SHAPE_DNA_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SHAPE_DNA_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues.h>
 
 #include <Eigen/Core>
-
-#include <string>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -29,22 +28,6 @@ enum class Shape_dna_normalization {
   weyl_slope
 };
 
-namespace internal {
-
-/// slope of the line through \f$(i, y_i)\f$ by least squares
-inline double fitted_slope(const Eigen::VectorXd& y) {
-  const double mean = double(y.size() - 1) / 2;
-  double xy = 0, xx = 0;
-  for(Eigen::Index i = 0; i < y.size(); ++i) {
-    const double x = double(i) - mean;
-    xy += x * y[i];
-    xx += x * x;
-  }
-  return xy / xx;
-}
-
-} // namespace internal
-
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The ShapeDNA of Reuter, Wolter and Peinecke \cgalCite{RWP06}: the beginning of the spectrum, in
 /// a form that does not depend on size. Nor does it depend on position and triangulation of the
@@ -60,25 +43,8 @@ inline double fitted_slope(const Eigen::VectorXd& y) {
 /// \throws Parameter_error if eigenvalues are not finite, ascending and not negative; if the area
 /// is needed and is not positive and finite; if the first eigenvalue or the slope is needed, and
 /// all are 0
-inline Eigen::VectorXd
-shape_dna(const Eigen::VectorXd& eigenvalues, double area,
-          Shape_dna_normalization normalization = Shape_dna_normalization::area) {
-  const Eigen::VectorXd checked = internal::checked_eigenvalues(eigenvalues);
-  switch(normalization) {
-  case Shape_dna_normalization::area: internal::check_positive("area", area); return checked * area;
-  case Shape_dna_normalization::first_eigenvalue:
-    return checked / checked[internal::number_of_zeros_before_others(checked)];
-  case Shape_dna_normalization::weyl_slope: {
-    internal::number_of_zeros_before_others(checked);
-    const double slope = checked.size() > 1 ? internal::fitted_slope(checked) : 0;
-    if(!(slope > 0))
-      throw Parameter_error("eigenvalues", "has no two different entries, so there is no slope");
-    return checked / slope;
-  }
-  case Shape_dna_normalization::none: break;
-  }
-  return checked;
-}
+Eigen::VectorXd shape_dna(const Eigen::VectorXd& eigenvalues, double area,
+                          Shape_dna_normalization normalization = Shape_dna_normalization::area);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same for a `Laplace_spectrum`, which knows its area.
@@ -93,17 +59,13 @@ Eigen::VectorXd shape_dna(const Spectrum& spectrum,
 /// metric on sequences, not on surfaces: some different surfaces have the same spectrum.
 /// \throws Parameter_error if they do not have the same positive number of eigenvalues (take
 /// `head()` of the longer one), or if an entry is not finite
-inline double shape_dna_distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  if(a.size() != b.size() || a.size() == 0)
-    throw Parameter_error("b", "has " + std::to_string(b.size()) +
-                                   " eigenvalues, the other ShapeDNA " + std::to_string(a.size()) +
-                                   ", but they must have the same positive number");
-  if(!a.allFinite() || !b.allFinite())
-    throw Parameter_error(a.allFinite() ? "b" : "a", "has an entry that is not a finite number");
-  return (a - b).norm();
-}
+double shape_dna_distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/spectra/shape_dna_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SHAPE_DNA_H

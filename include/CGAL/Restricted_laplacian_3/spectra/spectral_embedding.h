@@ -4,29 +4,14 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SPECTRAL_EMBEDDING_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SPECTRAL_EMBEDDING_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
-
 namespace CGAL {
 namespace Restricted_laplacian_3 {
-
-namespace internal {
-
-/// \f$f(\lambda_i)\, \phi_i\f$ for the eigenvalues that are not 0
-template <class Function>
-Eigen::MatrixXd embedding_without_zeros(const Eigen::VectorXd& eigenvalues,
-                                        const Eigen::Ref<const Eigen::MatrixXd>& values,
-                                        Function&& f) {
-  const Eigen::VectorXd checked = checked_eigenvalues(eigenvalues);
-  check_columns(checked, values);
-  const Eigen::Index number = checked.size() - number_of_zeros_before_others(checked);
-  return values.rightCols(number) * checked.tail(number).unaryExpr(f).asDiagonal();
-}
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The global point signature of Rustamov \cgalCite{Rus07}.
@@ -47,11 +32,8 @@ Eigen::MatrixXd embedding_without_zeros(const Eigen::VectorXd& eigenvalues,
 /// \return a row for each point, a column for each eigenvalue that is not 0; without unit
 /// \throws Parameter_error if sizes do not fit, if eigenvalues are not finite, ascending and not
 /// negative, or if all of them are 0
-inline Eigen::MatrixXd global_point_signature(const Eigen::VectorXd& eigenvalues,
-                                              const Eigen::Ref<const Eigen::MatrixXd>& values) {
-  return internal::embedding_without_zeros(eigenvalues, values,
-                                           [](double l) { return 1 / std::sqrt(l); });
-}
+Eigen::MatrixXd global_point_signature(const Eigen::VectorXd& eigenvalues,
+                                       const Eigen::Ref<const Eigen::MatrixXd>& values);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
@@ -73,10 +55,8 @@ Eigen::MatrixXd global_point_signature(const Spectrum& spectrum) {
 /// \param eigenvalues,values as for `global_point_signature()`
 /// \return a row for each point, a column for each eigenvalue that is not 0; in units of length
 /// \throws Parameter_error as `global_point_signature()`
-inline Eigen::MatrixXd biharmonic_embedding(const Eigen::VectorXd& eigenvalues,
-                                            const Eigen::Ref<const Eigen::MatrixXd>& values) {
-  return internal::embedding_without_zeros(eigenvalues, values, [](double l) { return 1 / l; });
-}
+Eigen::MatrixXd biharmonic_embedding(const Eigen::VectorXd& eigenvalues,
+                                     const Eigen::Ref<const Eigen::MatrixXd>& values);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
@@ -101,13 +81,8 @@ Eigen::MatrixXd biharmonic_embedding(const Spectrum& spectrum) {
 /// \return a row for each point, a column for each eigenvalue; in units of 1 / length
 /// \throws Parameter_error if sizes do not fit, if eigenvalues are not finite, ascending and not
 /// negative, or if the time is not positive and finite
-inline Eigen::MatrixXd diffusion_map(const Eigen::VectorXd& eigenvalues,
-                                     const Eigen::Ref<const Eigen::MatrixXd>& values, double time) {
-  const Eigen::VectorXd checked = internal::checked_eigenvalues(eigenvalues);
-  internal::check_columns(checked, values);
-  internal::check_positive("time", time);
-  return values * (-time * checked.array()).exp().matrix().asDiagonal();
-}
+Eigen::MatrixXd diffusion_map(const Eigen::VectorXd& eigenvalues,
+                              const Eigen::Ref<const Eigen::MatrixXd>& values, double time);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same at the vertices, for a `Laplace_spectrum`.
@@ -118,5 +93,9 @@ Eigen::MatrixXd diffusion_map(const Spectrum& spectrum, double time) {
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/spectra/spectral_embedding_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SPECTRAL_EMBEDDING_H

@@ -4,13 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_ZERO_EIGENVALUES_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_ZERO_EIGENVALUES_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -27,56 +25,6 @@ constexpr double zero_eigenvalue_tolerance = 1e-8;
 
 namespace internal {
 
-/// The eigenvalues with those that count as 0 replaced by 0.
-/// \throws Parameter_error if there is none, or if they are not finite, ascending and not negative
-inline Eigen::VectorXd checked_eigenvalues(const Eigen::VectorXd& eigenvalues) {
-  if(eigenvalues.size() == 0)
-    throw Parameter_error("eigenvalues", "is empty");
-  if(!eigenvalues.allFinite())
-    throw Parameter_error("eigenvalues", "has an entry that is not a finite number");
-  if(!std::is_sorted(eigenvalues.begin(), eigenvalues.end()))
-    throw Parameter_error("eigenvalues", "is not ascending");
-  const double tolerance = zero_eigenvalue_tolerance * eigenvalues.cwiseAbs().maxCoeff();
-  if(eigenvalues[0] < -tolerance)
-    throw Parameter_error("eigenvalues",
-                          "has the negative entry " + std::to_string(eigenvalues[0]));
-  return eigenvalues.unaryExpr([tolerance](double l) { return l <= tolerance ? 0. : l; });
-}
-
-/// number of leading zeros, for the result of `checked_eigenvalues()`
-inline Eigen::Index number_of_zeros(const Eigen::VectorXd& checked) {
-  return (checked.array() == 0).count();
-}
-
-/// the same, where one that is not 0 is needed
-/// \throws Parameter_error if there is none
-inline Eigen::Index number_of_zeros_before_others(const Eigen::VectorXd& checked) {
-  const Eigen::Index zeros = number_of_zeros(checked);
-  if(zeros == checked.size())
-    throw Parameter_error("eigenvalues", "has no entry but zeros");
-  return zeros;
-}
-
-/// \throws Parameter_error if `values` does not have a column for each eigenvalue
-inline void check_columns(const Eigen::VectorXd& eigenvalues,
-                          const Eigen::Ref<const Eigen::MatrixXd>& values) {
-  if(values.cols() != eigenvalues.size())
-    throw Parameter_error("values", "has " + std::to_string(values.cols()) +
-                                        " columns, but there are " +
-                                        std::to_string(eigenvalues.size()) + " eigenvalues");
-}
-
-/// \throws Parameter_error if a number is not positive and finite
-inline void check_positive(const char* name, const Eigen::VectorXd& numbers) {
-  for(double x : numbers)
-    if(!(x > 0 && std::isfinite(x)))
-      throw Parameter_error(name, "is or contains " + std::to_string(x) +
-                                      ", but must be positive and finite");
-}
-inline void check_positive(const char* name, double number) {
-  check_positive(name, Eigen::VectorXd::Constant(1, number));
-}
-
 /// tells a `Laplace_spectrum`, or another type with its members `eigenvalues`, `vertex_values` and
 /// `area`, from a vector
 template <class Spectrum>
@@ -88,13 +36,33 @@ using Require_spectrum = std::enable_if_t<
                               const Eigen::VectorXd&>,
     int>;
 
-/// The eigenvalues of a spectrum. Here the size of those that are not 0 is known, even if there are
-/// only zeros: by Weyl's law they are \f$4 \pi / \mathrm{area}\f$ apart.
+/// The eigenvalues with those that count as 0 replaced by 0.
+/// \throws Parameter_error if there is none, or if they are not finite, ascending and not negative
+Eigen::VectorXd checked_eigenvalues(const Eigen::VectorXd& eigenvalues);
+
+/// number of leading zeros, for the result of `checked_eigenvalues()`
+Eigen::Index number_of_zeros(const Eigen::VectorXd& checked);
+
+/// the same, where one that is not 0 is needed
+/// \throws Parameter_error if there is none
+Eigen::Index number_of_zeros_before_others(const Eigen::VectorXd& checked);
+
+/// \throws Parameter_error if `values` does not have a column for each eigenvalue
+void check_columns(const Eigen::VectorXd& eigenvalues,
+                   const Eigen::Ref<const Eigen::MatrixXd>& values);
+
+/// \throws Parameter_error if a number is not positive and finite
+void check_positive(const char* name, const Eigen::VectorXd& numbers);
+void check_positive(const char* name, double number);
+
+/// Eigenvalues of a surface with those that count as 0 replaced by 0. Here the size of those that
+/// are not is known, even if there are only zeros: by Weyl's law they are
+/// \f$4 \pi / \mathrm{area}\f$ apart.
+/// \throws Parameter_error if the area is not positive and finite
+Eigen::VectorXd with_exact_zeros(const Eigen::VectorXd& eigenvalues, double area);
+
 template <class Spectrum> Eigen::VectorXd eigenvalues_of(const Spectrum& spectrum) {
-  check_positive("area", spectrum.area);
-  const double tolerance = zero_eigenvalue_tolerance * 4 * 3.14159265358979323846 / spectrum.area;
-  return spectrum.eigenvalues.unaryExpr(
-      [tolerance](double l) { return std::abs(l) <= tolerance ? 0. : l; });
+  return with_exact_zeros(spectrum.eigenvalues, spectrum.area);
 }
 
 } // namespace internal
@@ -105,9 +73,7 @@ template <class Spectrum> Eigen::VectorXd eigenvalues_of(const Spectrum& spectru
 /// scale, and is recognised if they are exactly 0.
 /// \throws Parameter_error if there is no eigenvalue, or if they are not finite, ascending and not
 /// negative
-inline Eigen::Index number_of_zero_eigenvalues(const Eigen::VectorXd& eigenvalues) {
-  return internal::number_of_zeros(internal::checked_eigenvalues(eigenvalues));
-}
+Eigen::Index number_of_zero_eigenvalues(const Eigen::VectorXd& eigenvalues);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// The same for a `Laplace_spectrum`, whose area gives the scale also if there are zeros only.
@@ -118,5 +84,9 @@ Eigen::Index number_of_zero_eigenvalues(const Spectrum& spectrum) {
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_ZERO_EIGENVALUES_H

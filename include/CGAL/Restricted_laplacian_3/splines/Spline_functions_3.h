@@ -4,22 +4,27 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTIONS_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTIONS_3_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/internal/spline_evaluation.h>
+#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <limits>
-#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+namespace internal {
+
+struct Sheet_point;
+/// local coordinate &rarr; numbers for the elements
+using Element_numbers = Function_view<Tensor_basis_3::Values(const std::array<double, 3>&)>;
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Values and derivatives of several functions at several points: a row for each point, a column
@@ -52,18 +57,10 @@ public:
   /// \throws Parameter_error if the number of rows is not `space.dimension(level)`, or if `level`
   /// is not from 0 to depth
   Spline_functions_3(const Spline_space_3& space,
-                     const Eigen::Ref<const Eigen::MatrixXd>& coefficients, int level)
-    : m_space(&space), m_level(space.checked_level(level)) {
-    if(static_cast<std::size_t>(coefficients.rows()) != space.dimension(level))
-      throw Parameter_error("coefficients", "has " + std::to_string(coefficients.rows()) +
-                                                " rows, but the dimension of the space is " +
-                                                std::to_string(space.dimension(level)));
-    m_coefficients = coefficients.transpose();
-  }
+                     const Eigen::Ref<const Eigen::MatrixXd>& coefficients, int level);
   /// The same on the finest level.
   Spline_functions_3(const Spline_space_3& space,
-                     const Eigen::Ref<const Eigen::MatrixXd>& coefficients)
-    : Spline_functions_3(space, coefficients, space.depth()) {}
+                     const Eigen::Ref<const Eigen::MatrixXd>& coefficients);
 
   /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
@@ -76,97 +73,41 @@ public:
 
   /// Values at all vertices: a row for each, in the order of `vertices(tm)`, and a column for each
   /// function; NaN at vertices that have no face of positive area, for they are not on the surface.
-  Eigen::MatrixXd values_at_vertices() const {
-    const std::vector<internal::Sheet_point> points = internal::locate_vertices(*m_space, m_level);
-    return values(points.size(), [&](std::size_t i) { return points[i]; });
-  }
+  Eigen::MatrixXd values_at_vertices() const;
 
   /// Values at locations: a row for each, a column for each function.
   /// \param locations a range of `Surface_location`, for example those of `sample_surface()`
   /// \throws Location_error if there is no such face, or if a location is not on the surface
   template <class LocationRange>
   Eigen::MatrixXd values_at_locations(const LocationRange& locations) const {
-    const std::vector<Surface_location> copy(std::begin(locations), std::end(locations));
-    return values(copy.size(), [&](std::size_t i) {
-      return internal::locate_on_surface(*m_space, m_level, copy[i]);
-    });
+    return values_at({std::begin(locations), std::end(locations)});
   }
 
   /// Values and derivatives at all vertices, in the order of `vertices(tm)`; NaN at vertices that
   /// have no face of positive area.
-  Spline_jets jets_at_vertices() const {
-    const std::vector<internal::Sheet_point> points = internal::locate_vertices(*m_space, m_level);
-    return jets(points.size(), [&](std::size_t i) { return points[i]; });
-  }
+  Spline_jets jets_at_vertices() const;
 
   /// Values and derivatives at locations.
   /// \param locations a range of `Surface_location`
   /// \throws Location_error if there is no such face, or if a location is not on the surface
   template <class LocationRange>
   Spline_jets jets_at_locations(const LocationRange& locations) const {
-    const std::vector<Surface_location> copy(std::begin(locations), std::end(locations));
-    return jets(copy.size(), [&](std::size_t i) {
-      return internal::locate_on_surface(*m_space, m_level, copy[i]);
-    });
+    return jets_at({std::begin(locations), std::end(locations)});
   }
 
 private:
-  using Index = Eigen::Index;
+  Eigen::MatrixXd values_at(const std::vector<Surface_location>& locations) const;
 
-  template <class PointOf> Spline_jets jets(std::size_t number, PointOf&& point_of) const {
-    const double width = m_space->octree().cell_width(m_level);
-    Spline_jets result;
-    result.values = values(number, point_of);
-    for(int axis = 0; axis < 3; ++axis)
-      result.derivatives[axis] = sums(number, point_of,
-                                      [axis](const std::array<double, 3>& t) {
-                                        return internal::element_derivatives(t, axis);
-                                      }) /
-                                 width;
-    return result;
-  }
+  Spline_jets jets_at(const std::vector<Surface_location>& locations) const;
 
-  /// \param point_of number of a point &rarr; `Sheet_point`
-  template <class PointOf> Eigen::MatrixXd values(std::size_t number, PointOf&& point_of) const {
-    return sums(number, point_of,
-                [](const std::array<double, 3>& t) { return internal::element_values(t); });
-  }
+  Spline_jets jets(const std::vector<internal::Sheet_point>& points) const;
+
+  Eigen::MatrixXd values(const std::vector<internal::Sheet_point>& points) const;
 
   /// the functions with other values of the elements
-  /// \param values_of local coordinate &rarr; numbers for the 27 elements
-  template <class PointOf, class ValuesOf>
-  Eigen::MatrixXd sums(std::size_t number, PointOf&& point_of, ValuesOf&& values_of) const {
-    Eigen::MatrixXd result(static_cast<Index>(number), m_coefficients.rows());
-    if(m_coefficients.rows() == 0)
-      return result; // no function: no memory to take parts of
-    // Values of a chunk are gathered point by point, and stored column by column: the rows of the
-    // result are far apart in memory.
-    constexpr std::size_t grain = 64;
-    internal::parallel_for(
-        m_space->options().is_parallel, 0, number, grain, [&](std::size_t begin, std::size_t end) {
-          const Index size = static_cast<Index>(end - begin);
-          Eigen::MatrixXd chunk(m_coefficients.rows(), size);
-          for(Index i = 0; i < size; ++i)
-            evaluate(point_of(begin + static_cast<std::size_t>(i)), values_of, chunk.col(i));
-          result.middleRows(static_cast<Index>(begin), size) = chunk.transpose();
-        });
-    return result;
-  }
-
-  template <class ValuesOf>
-  void evaluate(const internal::Sheet_point& p, ValuesOf&& values_of,
-                Eigen::MatrixXd::ColXpr result) const {
-    if(p.sheet == internal::Sheet_point::not_on_surface) {
-      result.setConstant(std::numeric_limits<double>::quiet_NaN());
-      return;
-    }
-    const Cell_elements& elements = m_space->elements(m_level, p.sheet);
-    const std::array<double, 27> values = values_of(p.t);
-    result.setZero();
-    for(int i = 0; i < 27; ++i)
-      if(elements[i] != Spline_space_3::no_element)
-        result += values[i] * m_coefficients.col(elements[i]);
-  }
+  /// \param values_of local coordinate &rarr; numbers for the elements
+  Eigen::MatrixXd sums(const std::vector<internal::Sheet_point>& points,
+                       const internal::Element_numbers& values_of) const;
 
   const Spline_space_3* m_space;
   int m_level;
@@ -175,5 +116,9 @@ private:
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTIONS_3_H

@@ -4,28 +4,26 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 
-#include <algorithm>
+#include <CGAL/assertions.h>
+
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+namespace internal {
+class Element_numbering;
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The depth that a set of points allows, for functions that are given no `octree_depth`: the
@@ -36,33 +34,7 @@ namespace Restricted_laplacian_3 {
 /// eigenvalues become too small: see the section on points in the User Manual.
 /// \param surface one that is given by points
 /// \param cube_scale side of the domain cube over the longest side of the bounding box
-inline int default_octree_depth_of_points(const Triangulated_surface_3& surface,
-                                          double cube_scale) {
-  constexpr std::size_t points_per_cell = 50;
-  constexpr int largest_depth = 6;
-  const double side = cube_scale * surface.extent();
-  const Point_3 center = surface.center();
-  std::vector<std::uint64_t> keys;
-  keys.reserve(surface.number_of_vertices());
-  for(std::size_t i = 0; i < surface.number_of_vertices(); ++i) {
-    std::array<int, 3> index;
-    for(int axis = 0; axis < 3; ++axis) {
-      const double x =
-          ((surface.point(i)[axis] - center[axis]) / side + 0.5) * (1 << largest_depth);
-      index[axis] = (std::min)((std::max)(static_cast<int>(x), 0), (1 << largest_depth) - 1);
-    }
-    keys.push_back(morton_key(index));
-  }
-  std::sort(keys.begin(), keys.end());
-  int depth = largest_depth;
-  for(;; --depth) {
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    if(depth == 1 || surface.number_of_vertices() >= points_per_cell * keys.size())
-      return depth;
-    for(std::uint64_t& key : keys)
-      key >>= 3;
-  }
-}
+int default_octree_depth_of_points(const Triangulated_surface_3& surface, double cube_scale);
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Which space a `Spline_space_3` is.
@@ -158,12 +130,7 @@ public:
   /// the spaces of a surface given as points and triangles, which need not be a manifold, or as
   /// oriented points
   explicit Spline_space_3(Triangulated_surface_3 surface,
-                          const Spline_space_options& options = Spline_space_options())
-    : m_options(checked(options)), m_octree(make_octree(std::move(surface), m_options)) {
-    m_levels.resize(depth() + 1);
-    for(int level = 0; level <= depth(); ++level)
-      number_elements(level);
-  }
+                          const Spline_space_options& options = Spline_space_options());
 
   /// the options, without defaults that depend on others
   const Spline_space_options& options() const { return m_options; }
@@ -180,15 +147,10 @@ public:
 
   /// `level`
   /// \throws Parameter_error if it is not from 0 to depth
-  int checked_level(int level) const {
-    if(level < 0 || level > depth())
-      throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +
-                                         std::to_string(depth()));
-    return level;
-  }
+  int checked_level(int level) const;
 
   /// number of elements of a level
-  std::size_t dimension(int level) const { return m_levels[level].first_slots.size(); }
+  std::size_t dimension(int level) const { return at(level).first_slots.size(); }
   /// number of elements of the finest level
   std::size_t dimension() const { return dimension(depth()); }
   /// number of cells of a level that meet the surface
@@ -198,26 +160,28 @@ public:
   std::size_t number_of_sheets(int level) const { return m_octree.number_of_sheets(level); }
   /// number of elements of a level that are one of several into which an element was split
   std::size_t number_of_split_elements(int level) const {
-    return m_levels[level].number_of_split_elements;
+    return at(level).number_of_split_elements;
   }
 
   /// The elements that act on a sheet of a level; `no_element` where there is none, or where it
   /// vanishes on the sheet. All code above this class reaches elements through this function alone.
   const Cell_elements& elements(int level, std::size_t sheet) const {
+    CGAL_precondition(sheet < number_of_sheets(level));
     return m_levels[level].elements[sheet];
   }
 
   /// a sheet on which an element acts, and its position in `elements()` of that sheet
   std::pair<std::size_t, int> slot(int level, std::size_t element) const {
+    CGAL_precondition(element < dimension(level));
     const std::uint32_t slot = m_levels[level].first_slots[element];
-    return {slot / 27, static_cast<int>(slot % 27)};
+    return {slot / Tensor_basis_3::size, static_cast<int>(slot % Tensor_basis_3::size)};
   }
 
   /// the cell that an element is centred on; it may lie outside the grid
   Cell_3 center(int level, std::size_t element) const {
     const auto [sheet, position] = slot(level, element);
-    return m_octree.cell(level, sheet)
-        .neighbor(position % 3 - 1, position / 3 % 3 - 1, position / 9 - 1);
+    const auto [dx, dy, dz] = Tensor_basis_3::offset(position);
+    return m_octree.cell(level, sheet).neighbor(dx, dy, dz);
   }
 
   /// The sheet of a level on which a point of a face lies, and its local coordinates in the cell,
@@ -227,39 +191,7 @@ public:
   /// on another face that touches the cell.
   /// \return the number of sheets of the level as sheet if the point is not on the face
   std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,
-                                                       std::size_t face) const {
-    const int depth = this->depth();
-    const std::array<double, 3> x = m_octree.grid_coordinates(depth, point);
-    // Points come from barycentric coordinates: some digits more than those of a corner are gone.
-    const double tolerance = (std::max)(1e-7, 8 * m_octree.wall_tolerance(depth));
-    std::array<std::array<int, 2>, 3> range;
-    for(int axis = 0; axis < 3; ++axis) {
-      const double n = std::ldexp(1., depth);
-      if(!(x[axis] >= -tolerance && x[axis] <= n + tolerance))
-        return {m_octree.number_of_sheets(level), {0, 0, 0}};
-      range[axis] = {static_cast<int>(std::floor(x[axis] - tolerance)),
-                     static_cast<int>(std::floor(x[axis] + tolerance))};
-    }
-    Cell_3 cell{depth, {}};
-    for(cell.index[2] = range[2][1]; cell.index[2] >= range[2][0]; --cell.index[2])
-      for(cell.index[1] = range[1][1]; cell.index[1] >= range[1][0]; --cell.index[1])
-        for(cell.index[0] = range[0][1]; cell.index[0] >= range[0][0]; --cell.index[0]) {
-          const std::size_t cell_number = m_octree.find(cell);
-          if(cell_number == m_octree.number_of_cells(depth))
-            continue;
-          std::size_t sheet = m_octree.sheet_of_face(cell_number, face);
-          if(sheet == m_octree.number_of_sheets(depth))
-            continue;
-          for(int l = depth; l > level; --l)
-            sheet = m_octree.parent(l, sheet);
-          const Cell_3 ancestor = m_octree.cell(level, sheet);
-          std::array<double, 3> t;
-          for(int axis = 0; axis < 3; ++axis)
-            t[axis] = std::ldexp(x[axis], level - depth) - ancestor.index[axis];
-          return {sheet, t};
-        }
-    return {m_octree.number_of_sheets(level), {0, 0, 0}};
-  }
+                                                       std::size_t face) const;
 
 private:
   struct Level {
@@ -268,11 +200,12 @@ private:
     std::size_t number_of_split_elements = 0;
   };
 
-  struct Key_and_slot {
-    std::uint64_t key;
-    std::uint32_t slot;
-    std::uint32_t sheet() const { return slot / 27; }
-  };
+  friend class internal::Element_numbering;
+
+  const Level& at(int level) const {
+    CGAL_precondition(level >= 0 && level <= depth());
+    return m_levels[level];
+  }
 
   struct Surface_and_options {
     Triangulated_surface_3 surface;
@@ -307,181 +240,22 @@ private:
         choose_parameter(get_parameter(np, internal_np::split_elements), o.split_elements);
     o.split_point_set =
         choose_parameter(get_parameter(np, internal_np::split_elements), o.split_point_set);
-    const double off = -1;
-    o.joining_tolerance = choose_parameter(get_parameter(np, internal_np::joining_tolerance), off);
-    if(o.joining_tolerance != off)
-      check_tolerance(o.joining_tolerance);
+    o.joining_tolerance =
+        choose_parameter(get_parameter(np, internal_np::joining_tolerance), o.joining_tolerance);
     o.is_parallel = internal::is_parallel(np);
-    if(o.cube_scale == 0)
-      throw Parameter_error("cube_scale", "is 0, but must be in 1 .. 1e6");
+    check_given(o);
     return o;
   }
 
-  static Octree_3 make_octree(Triangulated_surface_3&& surface, const Spline_space_options& o) {
-    const bool is_split = surface.is_point_set() ? o.split_point_set : o.split_elements;
-    return Octree_3(std::move(surface), o.octree_depth, o.cube_scale, is_split, o.joining_tolerance,
-                    o.is_parallel);
-  }
+  static Octree_3 make_octree(Triangulated_surface_3&& surface, const Spline_space_options& o);
 
   static double default_cube_scale(bool paper_space) { return paper_space ? 1.2 : 1.1; }
 
-  static void check_tolerance(double tolerance) {
-    if(!(tolerance >= 0 && std::isfinite(tolerance)))
-      throw Parameter_error("joining_tolerance",
-                            "is " + std::to_string(tolerance) +
-                                ", but must be a finite number that is not negative");
-  }
+  /// of options that may stand for a default, those of named parameters may not
+  static void check_given(const Spline_space_options& options);
+  static void check_tolerance(double tolerance);
 
-  static Spline_space_options checked(Spline_space_options options) {
-    if(options.cube_scale == 0)
-      options.cube_scale = default_cube_scale(options.paper_space);
-    options.split_elements = options.split_elements && !options.paper_space;
-    options.split_point_set = options.split_point_set && !options.paper_space;
-    if(!(options.joining_tolerance < 0))
-      check_tolerance(options.joining_tolerance);
-    return options;
-  }
-
-  /// Sorts the centres of the elements of all sheets; those of equal centre are one element for
-  /// each component of their sheets under the links. Chunks of sorted slots are numbered on their
-  /// own, first from 0: how many elements a chunk has is known only then.
-  void number_elements(int level) {
-    Level& l = m_levels[level];
-    const std::vector<Key_and_slot> slots = sorted_slots(level);
-    Cell_elements none;
-    none.fill(no_element);
-    l.elements.assign(m_octree.number_of_sheets(level), none);
-
-    const std::size_t grain = 1 << 15;
-    std::vector<Numbered_chunk> chunks((slots.size() - 1) / grain + 1);
-    internal::parallel_for(m_options.is_parallel, 0, slots.size(), grain,
-                           [&](std::size_t begin, std::size_t end) {
-                             number_groups(level, slots, begin, end, chunks[begin / grain]);
-                           });
-    for(Numbered_chunk& chunk : chunks) {
-      chunk.first = static_cast<std::uint32_t>(l.first_slots.size());
-      l.first_slots.insert(l.first_slots.end(), chunk.first_slots.begin(), chunk.first_slots.end());
-      l.number_of_split_elements += chunk.number_of_split_elements;
-    }
-    internal::parallel_for(m_options.is_parallel, 0, chunks.size(), 1,
-                           [&](std::size_t begin, std::size_t) {
-                             const Numbered_chunk& chunk = chunks[begin];
-                             for(std::size_t i = chunk.begin; i < chunk.end; ++i)
-                               element(l, slots[i].slot) += chunk.first;
-                           });
-  }
-
-  /// the groups of equal centre that begin in a chunk of sorted slots
-  struct Numbered_chunk {
-    std::size_t begin = 0, end = 0; // slots of these groups
-    std::uint32_t first = 0;        // number of the first element
-    std::vector<std::uint32_t> first_slots;
-    std::size_t number_of_split_elements = 0;
-  };
-
-  void number_groups(int level, const std::vector<Key_and_slot>& slots, std::size_t begin,
-                     std::size_t end, Numbered_chunk& chunk) {
-    Level& l = m_levels[level];
-    while(begin > 0 && begin < end && slots[begin].key == slots[begin - 1].key)
-      ++begin;
-    chunk.begin = chunk.end = begin;
-    internal::Disjoint_sets components;
-    while(chunk.end < end) {
-      const Key_and_slot* const group = slots.data() + chunk.end;
-      std::uint32_t size = 1;
-      while(chunk.end + size < slots.size() && group[size].key == group->key)
-        ++size;
-      find_components(level, group, size, components);
-      std::size_t count = 0;
-      for(std::uint32_t i = 0; i < size; ++i) {
-        const std::uint32_t slot = group[i].slot;
-        const std::uint32_t first = components.find(i);
-        if(first == i) {
-          ++count;
-          element(l, slot) = static_cast<std::uint32_t>(chunk.first_slots.size());
-          chunk.first_slots.push_back(slot);
-        } else
-          element(l, slot) = element(l, group[first].slot);
-      }
-      if(count > 1)
-        chunk.number_of_split_elements += count;
-      chunk.end += size;
-    }
-  }
-
-  static std::uint32_t& element(Level& level, std::uint32_t slot) {
-    return level.elements[slot / 27][slot % 27];
-  }
-
-  /// sorted by centre, and by sheet
-  std::vector<Key_and_slot> sorted_slots(int level) const {
-    const std::size_t number_of_sheets = m_octree.number_of_sheets(level), grain = 1 << 11;
-    std::vector<std::vector<Key_and_slot>> of_chunks((number_of_sheets - 1) / grain + 1);
-    internal::parallel_for(m_options.is_parallel, 0, number_of_sheets, grain,
-                           [&](std::size_t begin, std::size_t end) {
-                             auto& of_chunk = of_chunks[begin / grain];
-                             of_chunk.reserve(27 * (end - begin));
-                             for(std::size_t sheet = begin; sheet < end; ++sheet)
-                               add_slots(level, sheet, of_chunk);
-                           });
-    std::size_t size = 0;
-    for(const auto& of_chunk : of_chunks)
-      size += of_chunk.size();
-    std::vector<Key_and_slot> slots;
-    slots.reserve(size);
-    for(auto& of_chunk : of_chunks) {
-      slots.insert(slots.end(), of_chunk.begin(), of_chunk.end());
-      std::vector<Key_and_slot>().swap(of_chunk);
-    }
-    // Coordinates of centres, shifted by one, are in 0 .. 2^level + 1.
-    internal::stable_sort_by_key(slots, 3 * (level + 2), m_options.is_parallel,
-                                 [](const Key_and_slot& s) { return s.key; });
-    return slots;
-  }
-
-  void add_slots(int level, std::size_t sheet, std::vector<Key_and_slot>& slots) const {
-    const Cell_3 cell = m_octree.cell(level, sheet);
-    // the parts of the Morton key along each axis
-    std::array<std::array<std::uint64_t, 3>, 3> parts;
-    for(int axis = 0; axis < 3; ++axis)
-      for(int d = 0; d < 3; ++d)
-        parts[axis][d] =
-            internal::spread_bits_by_three(static_cast<std::uint64_t>(cell.index[axis] + d))
-            << axis;
-    std::uint32_t slot = static_cast<std::uint32_t>(27 * sheet);
-    for(int dz = -1; dz <= 1; ++dz)
-      for(int dy = -1; dy <= 1; ++dy)
-        for(int dx = -1; dx <= 1; ++dx, ++slot)
-          if(m_octree.meets_element(level, sheet, dx, dy, dz) &&
-             (!is_paper_space() || cell.neighbor(dx, dy, dz).is_inside_grid()))
-            slots.push_back({parts[0][dx + 1] | parts[1][dy + 1] | parts[2][dz + 1], slot});
-  }
-
-  /// the components of the `size` sheets of one centre
-  void find_components(int level, const Key_and_slot* slots, std::uint32_t size,
-                       internal::Disjoint_sets& components) const {
-    components.reset(size);
-    if(!is_split()) {
-      for(std::uint32_t i = 1; i < size; ++i)
-        components.unite(0, i);
-      return;
-    }
-    // Both the sheets of the group and the links of a sheet ascend.
-    for(std::uint32_t i = 1; i < size; ++i) {
-      const std::size_t sheet = slots[i].sheet();
-      std::uint32_t j = 0;
-      for(std::uint32_t other : m_octree.links(level, sheet)) {
-        if(other > sheet)
-          break;
-        while(j < i && slots[j].sheet() < other)
-          ++j;
-        if(j == i)
-          break;
-        if(slots[j].sheet() == other)
-          components.unite(j, i);
-      }
-    }
-  }
+  static Spline_space_options checked(Spline_space_options options);
 
   Spline_space_options m_options;
   Octree_3 m_octree;
@@ -490,5 +264,9 @@ private:
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H

@@ -86,6 +86,25 @@ struct Tensor_basis_3 {
   }
 };
 
+namespace internal {
+
+/// number of unordered pairs of products of `Tensor_basis_3`
+constexpr int number_of_element_pairs = Tensor_basis_3::size * (Tensor_basis_3::size + 1) / 2;
+
+constexpr auto make_element_pairs() {
+  std::array<std::array<std::uint16_t, Tensor_basis_3::size>, Tensor_basis_3::size> result = {};
+  std::uint16_t number = 0;
+  for(int j = 0; j < Tensor_basis_3::size; ++j)
+    for(int i = 0; i <= j; ++i)
+      result[i][j] = result[j][i] = number++;
+  return result;
+}
+
+/// The number of each unordered pair: symmetric blocks hold an entry for each.
+inline constexpr auto element_pairs = make_element_pairs();
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// The numbers of the elements that can act on a sheet, in the order of `Tensor_basis_3`;
 /// `no_element` where there is none.
@@ -101,6 +120,19 @@ template <class Visitor> void for_each_element(const Cell_elements& elements, Vi
   for(int i = 0; i < Tensor_basis_3::size; ++i)
     if(elements[i] != no_element)
       visit(i, elements[i]);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Dev
+/// The sum of numbers for the elements of a sheet, times the coefficients of those that exist: a
+/// function where `values` are those of the elements.
+/// \param coefficients of all elements of the level, a vector
+template <class Coefficients>
+double combination(const Cell_elements& elements, const Tensor_basis_3::Values& values,
+                   const Coefficients& coefficients) {
+  double result = 0;
+  for_each_element(
+      elements, [&](int i, std::uint32_t element) { result += values[i] * coefficients[element]; });
+  return result;
 }
 
 } // namespace Restricted_laplacian_3

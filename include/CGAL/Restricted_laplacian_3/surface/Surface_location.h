@@ -7,8 +7,6 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -16,22 +14,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+namespace internal {
+
+/// the kernel in which the package computes
+using Double_kernel = CGAL::Simple_cartesian<double>;
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// The kernel in which this package computes. Points of other kernels are converted with
-/// `CGAL::to_double()`.
-using Kernel = CGAL::Simple_cartesian<double>;
+/// The points with which this package computes, those of `CGAL::Simple_cartesian<double>`. Points
+/// of other kernels are converted with `CGAL::to_double()`.
+using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// point of `Kernel`
-using Point_3 = Kernel::Point_3;
-/// \ingroup PkgRestrictedLaplacian3Functions
-/// vector of `Kernel`
-using Vector_3 = Kernel::Vector_3;
+/// the vectors that belong to them
+using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A location on the surface: a face and barycentric coordinates in it.
@@ -144,6 +147,8 @@ public:
     return m_values[p.vertices[0]] * p.barycentric[0] + m_values[p.vertices[1]] * p.barycentric[1] +
            m_values[p.vertices[2]] * p.barycentric[2];
   }
+  /// linear in each triangle
+  int degree() const { return 1; }
 
 private:
   std::vector<T> m_values;
@@ -151,12 +156,22 @@ private:
 
 namespace internal {
 
-/// the degree of the polynomials that a function consists of, one on each triangle
-template <class Function> int degree_on_triangles(const Function&) { return 6; }
-template <class Function> int degree_on_triangles(const Function_of_degree<Function>& f) {
-  return f.degree();
+/// the degree that functions have which do not tell it
+constexpr int default_degree_on_triangles = 6;
+
+template <class Function, class = void> struct Has_degree : std::false_type {};
+template <class Function>
+struct Has_degree<Function, std::void_t<decltype(int(std::declval<const Function&>().degree()))>>
+  : std::true_type {};
+
+/// the degree of the polynomials that a function consists of, one on each triangle: its member
+/// `degree()`, if it has one
+template <class Function> int degree_on_triangles(const Function& f) {
+  if constexpr(Has_degree<Function>::value)
+    return f.degree();
+  else
+    return default_degree_on_triangles;
 }
-template <class T> int degree_on_triangles(const Linear_surface_function<T>&) { return 1; }
 
 } // namespace internal
 

@@ -4,19 +4,17 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,23 +25,10 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// \throws Invalid_point_error unless the coordinates are finite, and the normal is and not zero
-inline void check_oriented_point(std::size_t i, const Point_3& point, const Vector_3& normal) {
-  for(int axis = 0; axis < 3; ++axis) {
-    if(!std::isfinite(point[axis]))
-      throw Invalid_point_error(i, "has a coordinate that is not a finite number");
-    if(!std::isfinite(normal[axis]))
-      throw Invalid_point_error(i, "has a normal that is not finite");
-  }
-  if(normal == CGAL::NULL_VECTOR)
-    throw Invalid_point_error(i, "has a normal of length zero");
-}
+void check_oriented_point(std::size_t i, const Point_3& point, const Vector_3& normal);
 
 /// a vector that is finite and not zero, divided by its length, however long or short it is
-inline Vector_3 unit_vector(const Vector_3& v) {
-  const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
-  const Vector_3 scaled(v.x() / largest, v.y() / largest, v.z() / largest);
-  return scaled / std::sqrt(scaled.squared_length());
-}
+Vector_3 unit_vector(const Vector_3& v);
 
 } // namespace internal
 
@@ -76,17 +61,7 @@ public:
   /// \throws Invalid_face_error a face names a vertex that does not exist
   /// \throws Invalid_vertex_error a vertex of a face is not finite
   /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`
-  Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles)
-    : m_points(std::move(points)), m_triangles(std::move(triangles)) {
-    if(m_triangles.empty())
-      throw Empty_surface_error();
-    for(std::size_t f = 0; f < m_triangles.size(); ++f)
-      for(std::uint32_t v : m_triangles[f])
-        if(v >= m_points.size())
-          throw Invalid_face_error(f, "names a vertex that does not exist");
-    compute_bounding_box();
-    compute_normals_and_areas();
-  }
+  Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles);
 
   /// Oriented points. Points may coincide; normals need not have unit length, and are divided by
   /// their length here.
@@ -100,38 +75,14 @@ public:
   /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`, the
   /// sum of the areas is infinite, or the three vectors differ in length
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Vector_3> normals,
-                         std::vector<double> areas)
-    : m_points(std::move(points)), m_normals(std::move(normals)), m_areas(std::move(areas)),
-      m_is_point_set(true) {
-    if(m_points.empty())
-      throw Empty_surface_error("the point set has no point");
-    if(m_normals.size() != m_points.size() || m_areas.size() != m_points.size())
-      throw Parameter_error("points", "has another length than normals or areas");
-    m_triangles.resize(m_points.size());
-    for(std::size_t i = 0; i < m_points.size(); ++i) {
-      internal::check_oriented_point(i, m_points[i], m_normals[i]);
-      if(!(m_areas[i] >= 0 && std::isfinite(m_areas[i])))
-        throw Invalid_point_error(i, "has an area that is negative or not a finite number");
-      m_normals[i] = internal::unit_vector(m_normals[i]);
-      m_triangles[i].fill(static_cast<std::uint32_t>(i));
-      m_area += m_areas[i];
-    }
-    compute_bounding_box();
-    if(!(m_area > 0))
-      throw zero_area_error();
-    if(!std::isfinite(m_area))
-      throw Parameter_error("area_map", "has values whose sum is not a finite number");
-  }
+                         std::vector<double> areas);
 
   /// whether the surface is given by points
   bool is_point_set() const { return m_is_point_set; }
 
   /// \param who what cannot do without faces, for the message
   /// \throws Input_error if the surface is given by points
-  void require_triangles(const std::string& who) const {
-    if(m_is_point_set)
-      throw Input_error("the surface is a point set, but " + who + " needs triangles");
-  }
+  void require_triangles(const std::string& who) const;
 
   /// number of points, also of those that no face uses
   std::size_t number_of_vertices() const { return m_points.size(); }
@@ -143,21 +94,34 @@ public:
   std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
 
   /// the point of a vertex
-  const Point_3& point(std::size_t vertex) const { return m_points[vertex]; }
+  const Point_3& point(std::size_t vertex) const {
+    CGAL_precondition(vertex < m_points.size());
+    return m_points[vertex];
+  }
   /// the point of a corner of a face; `corner` is 0, 1 or 2
   const Point_3& point(std::size_t face, int corner) const {
-    return m_points[m_triangles[face][corner]];
+    CGAL_precondition(corner >= 0 && corner < 3);
+    return m_points[triangle(face)[corner]];
   }
   /// the vertices of a face
-  const Triangle& triangle(std::size_t face) const { return m_triangles[face]; }
+  const Triangle& triangle(std::size_t face) const {
+    CGAL_precondition(face < m_triangles.size());
+    return m_triangles[face];
+  }
 
   /// unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate
-  const Vector_3& normal(std::size_t face) const { return m_normals[face]; }
+  const Vector_3& normal(std::size_t face) const {
+    CGAL_precondition(face < m_normals.size());
+    return m_normals[face];
+  }
   /// whether the area of a face is zero, up to `degenerate_height_tolerance`
-  bool is_degenerate(std::size_t face) const { return m_normals[face] == CGAL::NULL_VECTOR; }
+  bool is_degenerate(std::size_t face) const { return normal(face) == CGAL::NULL_VECTOR; }
 
   /// area of a face; 0 if it is degenerate
-  double area(std::size_t face) const { return m_areas[face]; }
+  double area(std::size_t face) const {
+    CGAL_precondition(face < m_areas.size());
+    return m_areas[face];
+  }
   /// area of the surface
   double area() const { return m_area; }
 
@@ -177,7 +141,7 @@ public:
   Surface_point surface_point(const Surface_location& location) const {
     Surface_point p;
     static_cast<Surface_location&>(p) = location;
-    p.vertices = m_triangles[location.face];
+    p.vertices = triangle(location.face);
     p.normal = m_normals[location.face];
     const Point_3 &a = m_points[p.vertices[0]], &b = m_points[p.vertices[1]],
                   &c = m_points[p.vertices[2]];
@@ -189,64 +153,11 @@ public:
   }
 
 private:
-  void compute_bounding_box() {
-    const double infinity = std::numeric_limits<double>::infinity();
-    std::array<double, 3> low = {infinity, infinity, infinity},
-                          high = {-infinity, -infinity, -infinity};
-    for(const Triangle& triangle : m_triangles)
-      for(std::uint32_t v : triangle)
-        for(int axis = 0; axis < 3; ++axis) {
-          const double x = m_points[v][axis];
-          if(!std::isfinite(x))
-            throw Invalid_vertex_error(v, "has a coordinate that is not a finite number");
-          low[axis] = (std::min)(low[axis], x);
-          high[axis] = (std::max)(high[axis], x);
-        }
-    m_min = Point_3(low[0], low[1], low[2]);
-    m_max = Point_3(high[0], high[1], high[2]);
-    m_extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    if(m_extent == 0)
-      throw zero_area_error();
-    if(!(m_extent >= smallest_extent && m_extent <= largest_extent))
-      throw Parameter_error("extent", "of the bounding box is outside of 1e-100 .. 1e100");
-  }
+  void compute_bounding_box();
 
-  void compute_normals_and_areas() {
-    m_normals.assign(m_triangles.size(), Vector_3(0, 0, 0));
-    m_areas.assign(m_triangles.size(), 0);
-    const double scale = 1 / m_extent;
-    for(std::size_t f = 0; f < m_triangles.size(); ++f) {
-      // The cross product is most accurate from the corner opposite to the longest side.
-      std::array<Vector_3, 3> side;
-      std::array<double, 3> squared;
-      for(int i = 0; i < 3; ++i) {
-        side[i] = (point(f, (i + 2) % 3) - point(f, (i + 1) % 3)) * scale;
-        squared[i] = side[i].squared_length();
-      }
-      const int corner =
-          static_cast<int>(std::max_element(squared.begin(), squared.end()) - squared.begin());
-      const Vector_3 product = CGAL::cross_product(side[(corner + 2) % 3], -side[(corner + 1) % 3]);
-      const double length = std::sqrt(product.squared_length());
-      // length = longest side x height over it
-      if(!(length > degenerate_height_tolerance * squared[corner])) {
-        ++m_number_of_degenerate_faces;
-        continue;
-      }
-      m_normals[f] = product / length;
-      m_areas[f] = length / 2 * m_extent * m_extent;
-      m_area += m_areas[f];
-    }
-    if(!(m_area > 0))
-      throw zero_area_error();
-  }
+  void compute_normals_and_areas();
 
-  Zero_area_error zero_area_error() const {
-    if(!m_is_point_set)
-      return Zero_area_error(m_triangles.size());
-    return Zero_area_error("the point set has area zero: all of its " +
-                           std::to_string(m_points.size()) +
-                           (m_extent == 0 ? " points are the same" : " points have area zero"));
-  }
+  Zero_area_error zero_area_error() const;
 
   std::vector<Point_3> m_points;
   std::vector<Triangle> m_triangles;
@@ -329,5 +240,9 @@ Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRang
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_H

@@ -37,6 +37,8 @@ public:
 
   /// the value of the face of a location
   const T& operator()(const Surface_point& p) const { return m_values[p.face]; }
+  /// constant on each triangle
+  int degree() const { return 0; }
   /// the values, one for each face
   const std::vector<T>& values() const { return m_values; }
 
@@ -64,6 +66,8 @@ public:
     return corners[0] * p.barycentric[0] + corners[1] * p.barycentric[1] +
            corners[2] * p.barycentric[2];
   }
+  /// linear in each triangle
+  int degree() const { return 1; }
   /// the values, three for each face
   const std::vector<T>& values() const { return m_values; }
 
@@ -72,44 +76,6 @@ private:
 };
 
 namespace internal {
-
-template <class T> int degree_on_triangles(const Face_function<T>&) { return 0; }
-template <class T> int degree_on_triangles(const Corner_vector_field<T>&) { return 1; }
-
-/// The channels of a value of a vector field: how many vectors it has, and how to read them into
-/// the columns of a matrix. Values are 3D vectors of a kernel of \cgal, `std::array`s of them, or
-/// matrices of Eigen of three rows and a fixed number of columns.
-template <class Value, class = void> struct Vector_field_channels {
-  static constexpr int number = 1;
-  static Eigen::Vector3d read(const Value& value) {
-    return {CGAL::to_double(value.x()), CGAL::to_double(value.y()), CGAL::to_double(value.z())};
-  }
-};
-
-template <class Vector, std::size_t K> struct Vector_field_channels<std::array<Vector, K>> {
-  static constexpr int number = static_cast<int>(K);
-  static Eigen::Matrix<double, 3, number> read(const std::array<Vector, K>& value) {
-    Eigen::Matrix<double, 3, number> result;
-    for(std::size_t k = 0; k < K; ++k)
-      result.col(static_cast<Eigen::Index>(k)) = Vector_field_channels<Vector>::read(value[k]);
-    return result;
-  }
-};
-
-template <class Value>
-struct Vector_field_channels<Value,
-                             std::enable_if_t<std::is_base_of_v<Eigen::MatrixBase<Value>, Value>>> {
-  static constexpr int number = Value::ColsAtCompileTime;
-  static_assert(Value::RowsAtCompileTime == 3 && number > 0,
-                "the values of a vector field need three rows and a fixed number of columns");
-  static Eigen::Matrix<double, 3, number> read(const Value& value) {
-    return value.template cast<double>();
-  }
-};
-
-template <class Field>
-using Channels_of =
-    Vector_field_channels<std::decay_t<std::invoke_result_t<const Field&, const Surface_point&>>>;
 
 /// whether a property map of a source, such as `Mesh_source`, has these descriptors as keys
 template <class Source, class Map, class = void> struct Has_corner_keys : std::false_type {};

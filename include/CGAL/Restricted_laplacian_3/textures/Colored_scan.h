@@ -4,29 +4,23 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLORED_SCAN_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLORED_SCAN_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
-#include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>
-#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
-#include <CGAL/Restricted_laplacian_3/textures/internal/Scan_search.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/color_values.h>
-#include <CGAL/Restricted_laplacian_3/textures/internal/scan_properties.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/property_map.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <memory>
-#include <string>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -36,40 +30,7 @@ namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Takes coordinates of a scan to those of the world.
-using Scan_pose = CGAL::Aff_transformation_3<Kernel>;
-
-namespace internal {
-
-/// The linear part of a pose is a rotation times a scale up to this, relative to the scale: files
-/// hold three decimals at least.
-constexpr double pose_tolerance = 1e-2;
-
-/// \throws Parameter_error unless the pose is a rotation, a uniform scale, and a translation
-inline const Scan_pose& checked_pose(const Scan_pose& pose) {
-  Eigen::Matrix3d linear;
-  for(int i = 0; i < 3; ++i)
-    for(int j = 0; j < 4; ++j) {
-      if(!std::isfinite(pose.m(i, j)))
-        throw Parameter_error("pose", "has an entry that is not a finite number");
-      if(j < 3)
-        linear(i, j) = pose.m(i, j);
-    }
-  const double largest = linear.cwiseAbs().maxCoeff();
-  if(!(largest > 0))
-    throw Parameter_error("pose", "is singular: it takes all points to one");
-  linear /= largest;
-  const Eigen::Matrix3d products = linear.transpose() * linear;
-  const double squared_scale = products.trace() / 3;
-  if((products - squared_scale * Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() >
-     pose_tolerance * squared_scale)
-    throw Parameter_error("pose", "is not a rotation with a uniform scale and a translation: its "
-                                  "columns differ in length or are not orthogonal");
-  if(linear.determinant() < 0)
-    throw Parameter_error("pose", "is mirrored: its determinant is negative");
-  return pose;
-}
-
-} // namespace internal
+using Scan_pose = CGAL::Aff_transformation_3<CGAL::Simple_cartesian<double>>;
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The pose that a matrix of four rows stands for, which takes columns \f$(x, y, z, 1)^T\f$ of the
@@ -77,13 +38,7 @@ inline const Scan_pose& checked_pose(const Scan_pose& pose) {
 /// \param rows the 16 entries, row by row
 /// \throws Parameter_error the last row is not 0 0 0 1, as in a matrix that is transposed; an entry
 /// is not finite; or the first three columns are not a rotation times a positive number, up to 1 %
-inline Scan_pose scan_pose(const std::array<double, 16>& rows) {
-  const auto& m = rows;
-  if(!(m[12] == 0 && m[13] == 0 && m[14] == 0 && m[15] == 1))
-    throw Parameter_error("pose", "has a last row other than 0 0 0 1");
-  return internal::checked_pose(
-      Scan_pose(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11]));
-}
+Scan_pose scan_pose(const std::array<double, 16>& rows);
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// What a scan says of a location near it.
@@ -138,11 +93,7 @@ public:
   /// \throws Input_error the surface in the world has coordinates that are not finite
   Colored_scan(const Triangulated_surface_3& surface, std::vector<Rgb_color> colors,
                const Scan_pose& pose = Scan_pose(CGAL::IDENTITY),
-               const Point_3& viewpoint = Point_3(0, 0, 0), bool is_parallel = false)
-    : m_data(std::make_shared<const Data>(
-          placed(surface, internal::checked_pose(pose)),
-          checked(std::move(colors), surface.number_of_vertices()),
-          internal::checked_pose(pose).transform(checked(viewpoint)), is_parallel)) {}
+               const Point_3& viewpoint = Point_3(0, 0, 0), bool is_parallel = false);
 
   /// A scan from a mesh or a range of points.
   /// \tparam Surface a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
@@ -185,17 +136,17 @@ public:
                    pose_of(np), viewpoint_of(np), internal::is_parallel(np)) {}
 
   /// in coordinates of the world
-  const Triangulated_surface_3& surface() const { return m_data->surface; }
+  const Triangulated_surface_3& surface() const;
   /// of the vertices
-  const std::vector<Rgb_color>& colors() const { return m_data->colors; }
+  const std::vector<Rgb_color>& colors() const;
   /// in coordinates of the world
-  const Point_3& viewpoint() const { return m_data->viewpoint; }
+  const Point_3& viewpoint() const;
   /// typical distance of vertices or points
-  double spacing() const { return m_data->spacing; }
+  double spacing() const;
   /// of the vertices, to the side of the viewpoint; zero where faces have none
-  const std::vector<Vector_3>& normals() const { return m_data->normals; }
+  const std::vector<Vector_3>& normals() const;
   /// of each vertex to the boundary; infinite if there is none
-  const std::vector<double>& boundary_distances() const { return m_data->boundary_distances; }
+  const std::vector<double>& boundary_distances() const;
 
 private:
   struct Data;
@@ -211,137 +162,14 @@ public:
 
     /// \return whether the scan comes within `maximum_distance` of the location; else the sample
     /// is left as it is
-    bool operator()(const Point_3& location, double maximum_distance, Scan_sample& sample) {
-      const auto nearest = m_data->search.find(location, maximum_distance, m_hint);
-      if(nearest)
-        m_data->sample_at(m_data->surface.surface_point(*nearest), location, sample);
-      return nearest.has_value();
-    }
+    bool operator()(const Point_3& location, double maximum_distance, Scan_sample& sample);
 
   private:
     const Data* m_data;
-    internal::Scan_search::Hint m_hint;
+    std::optional<std::pair<Point_3, std::size_t>> m_hint; // of internal::Scan_search
   };
 
 private:
-  struct Data {
-    Data(Triangulated_surface_3 world_surface, std::vector<Rgb_color> vertex_colors,
-         const Point_3& world_viewpoint, bool is_parallel)
-      : surface(std::move(world_surface)), colors(std::move(vertex_colors)),
-        viewpoint(world_viewpoint), search(surface), normals(vertex_normals(surface)) {
-      for(std::size_t v = 0; v < normals.size(); ++v)
-        if(normals[v] * (viewpoint - surface.point(v)) < 0)
-          normals[v] = -normals[v];
-      if(surface.is_point_set()) {
-        internal::Scan_point_properties properties =
-            internal::scan_point_properties(surface, normals, colors, is_parallel);
-        spacing = properties.spacing;
-        point_gradients.swap(properties.gradients);
-        boundary_distances =
-            internal::distances_to_marked(surface, properties.is_on_boundary, is_parallel);
-      } else {
-        spacing = internal::median_side(surface);
-        boundary_distances = internal::distances_to_marked(
-            surface, internal::boundary_vertices(surface), is_parallel);
-      }
-    }
-
-    void sample_at(const Surface_point& p, const Point_3& location, Scan_sample& sample) const {
-      Eigen::Vector3d color = Eigen::Vector3d::Zero();
-      Vector_3 normal = CGAL::NULL_VECTOR;
-      sample.boundary_distance = 0;
-      for(int i = 0; i < 3; ++i) {
-        const double b = p.barycentric[i];
-        if(b == 0)
-          continue; // distances may be infinite
-        color += b * internal::eigen_vector(colors[p.vertices[i]]);
-        normal += b * normals[p.vertices[i]];
-        sample.boundary_distance += b * boundary_distances[p.vertices[i]];
-      }
-      const Vector_3 way = location - p.point;
-      sample.normal = internal::unit_or_zero(normal);
-      sample.distance = internal::safe_length(way);
-      const Vector_3 tangential = way - (way * sample.normal) * sample.normal;
-      const double tangential_distance = internal::safe_length(tangential);
-      if(surface.is_point_set()) {
-        sample.gradient = point_gradients[p.face];
-        color += sample.gradient.transpose() * internal::eigen_vector(tangential);
-        sample.is_beyond_boundary =
-            sample.boundary_distance <= 0 && tangential_distance > spacing / 2;
-      } else {
-        sample.gradient = gradient_in_face(p.face);
-        sample.is_beyond_boundary = sample.boundary_distance <= boundary_tolerance * spacing &&
-                                    tangential_distance > boundary_tolerance * spacing;
-      }
-      for(int k = 0; k < 3; ++k)
-        sample.color[k] = std::clamp(color[k], 0., 1.);
-    }
-
-    /// of the linear interpolant of the colours in a triangle
-    Eigen::Matrix3d gradient_in_face(std::size_t face) const {
-      const Eigen::Matrix3d of_hats = internal::hat_gradients(surface, face);
-      const auto color = [&](int corner) {
-        return internal::eigen_vector(colors[surface.triangle(face)[corner]]);
-      };
-      return of_hats.col(1) * (color(1) - color(0)).transpose() +
-             of_hats.col(2) * (color(2) - color(0)).transpose();
-    }
-
-    Triangulated_surface_3 surface;
-    std::vector<Rgb_color> colors;
-    Point_3 viewpoint;
-    internal::Scan_search search;
-    std::vector<Vector_3> normals;
-    std::vector<double> boundary_distances;
-    std::vector<Eigen::Matrix3d> point_gradients; // of a point set
-    double spacing = 0;
-  };
-
-  /// A location whose nearest point is on the boundary belongs to the scan if it is not farther
-  /// outside than this, in units of the spacing.
-  static constexpr double boundary_tolerance = 0.1;
-
-  static Triangulated_surface_3 placed(const Triangulated_surface_3& surface,
-                                       const Scan_pose& pose) {
-    std::vector<Point_3> points;
-    points.reserve(surface.number_of_vertices());
-    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-      points.push_back(pose.transform(surface.point(v)));
-    if(!surface.is_point_set()) {
-      std::vector<Triangulated_surface_3::Triangle> triangles;
-      triangles.reserve(surface.number_of_faces());
-      for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-        triangles.push_back(surface.triangle(f));
-      return Triangulated_surface_3(std::move(points), std::move(triangles));
-    }
-    std::vector<Vector_3> normals;
-    for(std::size_t i = 0; i < surface.number_of_vertices(); ++i)
-      normals.push_back(pose.transform(surface.normal(i)));
-    // Areas do not matter here, as long as their sum is that of something.
-    const double area = (surface.extent() / 2) * (surface.extent() / 2);
-    return Triangulated_surface_3(std::move(points), std::move(normals),
-                                  std::vector<double>(surface.number_of_vertices(), area));
-  }
-
-  static std::vector<Rgb_color> checked(std::vector<Rgb_color> colors, std::size_t size) {
-    if(colors.size() != size)
-      throw Parameter_error("colors", "has " + std::to_string(colors.size()) +
-                                          " values, but the scan has " + std::to_string(size) +
-                                          " vertices");
-    for(std::size_t v = 0; v < size; ++v)
-      for(double x : colors[v])
-        if(!(x >= 0 && x <= 1))
-          throw Invalid_vertex_error(v, "has a color that is not in 0 .. 1");
-    return colors;
-  }
-
-  static const Point_3& checked(const Point_3& viewpoint) {
-    for(int axis = 0; axis < 3; ++axis)
-      if(!std::isfinite(viewpoint[axis]))
-        throw Parameter_error("viewpoint", "has a coordinate that is not a finite number");
-    return viewpoint;
-  }
-
   template <class NamedParameters> static Scan_pose pose_of(const NamedParameters& np) {
     return parameters::choose_parameter(parameters::get_parameter(np, internal_np::pose),
                                         Scan_pose(CGAL::IDENTITY));
@@ -387,5 +215,9 @@ private:
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/textures/Colored_scan_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLORED_SCAN_H

@@ -4,28 +4,25 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_BACK_PROJECT_COLORS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_BACK_PROJECT_COLORS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
-#include <CGAL/Restricted_laplacian_3/textures/internal/scan_properties.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Colors
+/// The scan of a face or vertex that has none.
+constexpr std::uint32_t no_scan = (std::numeric_limits<std::uint32_t>::max)();
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Which locations of a surface a scan covers, and how well, see `Color_back_projector`.
@@ -97,9 +94,7 @@ public:
   /// result is the same
   /// \throws Parameter_error an option is outside its domain
   explicit Color_back_projector(const Triangulated_surface_3& surface,
-                                const Options& options = Options(), bool is_parallel = false)
-    : m_surface(&surface), m_options(checked(options)), m_is_parallel(is_parallel),
-      m_normals(vertex_normals(surface)), m_spacing(spacing_of(surface)) {}
+                                const Options& options = Options(), bool is_parallel = false);
 
   /// the surface that colours are taken to
   const Triangulated_surface_3& surface() const { return *m_surface; }
@@ -107,105 +102,19 @@ public:
   const Options& options() const { return m_options; }
 
   /// \f$D\f$ of a scan
-  double maximum_distance(const Colored_scan& scan) const {
-    constexpr double spacings = 4;
-    return m_options.maximum_distance.value_or(spacings * (std::max)(m_spacing, scan.spacing()));
-  }
+  double maximum_distance(const Colored_scan& scan) const;
 
   /// the colours of a scan on the surface
-  Back_projection operator()(const Colored_scan& scan) const {
-    constexpr std::size_t grain = 1 << 12;
-    const std::size_t n = m_surface->number_of_vertices();
-    std::vector<Back_projection> parts(n / grain + 1);
-    internal::parallel_for(m_is_parallel, 0, n, grain, [&](std::size_t begin, std::size_t end) {
-      project(scan, begin, end, parts[begin / grain]);
-    });
-    Back_projection result;
-    result.maximum_distance = maximum_distance(scan);
-    for(Back_projection& part : parts) {
-      append(part.vertices, result.vertices);
-      append(part.colors, result.colors);
-      append(part.gradients, result.gradients);
-      append(part.distances, result.distances);
-      append(part.qualities, result.qualities);
-      result.number_of_facing_vertices += part.number_of_facing_vertices;
-    }
-    return result;
-  }
+  Back_projection operator()(const Colored_scan& scan) const;
 
   /// The smallest distance of a vertex from a scan, also of those that it does not cover, to tell
   /// why it covers none.
-  double smallest_distance(const Colored_scan& scan) const {
-    Colored_scan::Sampler sampler(scan);
-    double smallest = std::numeric_limits<double>::infinity();
-    Scan_sample sample;
-    for(std::size_t v = 0; v < m_surface->number_of_vertices(); ++v)
-      if(m_normals[v] != CGAL::NULL_VECTOR && sampler(m_surface->point(v), smallest, sample))
-        smallest = (std::min)(smallest, sample.distance);
-    return smallest;
-  }
+  double smallest_distance(const Colored_scan& scan) const;
 
 private:
-  static Options checked(const Options& options) {
-    const auto check = [](bool is_good, const char* name, double value, const char* domain) {
-      if(!is_good)
-        throw Parameter_error(name, "is " + std::to_string(value) + ", but must be " + domain);
-    };
-    const double facing = options.minimum_facing_cosine, normal = options.minimum_normal_cosine;
-    check(facing >= 0 && facing <= 1, "minimum_facing_cosine", facing, "in 0 .. 1");
-    check(normal >= -1 && normal <= 1, "minimum_normal_cosine", normal, "in -1 .. 1");
-    const double distance = options.maximum_distance.value_or(1),
-                 width = options.boundary_width.value_or(0);
-    check(distance > 0 && std::isfinite(distance), "maximum_distance", distance,
-          "a positive finite number");
-    check(width >= 0 && std::isfinite(width), "boundary_width", width,
-          "a finite number that is not negative");
-    return options;
-  }
-
-  static double spacing_of(const Triangulated_surface_3& surface) {
-    surface.require_triangles("the back-projection of colours");
-    return internal::median_side(surface);
-  }
-
-  template <class T> static void append(const std::vector<T>& from, std::vector<T>& to) {
-    to.insert(to.end(), from.begin(), from.end());
-  }
-
   /// the vertices from `begin` to `end` - 1
   void project(const Colored_scan& scan, std::size_t begin, std::size_t end,
-               Back_projection& result) const {
-    constexpr double boundary_spacings = 10;
-    const double distance = maximum_distance(scan), spacing = scan.spacing(),
-                 width = m_options.boundary_width.value_or(boundary_spacings * spacing);
-    Colored_scan::Sampler sampler(scan);
-    Scan_sample sample;
-    for(std::size_t v = begin; v < end; ++v) {
-      Vector_3 normal = m_normals[v];
-      double facing = normal * internal::unit_or_zero((scan.viewpoint() - m_surface->point(v)) /
-                                                      m_surface->extent());
-      if(!m_options.oriented_surface && facing < 0) {
-        facing = -facing;
-        normal = -normal;
-      }
-      if(!(facing >= m_options.minimum_facing_cosine && normal != CGAL::NULL_VECTOR))
-        continue;
-      ++result.number_of_facing_vertices;
-      if(!sampler(m_surface->point(v), distance, sample) || sample.is_beyond_boundary ||
-         !(sample.normal * normal >= m_options.minimum_normal_cosine))
-        continue;
-      const double of_distance = 1 - sample.distance / (2 * distance),
-                   of_boundary = sample.boundary_distance < width
-                                     ? (sample.boundary_distance + spacing) / (width + spacing)
-                                     : 1;
-      result.vertices.push_back(static_cast<std::uint32_t>(v));
-      result.colors.push_back(sample.color);
-      if(m_options.with_gradients)
-        result.gradients.push_back(sample.gradient);
-      result.distances.push_back(sample.distance);
-      result.qualities.push_back(of_distance * (std::min)(facing, 1.) * of_boundary);
-    }
-  }
+               Back_projection& result) const;
 
   const Triangulated_surface_3* m_surface;
   Options m_options;
@@ -216,14 +125,16 @@ private:
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The colours of one scan on a surface, see `Color_back_projector`.
-inline Back_projection
+Back_projection
 back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,
                     const Back_projection_options& options = Back_projection_options(),
-                    bool is_parallel = false) {
-  return Color_back_projector(surface, options, is_parallel)(scan);
-}
+                    bool is_parallel = false);
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/textures/back_project_colors_impl.h>
+#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_BACK_PROJECT_COLORS_H

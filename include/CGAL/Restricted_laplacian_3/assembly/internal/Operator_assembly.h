@@ -4,14 +4,14 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_OPERATOR_ASSEMBLY_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_OPERATOR_ASSEMBLY_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/internal/Element_matrix_pattern.h>
+#include <CGAL/Restricted_laplacian_3/assembly/Operator_sink.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/integration/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
-#include <CGAL/Restricted_laplacian_3/integration/surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -26,14 +26,13 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// What is assembled on a level; a null pointer is left out. The matrices have the pattern of the
-/// level.
+/// What is assembled on a level; a null pointer is left out.
 struct Assembly_targets {
-  Eigen::SparseMatrix<double>* stiffness = nullptr;
-  Eigen::SparseMatrix<double>* mass = nullptr;
-  Eigen::VectorXd* element_integrals = nullptr;
+  Operator_sink* sink = nullptr;
+  /// \f$\int b_i\f$, and \f$\int w\, b_i\f$ with the weight of the mass
+  Eigen::VectorXd *integrals = nullptr, *weighted_integrals = nullptr;
 
-  bool is_empty() const { return !stiffness && !mass && !element_integrals; }
+  bool is_empty() const { return !sink && !integrals && !weighted_integrals; }
 };
 
 /// Assembles the operators of several levels in one pass over the surface.
@@ -48,20 +47,28 @@ struct Assembly_targets {
 /// they act on, so no two cells of a colour add to the same entry: they can be done at once. The
 /// colours follow one after the other, also on one thread. So all sums are formed in the same
 /// order, whatever the number of threads.
-template <class SurfaceIntegration> class Operator_assembly {
+class Operator_assembly {
 public:
-  /// \param targets of each level of the octree
-  Operator_assembly(const Spline_space_3& space, const SurfaceIntegration& integration,
-                    double normal_stabilization, bool stabilizes_mass,
-                    std::vector<Assembly_targets> targets)
+  /// \param mass_weight of the mass matrix; may be null
+  Operator_assembly(const Spline_space_3& space, const Surface_integration_view& integration,
+                    const Mass_weight* mass_weight, double normal_stabilization,
+                    bool stabilizes_mass)
     : m_space(space), m_octree(space.octree()), m_integration(integration),
-      m_normal_stabilization(normal_stabilization), m_targets(std::move(targets)) {
+      m_mass_weight(mass_weight), m_normal_stabilization(normal_stabilization),
+      m_stabilizes_mass(stabilizes_mass) {}
+
+  /// Assembles everything in one pass over the surface.
+  /// \param targets of each level of the octree
+  void run(const std::vector<Assembly_targets>& targets) {
+    m_targets = targets;
     int coarsest = 0;
     while(coarsest < m_octree.depth() && m_targets[coarsest].is_empty())
       ++coarsest;
+    m_keeps_stabilization = false;
     for(const Assembly_targets& t : m_targets)
       m_keeps_stabilization =
-          m_keeps_stabilization || (t.mass && stabilizes_mass && normal_stabilization != 0);
+          m_keeps_stabilization ||
+          (t.sink && t.sink->wants_mass() && m_stabilizes_mass && m_normal_stabilization != 0);
     for(int top = m_octree.depth(); top >= coarsest; top -= 2) {
       Moments next;
       if(top - 2 >= coarsest)
@@ -69,13 +76,9 @@ public:
       run_stage(top, coarsest, next);
       m_moments = std::move(next);
     }
-    for(const Assembly_targets& t : m_targets) {
-      std::vector<Eigen::SparseMatrix<double>*> matrices;
-      for(Eigen::SparseMatrix<double>* matrix : {t.stiffness, t.mass})
-        if(matrix)
-          matrices.push_back(matrix);
-      mirror_upper_half(matrices, space.options().is_parallel);
-    }
+    for(const Assembly_targets& t : m_targets)
+      if(t.sink)
+        t.sink->finish();
   }
 
 private:
@@ -160,26 +163,26 @@ private:
 
   void integrate(const Range& sheets, Moments& moments) const {
     moments.resize(sheets.size(), m_keeps_stabilization);
+    Sheet_integrals integrals;
     for(std::size_t i = 0; i < sheets.size(); ++i) {
+      integrals.clear();
+      add_sheet_integrals(m_space.surface(), m_integration, m_mass_weight, sheets.begin + i,
+                          integrals);
       Sheet_moments& m = moments.values[i];
-      add_sheet_moments(m_integration, sheets.begin + i, m);
+      m = integrals.moments;
       if(m_normal_stabilization == 0)
         continue;
-      const Cell_moments of_sheet = m.cell_moments();
-      const bool is_in_wall = lies_in_wall(sheets.begin + i);
-      const double area = surface_area(of_sheet);
-      const double factor = area > 0 ? m_normal_stabilization / area : 0;  // no sample in the cell
-      const double mass_weight = area > 0 ? sum(of_sheet.mass) / area : 0; // the mean in the sheet
-      const auto in_volume = stabilization_moments(of_sheet, m_normal_stabilization);
-      for(int j = 0; j < Cell_moments::size; ++j) {
-        const auto added =
-            is_in_wall ? surface_stabilization_moments(of_sheet, factor, j) : in_volume;
+      const Sheet_stabilization added(integrals, m_normal_stabilization,
+                                      lies_in_wall(sheets.begin + i));
+      const double area = integrals.area();
+      // the mean in the sheet; no sample in the cell
+      const double mass_weight = area > 0 ? m.sum(Sheet_moments::mass) / area : 0;
+      for(int j = 0; j < number_of_moments; ++j)
         for(int k = 0; k < 6; ++k) {
-          m.values[j][k] += added[k];
+          m.values[j][k] += added(j, k);
           if(m_keeps_stabilization)
-            moments.stabilization[i].values[j][k] = mass_weight * added[k];
+            moments.stabilization[i].values[j][k] = mass_weight * added(j, k);
         }
-      }
     }
   }
 
@@ -201,10 +204,10 @@ private:
     for(std::size_t sheet = sheets.begin; sheet < sheets.end; ++sheet) {
       const std::size_t parent = m_octree.parent(level, sheet) - parent_offset;
       const int octant = m_octree.cell(level, sheet).octant();
-      internal::add_child_moments(moments.values[sheet - offset], octant, parents.values[parent]);
+      add_child_moments(moments.values[sheet - offset], octant, parents.values[parent]);
       if(m_keeps_stabilization)
-        internal::add_child_moments(moments.stabilization[sheet - offset], octant,
-                                    parents.stabilization[parent]);
+        add_child_moments(moments.stabilization[sheet - offset], octant,
+                          parents.stabilization[parent]);
     }
   }
 
@@ -223,9 +226,9 @@ private:
         of_sheets[lane] = &moments.values[i];
         of_stabilization[lane] = m_keeps_stabilization ? &moments.stabilization[i] : nullptr;
       }
-      if(targets.stiffness)
+      if(targets.sink && targets.sink->wants_stiffness())
         stiffness_blocks(of_sheets, scratch.stiffness);
-      if(targets.mass) {
+      if(targets.sink && targets.sink->wants_mass()) {
         mass_blocks(of_sheets, scratch.mass);
         if(m_keeps_stabilization)
           stiffness_blocks(of_stabilization, scratch.stabilization);
@@ -240,68 +243,23 @@ private:
       }
       for(std::size_t lane = 0; lane < count; ++lane) {
         const Cell_elements& elements = m_space.elements(level, first + lane);
-        add_block(elements, scratch, lane, targets);
-        if(targets.element_integrals)
-          add_integrals(elements, *of_sheets[lane], h * h, *targets.element_integrals);
+        if(targets.sink)
+          targets.sink->add(elements, Sheet_block(scratch.stiffness.values[lane].data()),
+                            Sheet_block(scratch.mass.values[lane].data()));
+        if(targets.integrals)
+          add_integrals(elements, *of_sheets[lane], Sheet_moments::area, h * h, *targets.integrals);
+        if(targets.weighted_integrals)
+          add_integrals(elements, *of_sheets[lane], Sheet_moments::mass, h * h,
+                        *targets.weighted_integrals);
       }
     }
-  }
-
-  /// Adds the upper halves of the blocks of a sheet to those of the matrices. Both the elements of
-  /// the sheet and the rows of a column are walked through in ascending order, so each column takes
-  /// one merge.
-  static void add_block(const Cell_elements& elements, const Scratch& blocks, std::size_t lane,
-                        const Assembly_targets& targets) {
-    const Eigen::SparseMatrix<double>* const pattern =
-        targets.stiffness ? targets.stiffness : targets.mass;
-    if(!pattern)
-      return;
-    const int* const inner = pattern->innerIndexPtr();
-    double* const stiffness = targets.stiffness ? targets.stiffness->valuePtr() : nullptr;
-    double* const mass = targets.mass ? targets.mass->valuePtr() : nullptr;
-
-    std::array<std::pair<int, int>, 27> sorted;
-    int count = 0;
-    for(int i = 0; i < 27; ++i)
-      if(elements[i] != Spline_space_3::no_element)
-        sorted[count++] = {static_cast<int>(elements[i]), i};
-    std::sort(sorted.begin(), sorted.begin() + count);
-    const auto &of_stiffness = blocks.stiffness.values[lane], &of_mass = blocks.mass.values[lane];
-    for(int j = 0; j < count; ++j) {
-      int position = pattern->outerIndexPtr()[sorted[j].first];
-      const auto& entries = packed_numbers()[sorted[j].second];
-      std::array<int, 27> positions;
-      for(int i = 0; i <= j; ++i, ++position) {
-        while(inner[position] != sorted[i].first)
-          ++position;
-        positions[i] = position;
-      }
-      if(stiffness)
-        for(int i = 0; i <= j; ++i)
-          stiffness[positions[i]] += of_stiffness[entries[sorted[i].second]];
-      if(mass)
-        for(int i = 0; i <= j; ++i)
-          mass[positions[i]] += of_mass[entries[sorted[i].second]];
-    }
-  }
-
-  static const std::array<std::array<std::uint16_t, 27>, 27>& packed_numbers() {
-    static const auto numbers = [] {
-      std::array<std::array<std::uint16_t, 27>, 27> result;
-      for(int i = 0; i < 27; ++i)
-        for(int j = 0; j < 27; ++j)
-          result[i][j] = static_cast<std::uint16_t>(packed_number(i, j));
-      return result;
-    }();
-    return numbers;
   }
 
   static void add_integrals(const Cell_elements& elements, const Sheet_moments& moments,
-                            double factor, Eigen::VectorXd& sums) {
-    const auto integrals = element_integrals(moments.cell_moments());
-    for(int i = 0; i < 27; ++i)
-      if(elements[i] != Spline_space_3::no_element)
-        sums[elements[i]] += factor * integrals[i];
+                            int component, double factor, Eigen::VectorXd& sums) {
+    const Tensor_basis_3::Values integrals = element_integrals(moments, component);
+    for_each_element(elements,
+                     [&](int i, std::uint32_t element) { sums[element] += factor * integrals[i]; });
   }
 
   std::unique_ptr<Scratch> take_scratch() {
@@ -320,8 +278,10 @@ private:
 
   const Spline_space_3& m_space;
   const Octree_3& m_octree;
-  const SurfaceIntegration& m_integration;
+  Surface_integration_view m_integration;
+  const Mass_weight* m_mass_weight;
   double m_normal_stabilization;
+  bool m_stabilizes_mass;
   std::vector<Assembly_targets> m_targets;
   bool m_keeps_stabilization = false;
   Moments m_moments; // of the top level of a stage, but the first

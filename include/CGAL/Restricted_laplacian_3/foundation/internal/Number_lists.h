@@ -4,11 +4,12 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_NUMBER_LISTS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_NUMBER_LISTS_H
 
-#include <boost/range/iterator_range.hpp>
+#include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,16 +24,16 @@ public:
 
   Number_lists() : m_first(1, 0) {}
 
+  /// \param numbers the lists, one after the other
+  /// \param first position at which each begins, and the end of the last one
+  Number_lists(std::vector<std::size_t> first, std::vector<std::uint32_t> numbers)
+    : m_first(std::move(first)), m_numbers(std::move(numbers)) {}
+
   /// List `i` consists of all `j` with a pair (i, j), ascending and without repetition.
-  Number_lists(std::size_t size, const std::vector<Pair>& pairs) : m_first(size + 1, 0) {
-    for(const Pair& pair : pairs)
-      ++m_first[pair.first + 1];
-    for(std::size_t i = 0; i < size; ++i)
-      m_first[i + 1] += m_first[i];
-    m_numbers.resize(pairs.size());
-    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-    for(const Pair& pair : pairs)
-      m_numbers[next[pair.first]++] = pair.second;
+  Number_lists(std::size_t size, const std::vector<Pair>& pairs)
+    : Number_lists(by_key(size, pairs.size(), [&](std::size_t k) { return pairs[k].first; })) {
+    for(std::uint32_t& number : m_numbers)
+      number = pairs[number].second;
     auto end = m_numbers.begin();
     for(std::size_t i = 0, first = 0; i < size; ++i) {
       const auto begin = m_numbers.begin() + first;
@@ -44,6 +45,40 @@ public:
     m_numbers.erase(end, m_numbers.end());
   }
 
+  /// List `i` consists of those of the numbers 0 .. `count` - 1 whose key is `i`, ascending.
+  /// Numbers with the key `size` are in no list. Linear in `size` and `count`.
+  /// \param key_of number &rarr; key; called twice for each
+  template <class KeyOf>
+  static Number_lists by_key(std::size_t size, std::size_t count, KeyOf&& key_of) {
+    Number_lists result;
+    // While numbers are put into the lists, entry `i + 1` is the end of list `i` as far as it is
+    // filled: at first its begin.
+    std::vector<std::size_t>& first = result.m_first;
+    first.assign(size + 2, 0);
+    for(std::size_t number = 0; number < count; ++number) {
+      const std::size_t key = key_of(number);
+      if(key < size)
+        ++first[key + 2];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    result.m_numbers.resize(first.back());
+    for(std::size_t number = 0; number < count; ++number) {
+      const std::size_t key = key_of(number);
+      if(key < size)
+        result.m_numbers[first[key + 1]++] = static_cast<std::uint32_t>(number);
+    }
+    first.pop_back();
+    return result;
+  }
+
+  /// number of lists
+  std::size_t size() const { return m_first.size() - 1; }
+  /// all lists, one after the other
+  const std::vector<std::uint32_t>& numbers() const { return m_numbers; }
+  /// position in `numbers()` at which a list begins; of list `size()`, the end of the last one
+  std::size_t first(std::size_t i) const { return m_first[i]; }
+
+  /// a list
   boost::iterator_range<const std::uint32_t*> operator[](std::size_t i) const {
     return {m_numbers.data() + m_first[i], m_numbers.data() + m_first[i + 1]};
   }

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_KERNELS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
-#include <CGAL/Restricted_laplacian_3/integration/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/cell_integrals.h>
 
 #include <array>
 #include <cstddef>
@@ -16,49 +16,15 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// The moments of `Cell_moments` as the assembly holds them: the components of one moment are
-/// neighbours, so that they are multiplied and added as one or two vectors of the processor.
-/// Components: the six of the tensor, the mass, and one that is 0.
-struct alignas(64) Sheet_moments {
-  static constexpr int components = 8;
-  std::array<std::array<double, components>, Cell_moments::size> values;
-
-  void clear() { values.fill({}); }
-
-  Sheet_moments() = default;
-  explicit Sheet_moments(const Cell_moments& moments) {
-    for(int i = 0; i < Cell_moments::size; ++i) {
-      for(int k = 0; k < 6; ++k)
-        values[i][k] = moments.tensor[k][i];
-      values[i][6] = moments.mass[i];
-      values[i][7] = 0;
-    }
-  }
-
-  Cell_moments cell_moments() const {
-    Cell_moments moments;
-    for(int i = 0; i < Cell_moments::size; ++i) {
-      for(int k = 0; k < 6; ++k)
-        moments.tensor[k][i] = values[i][k];
-      moments.mass[i] = values[i][6];
-    }
-    return moments;
-  }
-};
-
 /// The upper halves of the blocks of four sheets: entry \f$(i, j)\f$, \f$i \le j\f$, of sheet
-/// number `lane` is `values[lane][packed_number(i, j)]`.
+/// number `lane` is `values[lane][element_pairs[i][j]]`.
 struct alignas(64) Packed_blocks {
   static constexpr int lanes = 4;
-  static constexpr int size = 27 * 28 / 2;
+  static constexpr int size = number_of_element_pairs;
   /// padded to whole groups of four
   static constexpr int padded_size = size + 2;
   std::array<std::array<double, padded_size>, lanes> values;
 };
-
-constexpr int packed_number(int i, int j) {
-  return i <= j ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j;
-}
 
 /// Where the parts of an entry of a block are in the results of the contractions, see
 /// `stiffness_block()`: the sum of the diagonal components, and two parts of each other one.
@@ -70,14 +36,15 @@ struct Packed_entry {
   static const std::array<Packed_entry, Packed_blocks::padded_size>& table() {
     static const auto entries = [] {
       std::array<Packed_entry, Packed_blocks::padded_size> result = {};
-      for(int j = 0; j < 27; ++j)
+      for(int j = 0; j < Tensor_basis_3::size; ++j)
         for(int i = 0; i <= j; ++i) {
-          const int ix = i % 3, iy = i / 3 % 3, iz = i / 9, jx = j % 3, jy = j / 3 % 3, jz = j / 9;
+          const auto [ix, iy, iz] = Tensor_basis_3::pieces_of(i);
+          const auto [jx, jy, jz] = Tensor_basis_3::pieces_of(j);
           const int px = pair_number(ix, jx), py = pair_number(iy, jy), pz = pair_number(iz, jz);
           const int x = ix + 3 * jx, xt = jx + 3 * ix, y = iy + 3 * jy, yt = jy + 3 * iy,
                     z = iz + 3 * jz, zt = jz + 3 * iz;
           const auto number = [](int n) { return static_cast<std::uint16_t>(n); };
-          result[packed_number(i, j)] = {
+          result[element_pairs[i][j]] = {
               number(px + 6 * (py + 6 * pz)),
               {number(x + 9 * (y + 9 * pz)), number(xt + 9 * (yt + 9 * pz))},
               {number(x + 9 * (py + 6 * z)), number(xt + 9 * (py + 6 * zt))},
@@ -94,45 +61,49 @@ struct Packed_entry {
 namespace plain {
 
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
-                         const Vector_3& normal, Sheet_moments& moments, double mass_weight = 1) {
-  Cell_moments::Moments own;
-  own.fill(0);
-  for_each_node(fragment, cell, triangle_quadrature(12),
-                [&own](const std::array<double, 3>& t, const std::array<double, 3>&,
-                       double weight) { add_node(t, weight, own); });
-  const auto p = tangent_projector(normal);
-  for(int i = 0; i < Cell_moments::size; ++i) {
+                         const Symmetric_tensor_3& metric, Sheet_moments& moments,
+                         double mass_weight) {
+  Sheet_moments::Component own = {};
+  for_each_node(
+      fragment, cell, triangle_quadrature(12),
+      [&own](const std::array<double, 3>& t, const std::array<double, 3>&, double weight) {
+        const auto products = bernstein_products(t);
+        for(int i = 0; i < number_of_moments; ++i)
+          own[i] += weight * products[i];
+      });
+  for(int i = 0; i < number_of_moments; ++i) {
     for(int k = 0; k < 6; ++k)
-      moments.values[i][k] += p[k] * own[i];
-    moments.values[i][6] += mass_weight * own[i];
+      moments.values[i][k] += metric[k] * own[i];
+    moments.values[i][Sheet_moments::mass] += mass_weight * own[i];
+    moments.values[i][Sheet_moments::area] += own[i];
   }
 }
 
 inline void add_child_moments(const Sheet_moments& child, int octant, Sheet_moments& parent) {
-  Cell_moments sum = parent.cell_moments();
-  Restricted_laplacian_3::add_child_moments(child.cell_moments(), octant, sum);
-  parent = Sheet_moments(sum);
+  for(int k = 0; k < Sheet_moments::components; ++k)
+    add_child_component(child, k, octant, parent);
+}
+
+/// \param block_of `mass_block()` or `stiffness_block()`
+template <class BlockOf>
+void packed_blocks(const std::array<const Sheet_moments*, 4>& sheets, BlockOf&& block_of,
+                   Packed_blocks& blocks) {
+  Cell_block block;
+  for(int lane = 0; lane < Packed_blocks::lanes; ++lane) {
+    block_of(*sheets[lane], block);
+    for(int j = 0; j < Tensor_basis_3::size; ++j)
+      for(int i = 0; i <= j; ++i)
+        blocks.values[lane][element_pairs[i][j]] = block[Tensor_basis_3::size * j + i];
+  }
 }
 
 inline void stiffness_blocks(const std::array<const Sheet_moments*, 4>& sheets,
                              Packed_blocks& blocks) {
-  Cell_block block;
-  for(int lane = 0; lane < Packed_blocks::lanes; ++lane) {
-    stiffness_block(sheets[lane]->cell_moments(), block);
-    for(int j = 0; j < 27; ++j)
-      for(int i = 0; i <= j; ++i)
-        blocks.values[lane][packed_number(i, j)] = block[27 * j + i];
-  }
+  packed_blocks(sheets, stiffness_block, blocks);
 }
 
 inline void mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& blocks) {
-  Cell_block block;
-  for(int lane = 0; lane < Packed_blocks::lanes; ++lane) {
-    mass_block(sheets[lane]->cell_moments(), block);
-    for(int j = 0; j < 27; ++j)
-      for(int i = 0; i <= j; ++i)
-        blocks.values[lane][packed_number(i, j)] = block[27 * j + i];
-  }
+  packed_blocks(sheets, mass_block, blocks);
 }
 
 } // namespace plain
@@ -270,10 +241,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_triangle(const std::a
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
-add_fragment(const Fragment& fragment, const std::array<int, 3>& cell, const Vector_3& normal,
-             Sheet_moments& moments, double mass_weight = 1) {
+add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
+             const Symmetric_tensor_3& metric, Sheet_moments& moments, double mass_weight) {
   // padded to whole groups of four
-  Lanes sums[Cell_moments::size + 3] = {};
+  Lanes sums[number_of_moments + 3] = {};
   std::array<std::array<double, 3>, 3> t;
   for(std::size_t i = 0; i < fragment.size; ++i) {
     std::array<double, 3>& corner = t[i == 0 ? 0 : 2];
@@ -286,12 +257,12 @@ add_fragment(const Fragment& fragment, const std::array<int, 3>& cell, const Vec
     if(area > 0)
       add_triangle(t[0], t[1], t[2], area, sums);
   }
-  const auto p = tangent_projector(normal);
-  const Lanes low = {p[0], p[1], p[2], p[3]}, high = {p[4], p[5], mass_weight, 0};
-  for(int i = 0; i < Cell_moments::size; i += 4) {
+  const Lanes low = {metric[0], metric[1], metric[2], metric[3]},
+              high = {metric[4], metric[5], mass_weight, 1};
+  for(int i = 0; i < number_of_moments; i += 4) {
     Lanes four;
     sum_components(sums[i], sums[i + 1], sums[i + 2], sums[i + 3], four);
-    for(int j = 0; j < 4 && i + j < Cell_moments::size; ++j) {
+    for(int j = 0; j < 4 && i + j < number_of_moments; ++j) {
       double* to = moments.values[i + j].data();
       store(load(to) + four[j] * low, to);
       store(load(to + 4) + four[j] * high, to + 4);
@@ -303,7 +274,7 @@ add_fragment(const Fragment& fragment, const std::array<int, 3>& cell, const Vec
 
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
 add_child_moments(const Sheet_moments& child, int octant, Sheet_moments& parent) {
-  constexpr int n = 2 * Cell_moments::size;
+  constexpr int n = 2 * number_of_moments;
   Lanes a[n], b[n];
   for(int i = 0; i < n; ++i)
     a[i] = load(child.values[0].data() + 4 * i);
@@ -320,7 +291,7 @@ add_child_moments(const Sheet_moments& child, int octant, Sheet_moments& parent)
 /// four components of the moments, from number `first`, of four sheets
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void
 gather_components(const std::array<const Sheet_moments*, 4>& sheets, int first, Lanes (*to)[125]) {
-  for(int i = 0; i < Cell_moments::size; ++i)
+  for(int i = 0; i < number_of_moments; ++i)
     transpose(load(sheets[0]->values[i].data() + first), load(sheets[1]->values[i].data() + first),
               load(sheets[2]->values[i].data() + first), load(sheets[3]->values[i].data() + first),
               to[0][i], to[1][i], to[2][i], to[3][i]);
@@ -405,15 +376,19 @@ mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& bl
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
 
-/// adds the moments of a fragment of a triangle, as `Restricted_laplacian_3::add_fragment()`
-/// \param mass_weight factor of the moments of the mass; those of the tensor do not have it
+/// Adds the moments of a fragment of a triangle.
+/// \param fragment in coordinates of the grid
+/// \param cell the cell that owns the fragment
+/// \param metric the same on all of the fragment
+/// \param mass_weight factor of the moments of the mass; the others do not have it
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
-                         const Vector_3& normal, Sheet_moments& moments, double mass_weight = 1) {
-  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_fragment(fragment, cell, normal, moments, mass_weight));
+                         const Symmetric_tensor_3& metric, Sheet_moments& moments,
+                         double mass_weight) {
+  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_fragment(fragment, cell, metric, moments, mass_weight));
 }
 
-/// adds the moments of a child to those of its parent, as
-/// `Restricted_laplacian_3::add_child_moments()`
+/// Adds the moments of a child to those of its parent, whose area unit is four times that of the
+/// child.
 inline void add_child_moments(const Sheet_moments& child, int octant, Sheet_moments& parent) {
   CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_child_moments(child, octant, parent));
 }

@@ -6,27 +6,20 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
-#include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
-#include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Piece_sorter.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Seams_in_grid.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
-#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
-#include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// \file
-/// The finest level of an octree, in two steps: `cut_faces()` cuts the triangles at the walls of
-/// the cells, `group_into_sheets()` finds the sheets that the fragments in a cell form. Threads
-/// take chunks of faces in the first step, of cells in the second; results of chunks are put one
-/// after the other, so they do not depend on the number of threads.
+/// The sheets that the fragments in each cell of the finest level form. Threads take chunks of
+/// cells; results of chunks are put one after the other, so they do not depend on the number of
+/// threads.
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -59,51 +52,6 @@ struct Cell_fragment {
   Place place;
 };
 
-/// All fragments of faces in finest cells, sorted by cell, and by face in a cell.
-/// \param points of the vertices in the grid of the finest cells, as the clipper has snapped them
-/// \param has_places whether the places of the fragments are needed
-inline std::vector<Cell_fragment> cut_faces(const Triangulated_surface_3& surface,
-                                            const std::vector<std::array<double, 3>>& points,
-                                            const Cell_clipper& clipper, bool has_places,
-                                            const Octree_limits& limits, bool is_parallel) {
-  const std::size_t number_of_faces = surface.number_of_faces(), grain = 1 << 14;
-  const auto cut_face = [&](std::size_t face, std::vector<Cell_fragment>& fragments) {
-    const auto& t = surface.triangle(face);
-    clipper.cut_snapped(
-        {points[t[0]], points[t[1]], points[t[2]]},
-        [&](const std::array<int, 3>& cell, const Fragment& fragment) {
-          Place place;
-          if(has_places)
-            place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
-          fragments.push_back({morton_key(cell), static_cast<std::uint32_t>(face),
-                               element_mask(fragment, cell), place});
-        });
-  };
-  std::vector<std::vector<Cell_fragment>> of_chunks((number_of_faces - 1) / grain + 1);
-  std::atomic<std::size_t> number_of_fragments(0);
-  parallel_for(is_parallel, 0, number_of_faces, grain, [&](std::size_t begin, std::size_t end) {
-    auto& of_chunk = of_chunks[begin / grain];
-    of_chunk.reserve(3 * (end - begin) / 2);
-    for(std::size_t face = begin; face < end; ++face)
-      if(!surface.is_degenerate(face)) {
-        cut_face(face, of_chunk);
-        limits.check_fragments(of_chunk.size());
-      }
-    limits.check_fragments(number_of_fragments += of_chunk.size());
-  });
-  if(number_of_fragments == 0)
-    throw Zero_area_error(number_of_faces);
-  std::vector<Cell_fragment> result;
-  result.reserve(number_of_fragments);
-  for(auto& of_chunk : of_chunks) {
-    result.insert(result.end(), of_chunk.begin(), of_chunk.end());
-    std::vector<Cell_fragment>().swap(of_chunk);
-  }
-  stable_sort_by_key(result, 3 * limits.depth, is_parallel,
-                     [](const Cell_fragment& fragment) { return fragment.key; });
-  return result;
-}
-
 /// The cells of the finest level, and the sheets in them.
 struct Finest_sheets {
   std::vector<std::uint64_t> keys;         // of cells
@@ -118,9 +66,14 @@ struct Finest_sheets {
 /// What a thread uses again for each cell.
 struct Sheet_scratch {
   Disjoint_sets sets;
-  std::vector<Seams_in_grid::Side> sides;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides; // seam, and number of the fragment
   Piece_sorter sort;
 };
+
+/// Unites, in `scratch.sets`, those of the numbers 0 .. size - 1 whose fragments, all in one cell,
+/// are in the same sheet. May be called from several threads at once.
+using Join_fragments =
+    Function_view<void(const Cell_fragment* fragments, std::uint32_t size, Sheet_scratch& scratch)>;
 
 /// the sheets of some consecutive cells
 struct Sheets_of_chunk {
@@ -132,14 +85,12 @@ struct Sheets_of_chunk {
 
 /// Appends the sheets of the cell of the fragments `begin` .. `end` - 1; their faces are written to
 /// `faces[begin]` .. `faces[end - 1]`.
-template <class Join>
-void append_sheets_of_cell(const std::vector<Cell_fragment>& fragments, std::size_t begin,
-                           std::size_t end, Join&& join, Sheet_scratch& scratch,
-                           std::vector<std::uint32_t>& faces, Sheets_of_chunk& sheets) {
+inline void append_sheets_of_cell(const std::vector<Cell_fragment>& fragments, std::size_t begin,
+                                  std::size_t end, const Join_fragments& join,
+                                  Sheet_scratch& scratch, std::vector<std::uint32_t>& faces,
+                                  Sheets_of_chunk& sheets) {
   const auto size = static_cast<std::uint32_t>(end - begin);
-  join(
-      morton_index(fragments[begin].key), size,
-      [&](std::uint32_t i) { return fragments[begin + i].face; }, scratch);
+  join(fragments.data() + begin, size, scratch);
   const auto& firsts = scratch.sort(
       scratch.sets, 0, size, [&](std::uint32_t i) { return fragments[begin + i].place; },
       sheets.places);
@@ -159,11 +110,9 @@ void append_sheets_of_cell(const std::vector<Cell_fragment>& fragments, std::siz
 
 /// Groups the fragments of each cell into sheets.
 /// \param fragments sorted by cell
-/// \param join `join(cell, size, face_of, scratch)`: unites those of the numbers 0 .. size - 1 in
-/// `scratch.sets` whose faces `face_of(i)` are in the same sheet
-template <class Join>
-Finest_sheets group_into_sheets(const std::vector<Cell_fragment>& fragments, Join&& join,
-                                const Octree_limits& limits, bool is_parallel) {
+inline Finest_sheets group_into_sheets(const std::vector<Cell_fragment>& fragments,
+                                       const Join_fragments& join, const Octree_limits& limits,
+                                       bool is_parallel) {
   Finest_sheets result;
   std::vector<std::size_t> begins;
   for(std::size_t i = 0; i < fragments.size(); ++i)

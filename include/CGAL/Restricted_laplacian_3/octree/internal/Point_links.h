@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Nearest_points.h>
 
@@ -68,19 +69,18 @@ public:
   /// the points that a point is linked with, ascending
   boost::iterator_range<const std::uint32_t*> operator[](std::size_t i) const { return m_links[i]; }
 
-  /// Unites those of the numbers 0 .. size - 1 in `sets` whose points are linked.
-  /// \param point_of the points, ascending
-  template <class PointOf>
-  void join(std::uint32_t size, PointOf&& point_of, Disjoint_sets& sets) const {
+  /// Unites those of some points in `sets` that are linked.
+  /// \param points one fragment for each, ascending
+  void join(const Cell_fragment* points, std::uint32_t size, Disjoint_sets& sets) const {
     sets.reset(size);
     for(std::uint32_t a = 0; a < size; ++a) {
       std::uint32_t b = 0;
-      for(std::uint32_t other : m_links[point_of(a)]) {
-        while(b < a && point_of(b) < other)
+      for(std::uint32_t other : m_links[points[a].face]) {
+        while(b < a && points[b].face < other)
           ++b;
         if(b == a)
           break;
-        if(point_of(b) == other)
+        if(points[b].face == other)
           sets.unite(a, b);
       }
     }

@@ -4,8 +4,9 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_SEAMS_IN_GRID_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_SEAMS_IN_GRID_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
+#include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/wall_crossings.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
@@ -38,22 +39,18 @@ public:
     : m_surface(surface), m_seams(seams), m_points(points), m_cells_per_side(cells_per_side),
       m_width((std::min)(width, 0.5)) {}
 
-  /// side of a face that runs through a cell: its seam, and the number of the face in the cell
-  using Side = std::pair<std::uint32_t, std::uint32_t>;
-
-  /// Joins those of the faces `face_of(0)` .. `face_of(size - 1)`, all of which have a fragment in
-  /// the cell, whose sides of the same seam run through the closed cell for more than a point.
-  /// \param sides for use in here; kept by the caller, because allocation takes time
-  template <class FaceOf>
-  void join(const std::array<int, 3>& cell, std::uint32_t size, FaceOf&& face_of,
-            std::vector<Side>& sides, Disjoint_sets& sets) const {
-    sets.reset(size);
+  /// Joins those fragments, all in one cell, whose faces have sides of the same seam that run
+  /// through the closed cell for more than a point.
+  void join(const Cell_fragment* fragments, std::uint32_t size, Sheet_scratch& scratch) const {
+    scratch.sets.reset(size);
     if(size == 1)
       return;
+    const std::array<int, 3> cell = morton_index(fragments->key);
+    auto& sides = scratch.sides;
     sides.clear();
     for(std::uint32_t i = 0; i < size; ++i)
       for(int side = 0; side < 3; ++side) {
-        const std::size_t face = face_of(i);
+        const std::size_t face = fragments[i].face;
         const auto [p, q] = ends(face, side);
         if(runs_in_cell(*p, *q, cell))
           sides.emplace_back(m_seams.seam(face, side), i);
@@ -61,7 +58,7 @@ public:
     std::sort(sides.begin(), sides.end());
     for(std::size_t k = 1; k < sides.size(); ++k)
       if(sides[k].first == sides[k - 1].first)
-        sets.unite(sides[k].second, sides[k - 1].second);
+        scratch.sets.unite(sides[k].second, sides[k - 1].second);
   }
 
   /// Calls `visit(low, high, faces)` for the pieces, between walls, of all sides that lie in a wall

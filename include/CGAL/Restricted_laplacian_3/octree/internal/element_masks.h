@@ -4,8 +4,6 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_ELEMENT_MASKS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_ELEMENT_MASKS_H
 
-#include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
-
 #include <array>
 #include <cstdint>
 
@@ -42,19 +40,6 @@ std::uint32_t element_mask_of_range(const Range_along& range_along,
       mask &= ~elements_at_offset(axis, 1);
   }
   return mask;
-}
-
-inline std::uint32_t element_mask(const Fragment& fragment, const std::array<int, 3>& cell) {
-  return element_mask_of_range([&](int axis) { return internal::range(fragment, axis); }, cell);
-}
-
-/// the mask of a single point
-inline std::uint32_t element_mask(const std::array<double, 3>& p, const std::array<int, 3>& cell) {
-  return element_mask_of_range(
-      [&](int axis) {
-        return std::array<double, 2>{p[axis], p[axis]};
-      },
-      cell);
 }
 
 /// The mask of a parent follows from those of its children: in the lower child of an axis (parity

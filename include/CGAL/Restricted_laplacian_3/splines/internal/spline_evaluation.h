@@ -6,8 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 
 #include <algorithm>
 #include <array>
@@ -52,6 +52,19 @@ inline Sheet_point locate_on_surface(const Spline_space_3& space, int level,
   return p;
 }
 
+/// The same for many locations, on several threads if the space was made so.
+inline std::vector<Sheet_point> locate_on_surface(const Spline_space_3& space, int level,
+                                                  const std::vector<Surface_location>& locations) {
+  std::vector<Sheet_point> points(locations.size());
+  constexpr std::size_t grain = 256;
+  parallel_for(space.options().is_parallel, 0, points.size(), grain,
+               [&](std::size_t begin, std::size_t end) {
+                 for(std::size_t i = begin; i < end; ++i)
+                   points[i] = locate_on_surface(space, level, locations[i]);
+               });
+  return points;
+}
+
 /// The sheet points of all vertices; `not_on_surface` for those without a face of positive area.
 inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int level) {
   const Triangulated_surface_3& surface = space.surface();
@@ -85,29 +98,14 @@ inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int
   return points;
 }
 
-/// The values of the 27 elements around a cell whose pieces along the axes have the values `x`,
-/// `y`, `z`.
-inline std::array<double, 27> element_values(const std::array<double, 3>& x,
-                                             const std::array<double, 3>& y,
-                                             const std::array<double, 3>& z) {
-  std::array<double, 27> values;
-  for(int i = 0; i < 27; ++i)
-    values[i] = x[i % 3] * y[i / 3 % 3] * z[i / 9];
-  return values;
+/// the values of the elements at a point
+inline Tensor_basis_3::Values element_values(const std::array<double, 3>& t) {
+  return Tensor_basis_3::values(t);
 }
 
-/// the values of the 27 elements at a point
-inline std::array<double, 27> element_values(const std::array<double, 3>& t) {
-  return element_values(B_spline_1::values(t[0]), B_spline_1::values(t[1]),
-                        B_spline_1::values(t[2]));
-}
-
-/// the derivatives of the 27 elements along an axis at a point, times the cell width
-inline std::array<double, 27> element_derivatives(const std::array<double, 3>& t, int axis) {
-  std::array<std::array<double, 3>, 3> pieces;
-  for(int a = 0; a < 3; ++a)
-    pieces[a] = a == axis ? B_spline_1::derivatives(t[a]) : B_spline_1::values(t[a]);
-  return element_values(pieces[0], pieces[1], pieces[2]);
+/// the derivatives of the elements along an axis at a point, times the cell width
+inline Tensor_basis_3::Values element_derivatives(const std::array<double, 3>& t, int axis) {
+  return Tensor_basis_3::derivatives(t, axis);
 }
 
 } // namespace internal

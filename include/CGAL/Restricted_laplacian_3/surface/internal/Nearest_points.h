@@ -26,7 +26,7 @@ namespace internal {
 /// The points nearest to each point of a set. May be asked from several threads at once.
 class Nearest_points {
   using Map = CGAL::Pointer_property_map<Point_3>::const_type;
-  using Base = CGAL::Search_traits_3<Kernel>;
+  using Base = CGAL::Search_traits_3<Double_kernel>;
   using Traits = CGAL::Search_traits_adapter<std::size_t, Map, Base>;
   using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
 

@@ -6,23 +6,21 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
+#include <CGAL/Restricted_laplacian_3/textures/internal/Labelling.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/scan_properties.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
-
-constexpr std::uint32_t no_scan_number = (std::numeric_limits<std::uint32_t>::max)();
 
 /// The sides that faces share: two faces and the length. Where more than two faces meet, each is
 /// joined to the next one; degenerate faces have none.
@@ -32,33 +30,15 @@ struct Shared_side {
 };
 
 inline std::vector<Shared_side> shared_sides(const Triangulated_surface_3& surface) {
-  struct Side {
-    std::uint32_t a, b, face;
-  };
-  // sorted by counting the lower vertex first: a comparison sort of all sides takes longer
-  std::vector<std::uint32_t> first(surface.number_of_vertices() + 1, 0);
-  const auto for_each_side = [&](auto&& visit) {
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      for(int i = 0; i < 3 && !surface.is_degenerate(f); ++i) {
-        const auto ends = std::minmax({surface.triangle(f)[i], surface.triangle(f)[(i + 1) % 3]});
-        visit(Side{ends.first, ends.second, static_cast<std::uint32_t>(f)});
-      }
-  };
-  for_each_side([&](const Side& side) { ++first[side.a + 1]; });
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Side> sides(first.back(), Side{0, 0, 0});
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for_each_side([&](const Side& side) { sides[next[side.a]++] = side; });
+  const Surface_edges edges(surface, Surface_edges::Faces::not_degenerate);
   std::vector<Shared_side> result;
-  result.reserve(sides.size() / 2);
-  for(std::size_t v = 0; v + 1 < first.size(); ++v) {
-    std::sort(
-        sides.begin() + first[v], sides.begin() + first[v + 1],
-        [](const Side& s, const Side& t) { return s.b != t.b ? s.b < t.b : s.face < t.face; });
-    for(std::size_t i = first[v]; i + 1 < first[v + 1]; ++i)
-      if(sides[i].b == sides[i + 1].b)
-        result.push_back({sides[i].face, sides[i + 1].face,
-                          safe_length(surface.point(sides[i].b) - surface.point(sides[i].a))});
+  result.reserve(edges.size());
+  for(std::size_t e = 0; e < edges.size(); ++e) {
+    const auto sides = edges.sides(e);
+    const auto& [a, b] = edges.ends(e);
+    for(auto side = sides.begin(); side + 1 != sides.end(); ++side)
+      result.push_back(
+          {side->face, side[1].face, safe_length(surface.point(b) - surface.point(a))});
   }
   return result;
 }
@@ -70,11 +50,8 @@ inline std::vector<Shared_side> shared_sides(const Triangulated_surface_3& surfa
 /// \f$q_s\f$ in a triangle is the smallest of its corners. Then
 /// \f[ \sum_{\mathrm{triangles}} \frac{A}{\bar A} \left(1 - q_s\right)
 ///     + w \sum_{\mathrm{seams}} \frac{\ell}{\bar\ell} \f]
-/// is decreased, where seams are the sides of length \f$\ell\f$ across which the scan changes, and
-/// means are taken over all triangles and sides: from the best scan of each triangle, one triangle
-/// after the other takes the scan that makes the sum smallest, until nothing changes (iterated
-/// conditional modes; J. Besag, *On the statistical analysis of dirty pictures*, J. R. Stat. Soc. B
-/// 48, 1986).
+/// is made small by a `Labelling`, where seams are the sides of length \f$\ell\f$ across which the
+/// scan changes, and means are taken over all triangles and sides.
 class Scan_choice {
 public:
   Scan_choice(const Triangulated_surface_3& surface, const std::vector<Back_projection>& scans,
@@ -99,24 +76,24 @@ public:
     double length = 0;
     for(const Shared_side& side : m_sides) {
       const std::uint32_t s = m_scans[side.face], t = m_scans[side.other];
-      if(s != t && s != no_scan_number && t != no_scan_number)
+      if(s != t && s != no_scan && t != no_scan)
         length += side.length;
     }
     return length;
   }
 
-  /// the scan of each face, or `no_scan_number`
+  /// the scan of each face, or `no_scan`
   const std::vector<std::uint32_t>& scans_of_faces() const { return m_scans; }
 
   /// The scan of each vertex: of those of its faces the one of the largest quality there.
   std::vector<std::uint32_t> scans_of_vertices() const {
-    std::vector<std::uint32_t> result(m_surface.number_of_vertices(), no_scan_number);
+    std::vector<std::uint32_t> result(m_surface.number_of_vertices(), no_scan);
     for(std::size_t f = 0; f < m_scans.size(); ++f)
       for(std::uint32_t v : m_surface.triangle(f)) {
         const std::uint32_t s = m_scans[f];
-        if(s == no_scan_number || result[v] == s)
+        if(s == no_scan || result[v] == s)
           continue;
-        if(result[v] == no_scan_number || m_qualities[s][v] > m_qualities[result[v]][v] ||
+        if(result[v] == no_scan || m_qualities[s][v] > m_qualities[result[v]][v] ||
            (m_qualities[s][v] == m_qualities[result[v]][v] && s < result[v]))
           result[v] = s;
       }
@@ -159,7 +136,7 @@ private:
   }
 
   void choose_best() {
-    m_scans.assign(m_surface.number_of_faces(), no_scan_number);
+    m_scans.assign(m_surface.number_of_faces(), no_scan);
     for(std::size_t f = 0; f < m_scans.size(); ++f) {
       double best = -1;
       for(std::uint32_t s = 0; s < m_qualities.size(); ++s)
@@ -170,83 +147,31 @@ private:
     }
   }
 
-  /// The sides of the faces, and the factor by which their lengths are weights.
-  struct Neighbors {
-    struct Neighbor {
-      std::uint32_t face;
-      double weight;
-    };
-    std::vector<std::uint32_t> first; // those of face f: numbers first[f] .. first[f + 1] - 1
-    std::vector<Neighbor> neighbors;
-  };
-
-  Neighbors neighbors(double seam_weight) const {
+  void shorten_seams(double seam_weight) {
+    std::vector<std::uint32_t> faces, numbers(m_scans.size());
+    std::vector<std::vector<double>> costs;
+    for(std::size_t f = 0; f < m_scans.size(); ++f)
+      if(m_scans[f] != no_scan && !m_surface.is_degenerate(f)) {
+        const double area =
+            m_surface.area(f) / m_surface.area() * static_cast<double>(m_scans.size());
+        numbers[f] = static_cast<std::uint32_t>(faces.size());
+        faces.push_back(static_cast<std::uint32_t>(f));
+        costs.emplace_back(m_qualities.size(), std::numeric_limits<double>::infinity());
+        for(std::uint32_t s = 0; s < m_qualities.size(); ++s)
+          if(quality(s, f) >= 0)
+            costs.back()[s] = area * (1 - quality(s, f));
+      }
     double length = 0;
     for(const Shared_side& side : m_sides)
       length += side.length;
     const double factor = seam_weight * static_cast<double>(m_sides.size()) / length;
-    Neighbors result;
-    result.first.assign(m_scans.size() + 1, 0);
-    for(const Shared_side& side : m_sides) {
-      ++result.first[side.face + 1];
-      ++result.first[side.other + 1];
-    }
-    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
-    result.neighbors.resize(result.first.back());
-    std::vector<std::uint32_t> next(result.first.begin(), result.first.end() - 1);
-    for(const Shared_side& side : m_sides) {
-      result.neighbors[next[side.face]++] = {side.other, factor * side.length};
-      result.neighbors[next[side.other]++] = {side.face, factor * side.length};
-    }
-    return result;
-  }
-
-  void shorten_seams(double seam_weight) {
-    constexpr int largest_number_of_sweeps = 100;
-    const Neighbors all = neighbors(seam_weight);
-    bool is_changed = true;
-    for(int sweep = 0; is_changed && sweep < largest_number_of_sweeps; ++sweep) {
-      is_changed = false;
-      for(std::size_t f = 0; f < m_scans.size(); ++f) {
-        const std::uint32_t best = best_scan(f, all);
-        is_changed = is_changed || best != m_scans[f];
-        m_scans[f] = best;
-      }
-    }
-  }
-
-  /// the scan among those of a face and of its neighbours that makes the sum smallest
-  std::uint32_t best_scan(std::size_t face, const Neighbors& all) const {
-    const std::uint32_t current = m_scans[face];
-    const std::size_t begin = all.first[face], end = all.first[face + 1];
-    const auto scan_of = [&](std::size_t i) { return m_scans[all.neighbors[i].face]; };
-    bool is_inside = true;
-    for(std::size_t i = begin; i < end; ++i)
-      is_inside = is_inside && scan_of(i) == current;
-    if(current == no_scan_number || is_inside)
-      return current;
-    const double relative_area =
-        m_surface.area(face) / m_surface.area() * static_cast<double>(m_scans.size());
-    const auto energy = [&](std::uint32_t s) {
-      double sum = relative_area * (1 - quality(s, face));
-      for(std::size_t i = begin; i < end; ++i)
-        if(scan_of(i) != s)
-          sum += all.neighbors[i].weight;
-      return sum;
-    };
-    std::uint32_t best = current;
-    double smallest = energy(current);
-    for(std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t s = scan_of(i);
-      if(s == no_scan_number || s == best || quality(s, face) < 0)
-        continue;
-      const double e = energy(s);
-      if(e < smallest) {
-        smallest = e;
-        best = s;
-      }
-    }
-    return best;
+    std::vector<Labelling::Edge> edges;
+    for(const Shared_side& side : m_sides)
+      if(m_scans[side.face] != no_scan && m_scans[side.other] != no_scan)
+        edges.push_back({numbers[side.face], numbers[side.other], factor * side.length});
+    const Labelling labelling(std::move(costs), std::move(edges));
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      m_scans[faces[i]] = labelling.labels()[i];
   }
 
   const Triangulated_surface_3& m_surface;

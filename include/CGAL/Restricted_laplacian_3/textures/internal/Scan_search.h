@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -22,7 +23,8 @@ namespace internal {
 
 /// Barycentric coordinates of the point of a triangle that is nearest to `q`, by the region in
 /// which `q` lies: exactly 0 for corners opposite to the side on which that point is.
-inline std::array<double, 3> nearest_in_triangle(const Kernel::Triangle_3& t, const Point_3& q) {
+inline std::array<double, 3> nearest_in_triangle(const Double_kernel::Triangle_3& t,
+                                                 const Point_3& q) {
   const Vector_3 ab = t[1] - t[0], ac = t[2] - t[0], aq = q - t[0], bq = q - t[1], cq = q - t[2];
   const double d1 = ab * aq, d2 = ac * aq, d3 = ab * bq, d4 = ac * bq, d5 = ab * cq, d6 = ac * cq;
   if(d1 <= 0 && d2 <= 0)
@@ -54,7 +56,8 @@ inline std::array<double, 3> nearest_in_triangle(const Kernel::Triangle_3& t, co
 class Scan_search {
 public:
   /// What the last search found, for the next one: near locations are found faster.
-  using Hint = std::optional<Triangle_tree::Point_and_primitive_id>;
+  /// A point, and the position of its triangle among those that are not degenerate.
+  using Hint = std::optional<std::pair<Point_3, std::size_t>>;
 
   explicit Scan_search(const Triangulated_surface_3& surface)
     : m_center(surface.center()), m_scale(1 / surface.extent()),
@@ -97,16 +100,18 @@ private:
   std::optional<Surface_location> find_in_triangles(const Point_3& q, double bound,
                                                     Hint& hint) const {
     // a point at the distance of the bound stands for nothing found
-    if(!hint || CGAL::squared_distance(q, hint->first) > bound * bound)
-      hint.emplace(Point_3(q.x() + bound, q.y(), q.z()), m_triangles.cend());
-    hint = m_tree->closest_point_and_primitive(q, *hint);
-    if(hint->second == m_triangles.cend()) {
-      hint.reset();
+    Triangle_tree::Point_and_primitive_id nearest(Point_3(q.x() + bound, q.y(), q.z()),
+                                                  m_triangles.cend());
+    if(hint && CGAL::squared_distance(q, hint->first) <= bound * bound)
+      nearest = {hint->first, m_triangles.cbegin() + static_cast<std::ptrdiff_t>(hint->second)};
+    nearest = m_tree->closest_point_and_primitive(q, nearest);
+    hint.reset();
+    if(nearest.second == m_triangles.cend())
       return std::nullopt;
-    }
+    hint.emplace(nearest.first, static_cast<std::size_t>(nearest.second - m_triangles.cbegin()));
     Surface_location location;
-    location.face = m_faces[static_cast<std::size_t>(hint->second - m_triangles.cbegin())];
-    location.barycentric = nearest_in_triangle(*hint->second, q);
+    location.face = m_faces[hint->second];
+    location.barycentric = nearest_in_triangle(*nearest.second, q);
     return location;
   }
 

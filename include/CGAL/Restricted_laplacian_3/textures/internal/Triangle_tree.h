@@ -24,15 +24,15 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-using Triangles_in_tree = std::vector<Kernel::Triangle_3>;
+using Triangles_in_tree = std::vector<Double_kernel::Triangle_3>;
 
 /// \cgal's tree of the triangles in a vector
 #if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
-using Triangle_tree = AABB_tree<
-    AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangles_in_tree::const_iterator>>>;
+using Triangle_tree = AABB_tree<AABB_traits<
+    Double_kernel, AABB_triangle_primitive<Double_kernel, Triangles_in_tree::const_iterator>>>;
 #else
-using Triangle_tree = AABB_tree<
-    AABB_traits_3<Kernel, AABB_triangle_primitive_3<Kernel, Triangles_in_tree::const_iterator>>>;
+using Triangle_tree = AABB_tree<AABB_traits_3<
+    Double_kernel, AABB_triangle_primitive_3<Double_kernel, Triangles_in_tree::const_iterator>>>;
 #endif
 
 } // namespace internal

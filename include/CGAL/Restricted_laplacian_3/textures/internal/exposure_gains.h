@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_EXPOSURE_GAINS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_EXPOSURE_GAINS_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/scan_properties.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
@@ -86,6 +87,7 @@ private:
 /// Their logarithms \f$g_s\f$ minimise \f$\sum n_{st} (g_s + m_{st} - g_t)^2\f$ over pairs,
 /// where \f$m_{st}\f$ is the median of the logarithms of the ratios of their \f$n_{st}\f$ common
 /// colours; they sum to 0 among scans that are connected by overlaps.
+/// \throws Numerical_error the factorisation fails
 inline std::vector<Rgb_color> exposure_gains(const std::vector<Back_projection>& scans) {
   // A weak weight of g^2 fixes what pairs leave undetermined.
   constexpr double relative_regularization = 1e-9;
@@ -110,7 +112,10 @@ inline std::vector<Rgb_color> exposure_gains(const std::vector<Back_projection>&
     if(!(largest > 0))
       continue; // no overlaps
     a.diagonal().array() += relative_regularization * largest;
-    const Eigen::VectorXd logarithms = a.ldlt().solve(b);
+    const Eigen::LDLT<Eigen::MatrixXd> factor(a);
+    if(factor.info() != Eigen::Success)
+      throw Numerical_error("the factorization for the exposures of the scans failed");
+    const Eigen::VectorXd logarithms = factor.solve(b);
     for(std::size_t s = 0; s < scans.size(); ++s)
       gains[s][k] = std::exp(logarithms[static_cast<Eigen::Index>(s)]);
   }

@@ -4,12 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_HARMONIC_FILL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_HARMONIC_FILL_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>
 
+#include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -43,6 +44,11 @@ inline std::vector<int> rows_to_be_filled(const Triangulated_surface_3& surface,
   return rows;
 }
 
+inline Numerical_error harmonic_fill_error() {
+  return Numerical_error("the factorization for parts of the surface without a scan failed: they "
+                         "are joined to the others by needle triangles only");
+}
+
 /// Fills in values at vertices by functions that are linear in each triangle and harmonic: they
 /// minimise \f$\int \lvert \nabla u \rvert^2\f$ with the known values. Values on connected
 /// components without a known vertex are left as they are.
@@ -56,27 +62,26 @@ inline void fill_harmonically(const Triangulated_surface_3& surface,
     number += row >= 0;
   if(number == 0)
     return;
+  const Sparse_matrix stiffness = cotangent_operators(surface).stiffness;
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixXd right_sides = Eigen::MatrixXd::Zero(number, values.cols());
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-    const Triangulated_surface_3::Triangle& t = surface.triangle(f);
-    if(surface.is_degenerate(f) || (rows[t[0]] < 0 && rows[t[1]] < 0 && rows[t[2]] < 0))
-      continue;
-    const Eigen::Matrix3d of_hats = hat_gradients(surface, f),
-                          block = surface.area(f) * (of_hats.transpose() * of_hats);
-    for(int i = 0; i < 3; ++i)
-      for(int j = 0; j < 3 && rows[t[i]] >= 0; ++j)
-        if(rows[t[j]] >= 0)
-          entries.emplace_back(rows[t[i]], rows[t[j]], block(i, j));
-        else
-          right_sides.row(rows[t[i]]) -= block(i, j) * values.row(t[j]);
-  }
+  for(Eigen::Index column = 0; column < stiffness.cols(); ++column)
+    for(Sparse_matrix::InnerIterator it(stiffness, column); it; ++it) {
+      const int i = rows[static_cast<std::size_t>(it.row())],
+                j = rows[static_cast<std::size_t>(column)];
+      if(i >= 0 && j >= 0)
+        entries.emplace_back(i, j, it.value());
+      else if(i >= 0)
+        right_sides.row(i) -= it.value() * values.row(column);
+    }
   Sparse_matrix matrix(number, number);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Sparse_matrix> factor(matrix);
+  if(factor.info() != Eigen::Success)
+    throw harmonic_fill_error();
   const Eigen::MatrixXd solution = factor.solve(right_sides);
-  if(factor.info() != Eigen::Success || !solution.allFinite())
-    throw Numerical_error("the factorization for parts of the surface without a scan failed");
+  if(!solution.allFinite())
+    throw harmonic_fill_error();
   for(std::size_t v = 0; v < rows.size(); ++v)
     if(rows[v] >= 0)
       values.row(static_cast<Eigen::Index>(v)) = solution.row(rows[v]);

@@ -4,9 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_SCAN_PROPERTIES_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_SCAN_PROPERTIES_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Nearest_points.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Point_neighborhood.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
@@ -50,25 +52,6 @@ inline double median_side(const Triangulated_surface_3& surface) {
   return median(std::move(lengths));
 }
 
-/// the vertices of sides that no other face shares, for each vertex 0 or 1
-inline std::vector<char> boundary_vertices(const Triangulated_surface_3& surface) {
-  using Side = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<Side> sides;
-  sides.reserve(3 * surface.number_of_faces());
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int i = 0; i < 3 && !surface.is_degenerate(f); ++i)
-      sides.push_back(std::minmax({surface.triangle(f)[i], surface.triangle(f)[(i + 1) % 3]}));
-  std::sort(sides.begin(), sides.end());
-  std::vector<char> is_on_boundary(surface.number_of_vertices(), 0);
-  for(std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-    while(last < sides.size() && sides[last] == sides[first])
-      ++last;
-    if(last == first + 1)
-      is_on_boundary[sides[first].first] = is_on_boundary[sides[first].second] = 1;
-  }
-  return is_on_boundary;
-}
-
 /// The distance of each vertex to the nearest vertex that is marked, infinite if none is.
 inline std::vector<double> distances_to_marked(const Triangulated_surface_3& surface,
                                                const std::vector<char>& is_marked,
@@ -108,6 +91,7 @@ struct Scan_point_properties {
 /// The tangential gradients that fit the differences of colours best: weighted least squares
 /// around the weighted means, in the directions in which the points differ.
 /// \param ways from a point to its neighbours in its tangent plane
+/// \throws Numerical_error the eigenvectors of their moments are not found
 inline Eigen::Matrix3d fitted_gradient(const std::vector<Eigen::Vector3d>& ways,
                                        const std::vector<Eigen::Vector3d>& colors) {
   constexpr double smallest_relative_eigenvalue = 1e-6;
@@ -136,6 +120,8 @@ inline Eigen::Matrix3d fitted_gradient(const std::vector<Eigen::Vector3d>& ways,
     b += weight(ways[i]) * way * (colors[i] - mean_color).transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(a);
+  if(solver.info() != Eigen::Success)
+    throw Numerical_error("no eigenvectors were found for the gradients of the colors of a scan");
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
   for(int i = 1; i < 3; ++i) // the first eigenvector is the normal
     if(solver.eigenvalues()[i] > smallest_relative_eigenvalue * solver.eigenvalues()[2]) {

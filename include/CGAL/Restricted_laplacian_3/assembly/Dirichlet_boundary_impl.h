@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_DIRICHLET_BOUNDARY_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_DIRICHLET_BOUNDARY_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/wall_crossings.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Face_side>
+boundary_sides(const Spline_space_3& space) {
+  const Triangulated_surface_3& surface = space.surface();
+  std::vector<Face_side> result;
+  const double h = space.octree().cell_width(space.depth());
+  const Surface_seams seams(surface, Octree_3::thin_face_height * h,
+                            space.options().joining_tolerance);
+  std::vector<std::uint32_t> number_of_sides(seams.number_of_seams(), 0);
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(int side = 0; side < 3; ++side)
+      ++number_of_sides[seams.seam(f, side)];
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(int side = 0; side < 3; ++side)
+      if(!surface.is_degenerate(f) && number_of_sides[seams.seam(f, side)] == 1)
+        result.push_back({f, side});
+  return result;
+}
+
+/// the largest eigenvalue \f$\lambda\f$ of \f$A x = \lambda B x\f$ for positive semi-definite matrices,
+/// on the complement of the kernel of \f$B\f$; infinity if \f$B\f$ is 0
+/// \throws Numerical_error if there is none that is finite
+inline double largest_generalized_eigenvalue(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  // functions with less energy than this, relative, vanish on the sheet
+  constexpr double relative_cutoff = 1e-10;
+  using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+  const auto solve = [](const Eigen::MatrixXd& matrix, int options) {
+    Solver solver(matrix, options);
+    if(solver.info() != Eigen::Success)
+      throw Numerical_error("the eigenvalues at the boundary cannot be computed");
+    return solver;
+  };
+  const Solver of_b = solve(b, Eigen::ComputeEigenvectors);
+  const double cutoff = relative_cutoff * of_b.eigenvalues().maxCoeff();
+  const Eigen::Index rank = (of_b.eigenvalues().array() > cutoff).count();
+  if(rank == 0)
+    return std::numeric_limits<double>::infinity();
+  const Eigen::MatrixXd basis =
+      of_b.eigenvectors().rightCols(rank) *
+      of_b.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  return solve(basis.transpose() * a * basis, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
+inline Eigen::Map<const Eigen::Matrix<double, Tensor_basis_3::size, 1>>
+as_vector(const Tensor_basis_3::Values& values) {
+  return Eigen::Map<const Eigen::Matrix<double, Tensor_basis_3::size, 1>>(values.data());
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Dirichlet_boundary::Dirichlet_boundary(const Spline_space_3& space,
+                                       const Surface_integration_view& integration)
+  : m_space(&space) {
+  for(const internal::Face_side& s : internal::boundary_sides(space))
+    add_side(s.face, s.side);
+  if(m_nodes.empty())
+    throw Parameter_error("boundary_values", "are given, but the surface has no boundary");
+  std::stable_sort(m_nodes.begin(), m_nodes.end(),
+                   [](const Node& a, const Node& b) { return a.sheet < b.sheet; });
+  for_each_sheet([&](std::size_t first, std::size_t last) { set_beta(first, last, integration); });
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Dirichlet_boundary::Dirichlet_boundary(const Spline_space_3& space)
+  : Dirichlet_boundary(space, Default_integration(space)) {}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_to_matrix(Sparse_matrix& a) const {
+  for_each_sheet([&](std::size_t first, std::size_t last) {
+    Eigen::Matrix<double, Tensor_basis_3::size, Tensor_basis_3::size> block;
+    block.setZero();
+    for(std::size_t k = first; k < last; ++k) {
+      const Node& node = m_nodes[k];
+      const Tensor_basis_3::Values values = Tensor_basis_3::values(node.t),
+                                   derivatives = conormal_derivatives(node);
+      const auto b = internal::as_vector(values), d = internal::as_vector(derivatives);
+      block += node.weight * (node.beta * b * b.transpose() -
+                              node.flux * (b * d.transpose() + d * b.transpose()));
+    }
+    for_each_element(elements(m_nodes[first]), [&](int j, std::uint32_t column) {
+      for_each_element(elements(m_nodes[first]),
+                       [&](int i, std::uint32_t row) { a.coeffRef(row, column) += block(i, j); });
+    });
+  });
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+Dirichlet_boundary::load(const Surface_function_view& g) const {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(m_space->dimension());
+  for(const Node& node : m_nodes) {
+    const Tensor_basis_3::Values b = Tensor_basis_3::values(node.t), d = conormal_derivatives(node);
+    const double weighted = node.weight * value(g, node);
+    for_each_element(elements(node), [&](int i, std::uint32_t element) {
+      load[element] += weighted * (node.beta * b[i] - node.flux * d[i]);
+    });
+  }
+  return load;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd Dirichlet_boundary::conormal_loads() const {
+  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(m_space->dimension()), 3);
+  for(const Node& node : m_nodes) {
+    const Tensor_basis_3::Values b = Tensor_basis_3::values(node.t);
+    const Eigen::RowVector3d conormal(node.conormal.x(), node.conormal.y(), node.conormal.z());
+    for_each_element(elements(node), [&](int i, std::uint32_t element) {
+      loads.row(element) += node.weight * b[i] * conormal;
+    });
+  }
+  return loads;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
+Dirichlet_boundary::root_mean_square_error(const Eigen::VectorXd& coefficients,
+                                           const Surface_function_view& g) const {
+  double sum = 0;
+  for(const Node& node : m_nodes) {
+    const Tensor_basis_3::Values b = Tensor_basis_3::values(node.t);
+    double difference = -value(g, node);
+    for_each_element(elements(node), [&](int i, std::uint32_t element) {
+      difference += coefficients[element] * b[i];
+    });
+    sum += node.weight * difference * difference;
+  }
+  return std::sqrt(sum / m_length);
+}
+
+/// cuts a side of a face at the walls of the finest cells
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_side(std::size_t face, int side) {
+  // 7 nodes integrate degree 13, products of elements along a line have degree 12
+  using Rule = boost::math::quadrature::gauss<double, 7>;
+  const Octree_3& octree = m_space->octree();
+  const Triangulated_surface_3& surface = m_space->surface();
+  const int depth = octree.depth(), other = (side + 1) % 3;
+  const Point_3 &p = surface.point(face, side), &q = surface.point(face, other);
+  const std::vector<double> cuts = internal::wall_crossings(octree.grid_coordinates(depth, p),
+                                                            octree.grid_coordinates(depth, q));
+  const double length = std::sqrt((q - p).squared_length());
+  if(length == 0)
+    return;
+  Node node;
+  node.location.face = face;
+  // the face lies to the left of its sides, seen from the tip of its normal
+  node.conormal = CGAL::cross_product((q - p) / length, surface.normal(face));
+  node.beta = node.flux = 0;
+  const auto location_at = [&](double s) {
+    Surface_location location;
+    location.face = face;
+    location.barycentric.fill(0);
+    location.barycentric[side] = 1 - s;
+    location.barycentric[other] = s;
+    return location;
+  };
+  for(std::size_t i = 1; i < cuts.size(); ++i) {
+    const double center = (cuts[i] + cuts[i - 1]) / 2, half = (cuts[i] - cuts[i - 1]) / 2;
+    if(half == 0)
+      continue;
+    node.sheet = sheet_of_piece(location_at(cuts[i - 1]), location_at(cuts[i]));
+    const Cell_3 cell = octree.cell(depth, node.sheet);
+    const auto add = [&](double s, double weight) {
+      node.location = location_at(center + half * s);
+      const auto z = octree.grid_coordinates(depth, surface.surface_point(node.location).point);
+      for(int axis = 0; axis < 3; ++axis)
+        node.t[axis] = z[axis] - cell.index[axis];
+      node.weight = weight * half * length;
+      m_length += node.weight;
+      m_nodes.push_back(node);
+    };
+    for(std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
+      add(Rule::abscissa()[k], Rule::weights()[k]);
+      if(Rule::abscissa()[k] != 0)
+        add(-Rule::abscissa()[k], Rule::weights()[k]);
+    }
+  }
+}
+
+/// The sheet of a piece of a side, between two walls. A short one at a corner of a cell, or at the tip
+/// of a needle, may have lost its fragment to rounding: then a sheet of the same face that touches it
+/// serves, or else the one that lies nearest to it along the line from its middle into the face.
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::size_t
+Dirichlet_boundary::sheet_of_piece(const Surface_location& begin,
+                                   const Surface_location& end) const {
+  const int depth = m_space->depth();
+  const std::size_t none = m_space->octree().number_of_sheets(depth);
+  const auto sheet_at = [&](const Surface_location& location) {
+    return m_space->locate(depth, m_space->surface().surface_point(location).point, location.face)
+        .first;
+  };
+  const auto between = [](const Surface_location& a, const Surface_location& b, double s) {
+    Surface_location result = a;
+    for(int i = 0; i < 3; ++i)
+      result.barycentric[i] = (1 - s) * a.barycentric[i] + s * b.barycentric[i];
+    return result;
+  };
+  const Surface_location middle = between(begin, end, 0.5);
+  for(const Surface_location& location : {middle, begin, end})
+    if(const std::size_t sheet = sheet_at(location); sheet != none)
+      return sheet;
+  Surface_location inside = middle;
+  inside.barycentric.fill(1. / 3);
+  for(double s = 1e-12; s <= 1; s *= 10)
+    if(const std::size_t sheet = sheet_at(between(middle, inside, s)); sheet != none)
+      return sheet;
+  throw Numerical_error("the boundary at face " + std::to_string(begin.face) +
+                        " lies on no part of the surface");
+}
+
+/// conormal derivatives of the elements of the cell at a node
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Tensor_basis_3::Values
+Dirichlet_boundary::conormal_derivatives(const Node& node) const {
+  const double h = m_space->octree().cell_width(m_space->depth());
+  const auto gradients = Tensor_basis_3::gradients(node.t);
+  Tensor_basis_3::Values result;
+  for(std::size_t i = 0; i < result.size(); ++i)
+    result[i] = (node.conormal.x() * gradients[0][i] + node.conormal.y() * gradients[1][i] +
+                 node.conormal.z() * gradients[2][i]) /
+                h;
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Dirichlet_boundary::value(const Surface_function_view& g,
+                                                                    const Node& node) const {
+  const Surface_point point = m_space->surface().surface_point(node.location);
+  double result;
+  g(&point, 1, &result);
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::for_each_sheet(
+    internal::Function_view<void(std::size_t, std::size_t)> visit) const {
+  for(std::size_t first = 0, last = 0; first < m_nodes.size(); first = last) {
+    while(last < m_nodes.size() && m_nodes[last].sheet == m_nodes[first].sheet)
+      ++last;
+    visit(first, last);
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Dirichlet_boundary::set_beta(std::size_t first, std::size_t last,
+                             const Surface_integration_view& integration) {
+  constexpr int size = Tensor_basis_3::size;
+  Eigen::MatrixXd boundary = Eigen::MatrixXd::Zero(size, size);
+  for(std::size_t k = first; k < last; ++k) {
+    const Tensor_basis_3::Values derivatives = conormal_derivatives(m_nodes[k]);
+    const auto d = internal::as_vector(derivatives);
+    boundary += m_nodes[k].weight * d * d.transpose();
+  }
+  internal::Sheet_integrals integrals;
+  integrals.clear();
+  internal::add_sheet_integrals(m_space->surface(), integration, nullptr, m_nodes[first].sheet,
+                                integrals);
+  internal::Cell_block block;
+  internal::stiffness_block(integrals.moments, block);
+  // a sheet without energy, by underflow, gets the largest penalty and no flux
+  const double lambda = internal::largest_generalized_eigenvalue(
+      boundary, Eigen::Map<const Eigen::MatrixXd>(block.data(), size, size));
+  const double largest = largest_penalty / m_space->octree().cell_width(m_space->depth());
+  const double beta = (std::min)(2 * lambda, largest);
+  for(std::size_t k = first; k < last; ++k) {
+    m_nodes[k].beta = beta;
+    m_nodes[k].flux = beta < 2 * lambda ? std::sqrt(beta / (2 * lambda)) : 1;
+  }
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_DIRICHLET_BOUNDARY_IMPL_H

@@ -1,0 +1,239 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_ASSEMBLE_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_ASSEMBLE_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/Operator_assembly.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/Sparse_sink.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/sheet_loads.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <vector>
+
+// Matrices are exchanged in what follows, because a `SparseMatrix` of Eigen 3.4 is copied where
+// another class would be moved.
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void assemble_into(const Spline_space_3& space, int coarsest,
+                                                      const std::vector<Operator_sink*>& sinks,
+                                                      const Surface_integration_view& integration,
+                                                      double normal_stabilization,
+                                                      Stabilized stabilized) {
+  space.checked_level(coarsest);
+  internal::checked_normal_stabilization(normal_stabilization);
+  if(sinks.empty())
+    return;
+  space.checked_level(coarsest + static_cast<int>(sinks.size()) - 1);
+  std::vector<internal::Assembly_targets> targets(space.depth() + 1);
+  for(std::size_t i = 0; i < sinks.size(); ++i)
+    targets[coarsest + i].sink = sinks[i];
+  internal::Operator_assembly(space, integration, nullptr, normal_stabilization,
+                              stabilized == Stabilized::stiffness_and_mass)
+      .run(targets);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Operators>
+assemble_operators(const Spline_space_3& space, int coarsest, int finest,
+                   const Surface_integration_view& integration, double normal_stabilization,
+                   Stabilized stabilized) {
+  space.checked_level(coarsest);
+  space.checked_level(finest);
+  internal::checked_normal_stabilization(normal_stabilization);
+  std::vector<Operators> operators;
+  if(coarsest > finest)
+    return operators;
+  operators.resize(static_cast<std::size_t>(finest - coarsest) + 1);
+  std::deque<internal::Sparse_sink> sinks;
+  std::vector<Operator_sink*> pointers;
+  for(int level = coarsest; level <= finest; ++level) {
+    Operators& o = operators[level - coarsest];
+    sinks.emplace_back(
+        space, level,
+        std::vector<internal::Sparse_sink::Target>{{&o.stiffness, 1, 0}, {&o.mass, 0, 1}});
+    pointers.push_back(&sinks.back());
+  }
+  assemble_into(space, coarsest, pointers, integration, normal_stabilization, stabilized);
+  return operators;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(
+    const Spline_space_3& space, int level, const Surface_integration_view& integration,
+    double normal_stabilization, Stabilized stabilized) {
+  std::vector<Operators> of_level =
+      assemble_operators(space, level, level, integration, normal_stabilization, stabilized);
+  Operators result;
+  result.stiffness.swap(of_level.front().stiffness);
+  result.mass.swap(of_level.front().mass);
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(const Spline_space_3& space,
+                                                                int level) {
+  return assemble_operators(space, level, Default_integration(space));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(const Spline_space_3& space) {
+  return assemble_operators(space, space.depth());
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix assemble_stiffness_matrix(
+    const Spline_space_3& space, int level, const Surface_integration_view& integration,
+    double normal_stabilization) {
+  space.checked_level(level);
+  Sparse_matrix stiffness;
+  internal::Sparse_sink sink(space, level, {{&stiffness, 1, 0}});
+  assemble_into(space, level, {&sink}, integration, normal_stabilization);
+  return stiffness;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix
+assemble_stiffness_matrix(const Spline_space_3& space, int level) {
+  return assemble_stiffness_matrix(space, level, Default_integration(space));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix
+assemble_stiffness_matrix(const Spline_space_3& space) {
+  return assemble_stiffness_matrix(space, space.depth());
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix assemble_mass_matrix(const Spline_space_3& space,
+                                                                      int level) {
+  space.checked_level(level);
+  Sparse_matrix mass;
+  internal::Sparse_sink sink(space, level, {{&mass, 0, 1}});
+  assemble_into(space, level, {&sink}, Default_integration(space));
+  return mass;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
+  return assemble_mass_matrix(space, space.depth());
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
+assemble_component_loads(const Spline_space_3& space, const Surface_function_view& f, int level,
+                         const Surface_integration_view& integration) {
+  space.checked_level(level);
+  const int number = f.components();
+  const double h = space.octree().cell_width(space.depth());
+  return internal::sum_loads(
+      space, level, number, h * h, [&](std::size_t sheet, internal::Cell_load::Load* loads) {
+        std::vector<internal::Cell_load> moments(number);
+        std::vector<double> values(number * Integration_node_block::capacity);
+        internal::visit_nodes_of_level(
+            space, level, sheet, integration, 6 + f.degree(), [&](Integration_node_block& block) {
+              f(block.points.data(), block.size, values.data());
+              for(int k = 0; k < number; ++k)
+                moments[k].add(block.positions,
+                               internal::weighted_component(block, values.data(), number, k));
+            });
+        for(int k = 0; k < number; ++k)
+          moments[k].add_values_to(loads[k]);
+      });
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+assemble_load(const Spline_space_3& space, const Surface_function_view& f, int level,
+              const Surface_integration_view& integration) {
+  if(f.components() != 1)
+    throw Parameter_error("f", "has " + std::to_string(f.components()) +
+                                   " components; see assemble_component_loads()");
+  return assemble_component_loads(space, f, level, integration);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+assemble_load(const Spline_space_3& space, const Surface_function_view& f, int level) {
+  return assemble_load(space, f, level, Default_integration(space));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd assemble_load(const Spline_space_3& space,
+                                                                 const Surface_function_view& f) {
+  return assemble_load(space, f, space.depth());
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
+assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v, int level,
+                        const Surface_integration_view& integration) {
+  space.checked_level(level);
+  const int number = v.components();
+  const double h = space.octree().cell_width(space.depth());
+  const double coarse_h = space.octree().cell_width(level);
+  return internal::sum_loads(
+      space, level, v.channels(), h * h / coarse_h,
+      [&](std::size_t sheet, internal::Cell_load::Load* loads) {
+        std::vector<internal::Cell_load> moments(number);
+        std::vector<double> values(number * Integration_node_block::capacity);
+        // Derivatives of elements are of degree 5 on a plane.
+        internal::visit_nodes_of_level(
+            space, level, sheet, integration, 5 + v.degree(), [&](Integration_node_block& block) {
+              v(block.points.data(), block.size, values.data());
+              for(std::size_t i = 0; i < block.size; ++i) {
+                const Vector_3& n = block.points[i].normal;
+                for(double* w = values.data() + number * i; w < values.data() + number * (i + 1);
+                    w += 3) {
+                  if(!(std::isfinite(w[0]) && std::isfinite(w[1]) && std::isfinite(w[2])))
+                    throw Parameter_error("v", "has a value that is not a finite number in face " +
+                                                   std::to_string(block.points[i].face));
+                  const double along = w[0] * n.x() + w[1] * n.y() + w[2] * n.z();
+                  for(int axis = 0; axis < 3; ++axis)
+                    w[axis] -= along * n[axis];
+                }
+              }
+              for(int k = 0; k < number; ++k)
+                moments[k].add(block.positions,
+                               internal::weighted_component(block, values.data(), number, k));
+            });
+        for(int k = 0; k < number; ++k)
+          moments[k].add_derivatives_to(k % 3, loads[k / 3]);
+      });
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
+assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v) {
+  return assemble_gradient_loads(space, v, space.depth(), Default_integration(space));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v, int level,
+                       const Surface_integration_view& integration) {
+  if(v.channels() != 1)
+    throw Parameter_error("v", "has " + std::to_string(v.channels()) +
+                                   " channels; see assemble_gradient_loads()");
+  return assemble_gradient_loads(space, v, level, integration);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v, int level) {
+  return assemble_gradient_load(space, v, level, Default_integration(space));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v) {
+  return assemble_gradient_load(space, v, space.depth());
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+assemble_element_integrals(const Spline_space_3& space, int level) {
+  return assemble_load(space, function_of_degree([](const Surface_point&) { return 1.; }, 0),
+                       level);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+assemble_element_integrals(const Spline_space_3& space) {
+  return assemble_element_integrals(space, space.depth());
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_ASSEMBLE_IMPL_H

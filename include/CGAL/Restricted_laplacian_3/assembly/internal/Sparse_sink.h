@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_SPARSE_SINK_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_SPARSE_SINK_H
+
+#include <CGAL/Restricted_laplacian_3/assembly/Operator_sink.h>
+#include <CGAL/Restricted_laplacian_3/assembly/internal/Element_matrix_pattern.h>
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// Sparse matrices of Eigen, each a combination of stiffness and mass. They have the same pattern,
+/// which is made first; then the upper halves are filled, and copied to the lower ones if these are
+/// stored.
+class Sparse_sink : public Operator_sink {
+public:
+  struct Target {
+    Sparse_matrix* matrix;
+    double stiffness_factor, mass_factor;
+  };
+
+  /// \param targets at least one; the matrices must outlive this object, their old content is lost
+  Sparse_sink(const Spline_space_3& space, int level, std::vector<Target> targets,
+              Stored_entries stored = Stored_entries::all)
+    : m_targets(std::move(targets)), m_stored(stored), m_is_parallel(space.options().is_parallel) {
+    Element_matrix_pattern(space, level).zero_matrix(stored).swap(*m_targets.front().matrix);
+    for(std::size_t i = 1; i < m_targets.size(); ++i)
+      *m_targets[i].matrix = *m_targets.front().matrix;
+  }
+
+  bool wants_stiffness() const override {
+    return std::any_of(m_targets.begin(), m_targets.end(),
+                       [](const Target& t) { return t.stiffness_factor != 0; });
+  }
+  bool wants_mass() const override {
+    return std::any_of(m_targets.begin(), m_targets.end(),
+                       [](const Target& t) { return t.mass_factor != 0; });
+  }
+
+  /// Both the elements of the sheet and the rows of a column are walked through in ascending order,
+  /// so each column takes one merge.
+  void add(const Cell_elements& elements, const Sheet_block& stiffness,
+           const Sheet_block& mass) override {
+    std::array<std::pair<int, int>, Tensor_basis_3::size> sorted;
+    int count = 0;
+    for_each_element(elements, [&](int i, std::uint32_t element) {
+      sorted[count++] = {static_cast<int>(element), i};
+    });
+    std::sort(sorted.begin(), sorted.begin() + count);
+    const int* const outer = m_targets.front().matrix->outerIndexPtr();
+    const int* const inner = m_targets.front().matrix->innerIndexPtr();
+    for(int j = 0; j < count; ++j) {
+      int position = outer[sorted[j].first];
+      std::array<int, Tensor_basis_3::size> positions;
+      for(int i = 0; i <= j; ++i, ++position) {
+        while(inner[position] != sorted[i].first)
+          ++position;
+        positions[i] = position;
+      }
+      for(const Target& target : m_targets) {
+        double* const values = target.matrix->valuePtr();
+        if(target.stiffness_factor != 0)
+          for(int i = 0; i <= j; ++i)
+            values[positions[i]] +=
+                target.stiffness_factor * stiffness(sorted[i].second, sorted[j].second);
+        if(target.mass_factor != 0)
+          for(int i = 0; i <= j; ++i)
+            values[positions[i]] += target.mass_factor * mass(sorted[i].second, sorted[j].second);
+      }
+    }
+  }
+
+  void finish() override {
+    if(m_stored == Stored_entries::upper_half)
+      return;
+    std::vector<Sparse_matrix*> matrices;
+    for(const Target& target : m_targets)
+      matrices.push_back(target.matrix);
+    mirror_upper_half(matrices, m_is_parallel);
+  }
+
+private:
+  std::vector<Target> m_targets;
+  Stored_entries m_stored;
+  bool m_is_parallel;
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_SPARSE_SINK_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+
+#include <cstddef>
+#include <variant>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// Integration over a surface of triangles, exact for all that a matrix needs: triangles are cut
+/// along the walls of the cells, and a rule of the wanted degree, Taylor's of degree 12 for
+/// matrices, is applied to the fragments.
+///
+/// \cgalModels `SurfaceIntegration_3`
+class Cubature {
+public:
+  /// \param space must outlive this object
+  /// \throws Input_error the surface is a point set: take `Point_cubature`
+  explicit Cubature(const Spline_space_3& space);
+
+  /// the nodes of the smallest rule that is exact up to `degree`, at most 12
+  void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
+
+  /// \cond
+  // Moments without nodes: the normal is constant on a fragment.
+  void add_moments(std::size_t sheet, const internal::Face_weight* weight,
+                   internal::Sheet_integrals& integrals) const;
+  /// \endcond
+
+private:
+  const Octree_3* m_octree;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// Integration over a surface that is given by points: the sum over its points, each times the area
+/// that it stands for (paper, section 4.3).
+///
+/// \cgalModels `SurfaceIntegration_3`
+class Point_cubature {
+public:
+  /// \param space must outlive this object
+  /// \throws Input_error the surface is no point set
+  explicit Point_cubature(const Spline_space_3& space);
+
+  /// the points, whatever the degree
+  void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
+
+private:
+  const Octree_3* m_octree;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// What functions integrate by that are given no integration: `Cubature`, or `Point_cubature` if
+/// the surface is given by points.
+class Default_integration {
+public:
+  /// \param space must outlive this object
+  explicit Default_integration(const Spline_space_3& space);
+
+  /// refers to this object
+  operator Surface_integration_view() const;
+
+private:
+  std::variant<Cubature, Point_cubature> m_model;
+};
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/integration/Cubature_impl.h>
+#endif
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Cubature::Cubature(const Spline_space_3& space)
+  : m_octree(&space.octree()) {
+  space.surface().require_triangles("Cubature");
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Cubature::add_nodes(std::size_t sheet, int degree,
+                                                            Integration_nodes& nodes) const {
+  const Triangulated_surface_3& surface = m_octree->surface();
+  const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
+  const std::vector<Triangle_quadrature_node>& rule = triangle_quadrature(degree);
+  Surface_location location;
+  for(std::uint32_t face : m_octree->faces(sheet)) {
+    location.face = face;
+    const Symmetric_tensor_3 metric = tangent_projector(surface.normal(face));
+    internal::for_each_node(m_octree->fragment(cell, face), cell.index, rule,
+                            [&](const std::array<double, 3>& t,
+                                const std::array<double, 3>& barycentric, double weight) {
+                              location.barycentric = barycentric;
+                              nodes.add(surface.surface_point(location), t, weight, metric);
+                            });
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Cubature::add_moments(std::size_t sheet, const internal::Face_weight* weight,
+                      internal::Sheet_integrals& integrals) const {
+  const Triangulated_surface_3& surface = m_octree->surface();
+  const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
+  for(std::uint32_t face : m_octree->faces(sheet)) {
+    const Fragment fragment = m_octree->fragment(cell, face);
+    const Vector_3& normal = surface.normal(face);
+    internal::add_fragment(fragment, cell.index, tangent_projector(normal), integrals.moments,
+                           weight ? (*weight)(face) : 1);
+    integrals.add_normal(normal, fragment.double_area() / 2);
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Point_cubature::Point_cubature(const Spline_space_3& space)
+  : m_octree(&space.octree()) {
+  if(!space.surface().is_point_set())
+    throw Input_error("the surface consists of triangles, but Point_cubature needs points");
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_cubature::add_nodes(std::size_t sheet, int /*degree*/,
+                                                                  Integration_nodes& nodes) const {
+  const int depth = m_octree->depth();
+  const double h = m_octree->cell_width(depth);
+  const Triangulated_surface_3& surface = m_octree->surface();
+  const Cell_3 cell = m_octree->cell(depth, sheet);
+  Surface_location location;
+  for(std::uint32_t point : m_octree->faces(sheet)) {
+    location.face = point;
+    std::array<double, 3> t = m_octree->grid_coordinates(depth, surface.point(point));
+    for(int axis = 0; axis < 3; ++axis)
+      t[axis] -= cell.index[axis];
+    nodes.add(surface.surface_point(location), t, surface.area(point) / h / h);
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Default_integration::Default_integration(const Spline_space_3& space)
+  : m_model(space.surface().is_point_set()
+                ? std::variant<Cubature, Point_cubature>(Point_cubature(space))
+                : std::variant<Cubature, Point_cubature>(Cubature(space))) {}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Default_integration::operator Surface_integration_view() const {
+  return std::visit([](const auto& model) { return Surface_integration_view(model); }, m_model);
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_IMPL_H

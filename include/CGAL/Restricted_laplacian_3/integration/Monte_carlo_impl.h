@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_MONTE_CARLO_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_MONTE_CARLO_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Monte_carlo::Monte_carlo(const Spline_space_3& space,
+                                                            std::size_t number_of_samples,
+                                                            std::uint64_t seed, Sampling sampling)
+  : Monte_carlo(space, sample_surface(space.surface(), number_of_samples, seed, sampling)) {}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Monte_carlo::Monte_carlo(const Spline_space_3& space, const std::vector<Surface_location>& samples)
+  : m_octree(&space.octree()) {
+  const int depth = m_octree->depth();
+  const double h = m_octree->cell_width(depth);
+  m_weight = m_octree->surface().area() / static_cast<double>(samples.size()) / (h * h);
+  const std::size_t number_of_sheets = m_octree->number_of_sheets(depth);
+
+  std::vector<std::size_t> sheet_of_sample(samples.size());
+  std::vector<std::array<double, 3>> positions(samples.size());
+  internal::parallel_for(space.options().is_parallel, 0, samples.size(), 1 << 12,
+                         [&](std::size_t begin, std::size_t end) {
+                           for(std::size_t k = begin; k < end; ++k) {
+                             std::tie(sheet_of_sample[k], positions[k]) = space.locate(
+                                 depth, m_octree->surface().surface_point(samples[k]).point,
+                                 samples[k].face);
+                             if(sheet_of_sample[k] == number_of_sheets)
+                               throw Location_error("a sample is not on the surface");
+                           }
+                         });
+  // counting sort by sheet
+  m_first.assign(number_of_sheets + 1, 0);
+  for(std::size_t sheet : sheet_of_sample)
+    ++m_first[sheet + 1];
+  for(std::size_t i = 0; i < number_of_sheets; ++i)
+    m_first[i + 1] += m_first[i];
+  m_samples.resize(samples.size());
+  std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
+  for(std::size_t k = 0; k < samples.size(); ++k)
+    m_samples[next[sheet_of_sample[k]]++] = {positions[k], samples[k]};
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Monte_carlo::add_nodes(std::size_t sheet, int /*degree*/,
+                                                               Integration_nodes& nodes) const {
+  for(std::size_t k = m_first[sheet]; k < m_first[sheet + 1]; ++k)
+    nodes.add(m_octree->surface().surface_point(m_samples[k].location), m_samples[k].position,
+              m_weight);
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_MONTE_CARLO_IMPL_H

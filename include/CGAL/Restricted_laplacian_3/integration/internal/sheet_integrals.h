@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_INTEGRALS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_INTEGRALS_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// A factor of the mass that varies over the surface, with the name that errors give it.
+struct Mass_weight {
+  Surface_function_view function;
+  const char* name;
+
+  /// \throws Parameter_error if a value is negative or not finite; names the face
+  void operator()(const Surface_point* points, std::size_t number, double* values) const {
+    function(points, number, values);
+    for(std::size_t i = 0; i < number; ++i)
+      if(!(values[i] >= 0 && std::isfinite(values[i])))
+        throw Parameter_error(name, "is negative or not finite in face " +
+                                        std::to_string(points[i].face));
+  }
+};
+
+/// Adds the integrals over a sheet of the finest level, with a weight for the mass alone, if one is
+/// given. By the moments of the integration, if it has any and the weight is constant on each face,
+/// else by nodes.
+inline void add_sheet_integrals(const Triangulated_surface_3& surface,
+                                const Surface_integration_view& integration,
+                                const Mass_weight* weight, std::size_t sheet,
+                                Sheet_integrals& integrals) {
+  constexpr int degree_of_mass = 12;
+  if(integration.adds_moments() && !weight)
+    return integration.add_moments(sheet, nullptr, integrals);
+  if(integration.adds_moments() && weight->function.degree() == 0) {
+    const auto weight_of_face = [&](std::size_t face) {
+      Surface_location center;
+      center.face = face;
+      center.barycentric.fill(1. / 3);
+      const Surface_point point = surface.surface_point(center);
+      double value;
+      (*weight)(&point, 1, &value);
+      return value;
+    };
+    const Face_weight view(weight_of_face);
+    return integration.add_moments(sheet, &view, integrals);
+  }
+  integration.visit_nodes(sheet, degree_of_mass, [&](Integration_node_block& block) {
+    std::array<double, Integration_node_block::capacity> weights;
+    if(weight)
+      (*weight)(block.points.data(), block.size, weights.data());
+    add_nodes(block, weight ? weights.data() : nullptr, integrals);
+  });
+}
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_INTEGRALS_H

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_OCTREE_3_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_OCTREE_3_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Piece_sorter.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Points_in_grid.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Surface_in_grid.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Triangles_in_grid.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// Makes the levels of an octree whose surface, domain cube and depth are known.
+class Octree_builder {
+public:
+  Octree_builder(Octree_3& octree, bool is_parallel)
+    : m_octree(octree), m_limits{octree.depth(), Octree_3::maximum_number_of_sheets,
+                                 Octree_3::maximum_number_of_fragments},
+      m_is_parallel(is_parallel) {}
+
+  void build(double joining_tolerance) {
+    for(int level = 0; level <= m_octree.depth(); ++level) {
+      m_octree.m_levels.emplace_back();
+      m_octree.m_levels.back().level = level;
+    }
+    std::vector<Place> places = build_finest_level(*surface_in_grid(joining_tolerance));
+    for(int level = m_octree.depth() - 1; level >= 0; --level)
+      build_coarser_level(level, places);
+  }
+
+private:
+  using Level = Octree_level;
+
+  std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance) const {
+    Grid_input input = {m_octree.surface(), grid_points(), m_octree.is_split(), m_limits,
+                        m_is_parallel};
+    if(m_octree.surface().is_point_set())
+      return std::make_unique<Points_in_grid>(std::move(input));
+    return std::make_unique<Triangles_in_grid>(
+        std::move(input), m_octree.cell_width(m_octree.depth()), m_octree.clipper(),
+        Octree_3::thin_face_height, joining_tolerance);
+  }
+
+  /// coordinates of the vertices in the finest grid, as the clipper sees them; unspecified for
+  /// those that have no face
+  std::vector<std::array<double, 3>> grid_points() const {
+    const int depth = m_octree.depth();
+    const Cell_clipper clipper = m_octree.clipper();
+    std::vector<std::array<double, 3>> points(m_octree.surface().number_of_vertices());
+    const std::array<double, 3> origin = {0, 0, 0};
+    parallel_for(m_is_parallel, 0, points.size(), 1 << 15, [&](std::size_t begin, std::size_t end) {
+      for(std::size_t v = begin; v < end; ++v) {
+        const auto x = m_octree.grid_coordinates(depth, m_octree.surface().point(v));
+        // Vertices without a face may be anywhere, also at infinity.
+        const bool is_inside = std::all_of(x.begin(), x.end(), [depth](double c) {
+          return c > -1 && c < static_cast<double>(1 << depth) + 1;
+        });
+        points[v] = is_inside ? clipper.snapped(x) : origin;
+      }
+    });
+    return points;
+  }
+
+  /// returns the places of the sheets
+  std::vector<Place> build_finest_level(const Surface_in_grid& surface) {
+    const auto join = [&](const Cell_fragment* fragments, std::uint32_t size,
+                          Sheet_scratch& scratch) {
+      if(m_octree.is_split())
+        return surface.join(fragments, size, scratch);
+      scratch.sets.reset(size);
+      for(std::uint32_t i = 1; i < size; ++i)
+        scratch.sets.unite(0, i);
+    };
+    Finest_sheets sheets = group_into_sheets(surface.fragments(), join, m_limits, m_is_parallel);
+    Level& finest = m_octree.m_levels.back();
+    finest.keys = std::move(sheets.keys);
+    finest.first_sheets = std::move(sheets.first_sheets);
+    finest.cells = std::move(sheets.cells);
+    finest.element_masks = std::move(sheets.element_masks);
+    finest.faces = Number_lists(std::move(sheets.first_faces), std::move(sheets.faces));
+    finest.index_keys();
+    Surface_in_grid::Links links;
+    if(m_octree.is_split())
+      surface.link(finest, links);
+    finest.links = Number_lists(finest.cells.size(), links);
+    return std::move(sheets.places);
+  }
+
+  /// \param places of the sheets of the next finer level; on return of those of this level
+  void build_coarser_level(int level, std::vector<Place>& places) {
+    Level &coarse = m_octree.m_levels[level], &fine = m_octree.m_levels[level + 1];
+    const auto number_of_fine_sheets = static_cast<std::uint32_t>(fine.cells.size());
+    const auto parent_key = [&fine](std::size_t sheet) {
+      return fine.keys[fine.cells[sheet]] >> 3;
+    };
+    Disjoint_sets sets;
+    Piece_sorter sort;
+    sets.reset(number_of_fine_sheets);
+    for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
+      if(!m_octree.m_is_split && sheet > 0 && parent_key(sheet - 1) == parent_key(sheet))
+        sets.unite(sheet - 1, sheet);
+      for(std::uint32_t other : fine.links[sheet])
+        if(other < sheet && parent_key(other) == parent_key(sheet))
+          sets.unite(other, sheet);
+    }
+    fine.parents.resize(number_of_fine_sheets);
+    std::vector<Place> coarse_places;
+    for(std::uint32_t begin = 0, end = 0; begin < number_of_fine_sheets; begin = end) {
+      while(end < number_of_fine_sheets && parent_key(end) == parent_key(begin))
+        ++end;
+      const auto& firsts = sort(
+          sets, begin, end, [&places](std::uint32_t sheet) { return places[sheet]; },
+          coarse_places);
+      coarse.keys.push_back(parent_key(begin));
+      coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
+      for(std::uint32_t first : firsts) {
+        fine.parents[first] = static_cast<std::uint32_t>(coarse.cells.size());
+        coarse.cells.push_back(static_cast<std::uint32_t>(coarse.keys.size() - 1));
+        coarse.element_masks.push_back(0);
+      }
+      for(std::uint32_t sheet = begin; sheet < end; ++sheet) {
+        const std::uint32_t parent = fine.parents[sheet] = fine.parents[sets.find(sheet)];
+        coarse.element_masks[parent] |= parent_element_mask(
+            fine.element_masks[sheet], static_cast<int>(fine.keys[fine.cells[sheet]] & 7));
+      }
+    }
+    coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
+    coarse.index_keys();
+    places.swap(coarse_places);
+
+    std::vector<Number_lists::Pair> children, links;
+    children.reserve(number_of_fine_sheets);
+    for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
+      children.emplace_back(fine.parents[sheet], sheet);
+      for(std::uint32_t other : fine.links[sheet])
+        if(fine.parents[other] != fine.parents[sheet])
+          links.emplace_back(fine.parents[sheet], fine.parents[other]);
+    }
+    coarse.children = Number_lists(coarse.cells.size(), children);
+    coarse.links = Number_lists(coarse.cells.size(), links);
+  }
+
+  Octree_3& m_octree;
+  Octree_limits m_limits;
+  bool m_is_parallel;
+};
+
+/// \throws Parameter_error if the coordinates of a surface are too large, compared with its extent,
+/// for the cells of a depth
+inline void check_digits(const Octree_3& octree, double distance) {
+  const int depth = octree.depth();
+  if(octree.wall_tolerance(depth) <= Octree_3::largest_wall_tolerance)
+    return;
+  std::ostringstream reason;
+  int possible = depth - 1;
+  while(possible > 0 && octree.wall_tolerance(possible) > Octree_3::largest_wall_tolerance)
+    --possible;
+  reason << "is " << depth << ", but coordinates up to " << distance
+         << " of a surface whose bounding box is " << octree.surface().extent()
+         << " long have digits for ";
+  if(possible > 0)
+    reason << "a depth of at most " << possible;
+  else
+    reason << "no depth at all";
+  reason << ": move the surface to the origin";
+  throw Parameter_error("octree_depth", reason.str());
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split,
+                   double joining_tolerance, bool is_parallel)
+  : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split) {
+  if(depth < 1 || depth > maximum_octree_depth)
+    throw Parameter_error("octree_depth", "is " + std::to_string(depth) + ", but must be in 1 .. " +
+                                              std::to_string(maximum_octree_depth));
+  if(!(cube_scale >= 1 && cube_scale <= 1e6))
+    throw Parameter_error("cube_scale",
+                          "is " + std::to_string(cube_scale) + ", but must be in 1 .. 1e6");
+  m_side = cube_scale * m_surface.extent();
+  m_center = m_surface.center();
+  double largest = 0;
+  for(int axis = 0; axis < 3; ++axis)
+    largest = (std::max)({largest, std::abs(m_surface.bounding_box_min()[axis]),
+                          std::abs(m_surface.bounding_box_max()[axis])});
+  // Far from the origin the coordinates themselves carry a larger rounding error.
+  m_wall_tolerance = (std::max)(relative_wall_tolerance,
+                                4 * std::numeric_limits<double>::epsilon() * (largest / m_side));
+  internal::check_digits(*this, largest);
+  internal::Octree_builder(*this, is_parallel).build(joining_tolerance);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fragment Octree_3::fragment(const Cell_3& cell,
+                                                               std::size_t face) const {
+  CGAL_precondition(cell.level == m_depth && cell.is_inside_grid());
+  CGAL_precondition(face < m_surface.number_of_faces());
+  return clipper().fragment({grid_coordinates(m_depth, m_surface.point(face, 0)),
+                             grid_coordinates(m_depth, m_surface.point(face, 1)),
+                             grid_coordinates(m_depth, m_surface.point(face, 2))},
+                            cell.index);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Cell_clipper Octree_3::clipper() const {
+  return Cell_clipper(1 << m_depth, wall_tolerance(m_depth));
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_OCTREE_3_IMPL_H

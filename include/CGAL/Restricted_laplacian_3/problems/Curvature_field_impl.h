@@ -1,0 +1,151 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
+#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+/// \param n fitted normal, not of unit length
+/// \param derivatives of its components (rows) along the axes (columns)
+inline Surface_curvature curvature_of_normals(const Eigen::Vector3d& n,
+                                              const Eigen::Matrix3d& derivatives) {
+  Surface_curvature result;
+  const double length = n.norm();
+  if(!(length > 0) || !std::isfinite(length))
+    return result;
+  const Eigen::Vector3d normal = n / length;
+  Eigen::Index axis;
+  normal.cwiseAbs().minCoeff(&axis);
+  Eigen::Matrix<double, 3, 2> tangents;
+  tangents.col(0) = normal.cross(Eigen::Vector3d::Unit(axis)).normalized();
+  tangents.col(1) = normal.cross(tangents.col(0));
+  // the derivative of n / |n| has no other tangential part
+  const Eigen::Matrix2d shape = tangents.transpose() * derivatives * tangents / length;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.compute((shape + shape.transpose()) / 2);
+  const auto vector = [](const Eigen::Vector3d& v) { return Vector_3(v[0], v[1], v[2]); };
+  result.normal = vector(normal);
+  if(solver.info() != Eigen::Success)
+    return result; // derivatives that are not finite: NaN
+  for(int i = 0; i < 2; ++i) {
+    result.principal_values[i] = solver.eigenvalues()[1 - i];
+    result.principal_directions[i] = vector(tangents * solver.eigenvectors().col(1 - i));
+  }
+  result.mean = (result.principal_values[0] + result.principal_values[1]) / 2;
+  result.gaussian = result.principal_values[0] * result.principal_values[1];
+  return result;
+}
+
+/// \param n fitted normal, not of unit length
+/// \param vector the Laplacian of the coordinates, \f$-2 H n\f$
+inline Surface_curvature curvature_of_vector(const Eigen::Vector3d& n,
+                                             const Eigen::Vector3d& vector) {
+  Surface_curvature result;
+  const double length = n.norm();
+  if(!(length > 0) || !std::isfinite(length))
+    return result;
+  result.normal = Vector_3(n[0], n[1], n[2]) / length;
+  result.mean = -vector.dot(n) / (2 * length);
+  return result;
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field::Curvature_field(const Spline_space_3& space,
+                                                                    const Function_fit& fit)
+  : m_functions(space, fit.coefficients), m_report(fit) {}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_curvature>
+Curvature_field::at_vertices() const {
+  return curvatures(m_functions.jets_at_vertices());
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_curvature>
+Curvature_field::curvatures(const Spline_jets& jets) const {
+  std::vector<Surface_curvature> result;
+  for(Eigen::Index i = 0; i < jets.values.rows(); ++i) {
+    const Eigen::Vector3d n = jets.values.row(i).head<3>();
+    if(m_functions.number_of_functions() == 6) {
+      result.push_back(internal::curvature_of_vector(n, jets.values.row(i).tail<3>()));
+      continue;
+    }
+    Eigen::Matrix3d derivatives;
+    for(int axis = 0; axis < 3; ++axis)
+      derivatives.col(axis) = jets.derivatives[axis].row(i).head<3>();
+    result.push_back(internal::curvature_of_normals(n, derivatives));
+  }
+  return result;
+}
+
+namespace internal {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double curvature_smoothing_weight(const Spline_space_3& space) {
+  if(space.surface().is_point_set() || !boundary_sides(space).empty())
+    return 0;
+  const double h = space.octree().cell_width(space.depth());
+  return h * h;
+}
+
+/// \f$\int \Delta x_k\, b_i\f$ in the weak form, a column for each coordinate \f$x_k\f$:
+/// \f$ -\int \langle \nabla x_k, \nabla b_i \rangle + \int_{\partial \mathcal M} \nu_k\, b_i \f$
+inline Eigen::MatrixXd coordinate_laplacian_loads(const Spline_space_3& space,
+                                                  const Surface_integration_view& integration) {
+  Eigen::MatrixXd loads(static_cast<Eigen::Index>(space.dimension()), 3);
+  for(int k = 0; k < 3; ++k) {
+    const Vector_3 axis(k == 0, k == 1, k == 2);
+    const auto gradient = function_of_degree([axis](const Surface_point&) { return axis; }, 0);
+    loads.col(k) = -assemble_gradient_load(space, gradient, space.depth(), integration);
+  }
+  if(!space.surface().is_point_set() && !boundary_sides(space).empty())
+    loads += Dirichlet_boundary(space, integration).conormal_loads();
+  return loads;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit
+fit_coordinate_laplacian(const Spline_space_3& space, const Surface_integration_view& integration,
+                         const Function_fit_options& options) {
+  const auto normal = function_of_degree([](const Surface_point& p) { return p.normal; }, 0);
+  Eigen::MatrixXd loads(static_cast<Eigen::Index>(space.dimension()), 6);
+  loads.leftCols(3) = assemble_component_loads(space, normal, space.depth(), integration);
+  loads.rightCols(3) = coordinate_laplacian_loads(space, integration);
+  return Function_fitter(space, integration, options).project(loads);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
+curvature_of_field(const Spline_space_3& space, const Surface_integration_view& integration,
+                   const Surface_function_view& normals, const Function_fit_options& options) {
+  return Curvature_field(space, Function_fitter(space, integration, options).fit(normals));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
+curvature_of_surface(const Spline_space_3& space, const Surface_integration_view& integration,
+                     bool of_faces, const Function_fit_options& options) {
+  if(of_faces)
+    return curvature_of_field(
+        space, integration, function_of_degree([](const Surface_point& p) { return p.normal; }, 0),
+        options);
+  return curvature_of_field(space, integration,
+                            Interpolated_normals(vertex_normals(space.surface())), options);
+}
+
+} // namespace internal
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_IMPL_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
+#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report solve_poisson_problem(
+    const Spline_space_3& space, const Poisson_problem& problem, std::vector<double>& values) {
+  CGAL::Real_timer timer;
+  timer.start();
+  const Default_integration integration(space);
+  const Elliptic_operator& elliptic = problem.elliptic;
+  Eigen::VectorXd load = assemble_load(space, problem.f, space.depth(), integration);
+  if(elliptic.reaction == 0 && !elliptic.reaction_function)
+    load = -load;
+  const Poisson_solver solver =
+      problem.boundary_values || problem.constraints
+          ? constrained_solver(space, integration, elliptic, problem.boundary_values,
+                               problem.constraints, problem.options, load)
+          : elliptic_solver(space, integration, elliptic, problem.options);
+  const double assembly_seconds = timer.time() - solver.setup_seconds();
+  Eigen::VectorXd coefficients;
+  Solve_report report = solver.solve(load, coefficients);
+  report.assembly_seconds = assembly_seconds;
+  values = Spline_function_3(space, std::move(coefficients)).values_at_vertices();
+  return report;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_location>
+locations_of_vertices(const Triangulated_surface_3& surface) {
+  Surface_location none;
+  none.barycentric.fill(-1);
+  std::vector<Surface_location> result(surface.number_of_vertices(), none);
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(int corner = 0; corner < 3 && !surface.is_degenerate(f); ++corner) {
+      Surface_location& location = result[surface.triangle(f)[corner]];
+      location.face = f;
+      location.barycentric.fill(0);
+      location.barycentric[corner] = 1;
+    }
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void check_screening_weight(double alpha) {
+  if(!(alpha > 0 && std::isfinite(alpha)))
+    throw Parameter_error("alpha", "is " + std::to_string(alpha) +
+                                       ", but must be a positive, finite number");
+}
+
+} // namespace internal
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_IMPL_H

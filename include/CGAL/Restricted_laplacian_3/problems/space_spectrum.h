@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_H
+
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
+#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// How `laplace_spectrum()` computes eigenpairs: by `multigrid_eigenpairs()`, by
+/// `smallest_eigenpairs()`, or by the one of them that is faster.
+enum class Eigensolver { automatic, multigrid, shift_invert };
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// The low end of the spectrum of the Laplace-Beltrami operator.
+struct Laplace_spectrum {
+  /// \f$\lambda\f$ with \f$-\Delta u = \lambda u\f$, ascending, in units of 1 / area; the first is
+  /// 0
+  Eigen::VectorXd eigenvalues;
+  /// Values of the eigenfunctions at the vertices: one column for each eigenvalue, rows in the
+  /// order of `vertices(tm)`; NaN at vertices without a face of positive area. Their mean squares
+  /// over the surface are 1 / area.
+  Eigen::MatrixXd vertex_values;
+  /// of the surface
+  double area = 0;
+  /// the algebraic problem: vectors of coefficients, residuals, shift and regularisation
+  Eigenpairs pairs;
+  /// convergence, iterations, largest residual, times
+  Solve_report report;
+};
+
+namespace internal {
+
+/// What `laplace_eigenpairs()` does unless told otherwise.
+struct Space_spectrum_options {
+  Eigensolver eigensolver = Eigensolver::automatic;
+  /// of the stiffness matrix
+  double normal_stabilization = 0;
+  /// those of `Eigensolver::multigrid`; `callback` is called by both eigensolvers, and whether
+  /// several threads are used is a matter of the space
+  Multigrid_eigenpairs_options multigrid;
+};
+
+/// `laplace_eigenpairs()` with its options read
+Laplace_spectrum space_eigenpairs(const Spline_space_3& space, int k,
+                                  const Surface_integration_view& integration,
+                                  const Space_spectrum_options& options);
+
+/// sets `vertex_values` from the coefficients of the eigenfunctions
+void add_vertex_values(const Spline_space_3& space, Laplace_spectrum& spectrum);
+
+/// `multigrid_eigenpairs()` on a space, with operators of the levels from `coarsest` to depth
+Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest,
+                                   std::vector<Operators> operators, int k,
+                                   const Multigrid_eigenpairs_options& options);
+
+/// `cotangent_spectrum()` of a surface
+Laplace_spectrum cotangent_eigenpairs(const Triangulated_surface_3& surface, int k,
+                                      bool lumped_mass);
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
+#include <CGAL/Restricted_laplacian_3/problems/space_spectrum_impl.h>
+#endif
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
+
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+/// sets eigenvalues and report
+inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
+  spectrum.pairs = std::move(pairs);
+  spectrum.eigenvalues = spectrum.pairs.values;
+  spectrum.report.converged = spectrum.pairs.converged;
+  spectrum.report.iterations = spectrum.pairs.iterations;
+  for(double residual : spectrum.pairs.residuals) {
+    spectrum.report.relative_residuals.push_back(residual);
+    spectrum.report.relative_residual = (std::max)(spectrum.report.relative_residual, residual);
+  }
+}
+
+/// Whether `multigrid_eigenpairs()` is used.
+inline bool uses_multigrid(const Spline_space_3& space, const Space_spectrum_options& options) {
+  constexpr std::size_t smallest_dimension = 5000; // with fewer a factorisation is as fast
+  if(options.eigensolver == Eigensolver::multigrid && space.is_paper_space())
+    throw Parameter_error("eigensolver", "must not be multigrid in the space of the paper, whose "
+                                         "levels are not nested");
+  return options.eigensolver == Eigensolver::multigrid ||
+         (options.eigensolver == Eigensolver::automatic && !space.is_paper_space() &&
+          options.normal_stabilization > 0 && space.dimension() >= smallest_dimension);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs
+multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest, std::vector<Operators> operators,
+                        int k, const Multigrid_eigenpairs_options& options) {
+  std::vector<Sparse_matrix> stiffness(operators.size()), mass(operators.size());
+  for(std::size_t i = 0; i < operators.size(); ++i) {
+    stiffness[i].swap(operators[i].stiffness);
+    mass[i].swap(operators[i].mass);
+  }
+  Multigrid_levels levels = multigrid_levels(space, coarsest);
+  return multigrid_eigenpairs(std::move(stiffness), std::move(mass),
+                              std::move(levels.prolongations), std::move(levels.patches), k,
+                              options);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
+space_eigenpairs(const Spline_space_3& space, int k, const Surface_integration_view& integration,
+                 const Space_spectrum_options& options) {
+  if(k < 1)
+    throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
+  const bool is_multigrid = uses_multigrid(space, options);
+  Laplace_spectrum spectrum;
+  CGAL::Real_timer timer;
+  timer.start();
+  const int coarsest = is_multigrid ? coarsest_multigrid_level(space) : space.depth();
+  std::vector<Operators> operators =
+      assemble_operators(space, coarsest, space.depth(), integration, options.normal_stabilization,
+                         Stabilized::stiffness);
+  spectrum.report.assembly_seconds = timer.time();
+  if(is_multigrid) {
+    Multigrid_eigenpairs_options of_multigrid = options.multigrid;
+    of_multigrid.is_parallel = space.options().is_parallel;
+    take_pairs(multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
+               spectrum);
+  } else {
+    Eigenpairs_options of_factorization;
+    of_factorization.callback = options.multigrid.callback;
+    take_pairs(smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization),
+               spectrum);
+  }
+  spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
+  spectrum.area = space.surface().area();
+  return spectrum;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void add_vertex_values(const Spline_space_3& space,
+                                                          Laplace_spectrum& spectrum) {
+  spectrum.vertex_values = Spline_functions_3(space, spectrum.pairs.vectors).values_at_vertices();
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
+cotangent_eigenpairs(const Triangulated_surface_3& surface, int k, bool lumped_mass) {
+  CGAL::Real_timer timer;
+  timer.start();
+  const Operators operators = cotangent_operators(surface, lumped_mass);
+  Laplace_spectrum spectrum;
+  spectrum.report.assembly_seconds = timer.time();
+  take_pairs(smallest_eigenpairs(operators.stiffness, operators.mass, k), spectrum);
+  spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
+  spectrum.area = surface.area();
+  spectrum.vertex_values = spectrum.pairs.vectors;
+  const Eigen::VectorXd diagonal = operators.mass.diagonal();
+  for(Eigen::Index v = 0; v < diagonal.size(); ++v)
+    if(diagonal[v] == 0)
+      spectrum.vertex_values.row(v).setConstant(std::numeric_limits<double>::quiet_NaN());
+  return spectrum;
+}
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H

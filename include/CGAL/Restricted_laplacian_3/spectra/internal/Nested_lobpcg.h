@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_INTERNAL_NESTED_LOBPCG_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_INTERNAL_NESTED_LOBPCG_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/Ritz_basis.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/largest_pairs.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// What the largest residuals of the steps of an iteration say about it.
+class Convergence {
+public:
+  explicit Convergence(double tolerance) : m_tolerance(tolerance) {}
+
+  void add(double residual) {
+    ++m_steps;
+    m_first = (std::max)(m_first, residual);
+    m_last = residual;
+    if(residual < gain_of_a_step * m_best) {
+      m_best = residual;
+      m_last_gain = m_steps;
+    }
+  }
+  /// whether further steps are of no use
+  bool stagnates() const { return m_steps - m_last_gain >= steps_without_gain; }
+  /// whether the residual grows again
+  bool shows_rounding() const { return m_last > growth_of_rounding * m_best; }
+  /// part of the way from the first residual to the tolerance, in powers of ten
+  double progress() const {
+    return m_last > m_tolerance ? std::log(m_first / m_last) / std::log(m_first / m_tolerance) : 1;
+  }
+
+private:
+  // Pairs in the middle of a cluster may rest for some steps, while the others converge.
+  static constexpr double gain_of_a_step = 0.9;
+  static constexpr int steps_without_gain = 8;
+  // A step may make the residual larger, but not much, as values fall monotonically.
+  static constexpr double growth_of_rounding = 2;
+
+  double m_tolerance;
+  double m_first = 0, m_last = 0, m_best = (std::numeric_limits<double>::max)();
+  int m_steps = 0, m_last_gain = 0;
+};
+
+/// The locally optimal block preconditioned conjugate gradient method (A. V. Knyazev, SIAM J. Sci.
+/// Comput. 23, 2001) on one level of a hierarchy after the other, see `multigrid_eigenpairs()`.
+///
+/// In each iteration the problem is projected to the space of the current vectors \f$X\f$, their
+/// preconditioned residuals \f$W\f$, and their last changes \f$P\f$. With \f$A = S + \alpha M\f$
+/// the projected problem is solved as \f$M x = \nu A x\f$, \f$\nu = 1 / (\lambda + \alpha)\f$:
+/// \f$A\f$ is positive definite, while \f$M\f$ is singular to rounding on functions that nearly
+/// vanish on the surface.
+///
+/// Vectors that have converged, and those beyond the number that is asked for, take part in the
+/// projection, but have no \f$W\f$ and \f$P\f$ (soft locking).
+class Nested_lobpcg {
+public:
+  struct Parameters {
+    /// \f$\alpha\f$
+    double alpha;
+    /// the shift by which residuals are measured, see `Eigenpairs`
+    double residual_shift;
+    /// see `Multigrid_eigenpairs_options`
+    int maximum_iterations, smoothing_steps;
+    bool is_parallel;
+  };
+
+  /// \param multigrid for \f$S + \alpha M\f$
+  /// \param x start vectors on a level
+  Nested_lobpcg(const Multigrid<>& multigrid, const Eigen::MatrixXd& x,
+                const Parameters& parameters)
+    : m_multigrid(multigrid), m_parameters(parameters), m_basis(x, parameters.is_parallel) {}
+
+  /// Continues on the next finer level.
+  /// \param p the prolongation to it
+  /// \param s,m its matrices; they have to outlive the work on it
+  void prolongate(std::size_t level, const Sparse_matrix& p, const Symmetric_matrix& s,
+                  const Symmetric_matrix& m) {
+    m_level = level;
+    m_basis.prolongate(p, s, m);
+  }
+
+  /// Iterates on a level until the first `count` residuals are at most `tolerance`. All vectors are
+  /// improved once.
+  /// \param is_verified whether the vectors are to be orthonormal to rounding, with all of the
+  /// residuals computed from them
+  /// \param progress is told which part of the work on the level is done
+  void improve(Eigen::Index count, double tolerance, bool is_verified,
+               Function_view<void(double)> progress) {
+    m_count = count;
+    m_values = m_masses = m_residuals = Eigen::VectorXd::Zero(m_basis.size());
+    m_iterations = 0;
+    Convergence convergence(tolerance);
+    orthonormalize();
+    for(bool is_orthonormal = true;; ++m_iterations) {
+      compute_corrections(tolerance);
+      convergence.add(m_residuals.maxCoeff());
+      progress(convergence.progress());
+      const bool is_given_up =
+          m_iterations >= m_parameters.maximum_iterations || convergence.stagnates();
+      const bool is_over = is_given_up || m_active.empty();
+      if(is_over && (is_orthonormal || !is_verified))
+        return;
+      is_orthonormal = is_over || convergence.shows_rounding();
+      if(is_orthonormal)
+        orthonormalize();
+      else
+        project();
+      extend_or_cut();
+      if(is_given_up) {
+        compute_corrections((std::numeric_limits<double>::max)());
+        return;
+      }
+    }
+  }
+
+  /// of the last level
+  int iterations() const { return m_iterations; }
+
+  /// Moves the first vectors to `pairs`, normalised, with their values and residuals.
+  void take_pairs(Eigen::Index count, Eigenpairs& pairs) {
+    // copies of an eigenvalue may be out of order by rounding
+    Indices order(static_cast<std::size_t>(count)), place(order.size());
+    std::iota(order.begin(), order.end(), Eigen::Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [this](Eigen::Index i, Eigen::Index j) { return m_values[i] < m_values[j]; });
+    for(std::size_t i = 0; i < order.size(); ++i)
+      place[static_cast<std::size_t>(order[i])] = static_cast<Eigen::Index>(i);
+    m_basis.take_vectors(place, pairs.vectors);
+    pairs.values.resize(count);
+    pairs.residuals.resize(count);
+    for(Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::Index from = order[static_cast<std::size_t>(i)];
+      pairs.values[i] = m_values[from];
+      pairs.residuals[i] = m_residuals[from];
+      auto x = pairs.vectors.col(i);
+      Eigen::Index largest;
+      x.cwiseAbs().maxCoeff(&largest);
+      x /= x[largest] < 0 ? -std::sqrt(m_masses[from]) : std::sqrt(m_masses[from]);
+    }
+  }
+
+private:
+  using Indices = Ritz_basis::Indices;
+  using Block = Ritz_basis::Block;
+  using Row = Block_row<panel_width>;
+
+  // Vectors whose values are larger than the last one that is asked for by less than this fraction
+  // are improved as well: some of them may fall below it.
+  static constexpr double gap_at_the_end = 1e-2;
+
+  double eigenvalue(Eigen::Index i) const { return 1 / m_nu[i] - m_parameters.alpha; }
+
+  /// Values and residuals of the active pairs, and for those that have not converged the
+  /// preconditioned residuals. The latter remain active.
+  void compute_corrections(double tolerance) {
+    m_basis.start_corrections(m_active.size());
+    Block x, sx, mx, w;
+    for(std::size_t first = 0; first < m_active.size(); first += panel_width) {
+      const int width = m_basis.gather(m_active, first, x);
+      const auto pair = [&](int c) { return m_active[first + static_cast<std::size_t>(c)]; };
+      Row lambda = Row::Zero();
+      for(int c = 0; c < width; ++c)
+        lambda[c] = eigenvalue(pair(c));
+      m_basis.multiply(x, sx, mx);
+      const Row energy = x.cwiseProduct(sx).colwise().sum(),
+                mass = x.cwiseProduct(mx).colwise().sum(),
+                scale = (sx - m_parameters.residual_shift * mx).colwise().norm();
+      Block& residual = sx;
+      residual -= mx * lambda.matrix().asDiagonal();
+      const Row norm = residual.colwise().norm();
+      bool have_converged = true;
+      for(int c = 0; c < width; ++c) {
+        m_masses[pair(c)] = mass[c];
+        m_values[pair(c)] = energy[c] / mass[c];
+        m_residuals[pair(c)] = norm[c] / scale[c];
+        have_converged = have_converged && m_residuals[pair(c)] <= tolerance;
+      }
+      if(have_converged)
+        continue;
+      m_multigrid.apply<panel_width>(m_level, residual, w, Cycle::V, m_parameters.smoothing_steps,
+                                     m_workspace);
+      for(int c = 0; c < width; ++c)
+        if(!(m_residuals[pair(c)] <= tolerance))
+          m_basis.add_correction(pair(c), w, c);
+    }
+    m_basis.end_corrections();
+    m_active = m_basis.owners_of_corrections();
+  }
+
+  /// Makes the vectors orthonormal, and solves the problem in their span. All become active.
+  void orthonormalize() {
+    m_basis.restart();
+    project();
+    m_active.resize(static_cast<std::size_t>(m_basis.size()));
+    std::iota(m_active.begin(), m_active.end(), Eigen::Index(0));
+  }
+
+  /// Solves the problem on the space of all \f$X\f$, \f$P\f$ and \f$W\f$, sets \f$X\f$ to the
+  /// solution, and \f$P\f$ to the changes of those that had not converged and may be active again.
+  void project() {
+    const Ritz_basis::Projection projection = m_basis.projection();
+    Dense_pairs pairs = largest_pairs(
+        projection.m, projection.s + m_parameters.alpha * projection.m, m_basis.size());
+    m_nu.swap(pairs.values);
+    Indices owners = m_basis.owners_of_corrections();
+    cut(owners, end_of_near());
+    m_basis.update(projection, pairs.vectors, owners);
+  }
+
+  /// the number of the first vectors, those that are asked for and those after them whose values
+  /// are near
+  Eigen::Index end_of_near() const {
+    Eigen::Index end = m_count;
+    while(end < m_basis.size() && m_nu[m_count - 1] <= (1 + gap_at_the_end) * m_nu[end])
+      ++end;
+    return end;
+  }
+
+  static void cut(Indices& numbers, Eigen::Index end) {
+    numbers.erase(std::lower_bound(numbers.begin(), numbers.end(), end), numbers.end());
+  }
+
+  /// From the vectors after those that are asked for those remain active, or become so, whose
+  /// values are near.
+  void extend_or_cut() {
+    const Eigen::Index end = end_of_near();
+    m_residuals.tail(m_basis.size() - end).setZero();
+    cut(m_active, end);
+    for(Eigen::Index i = m_count; i < end; ++i)
+      if(m_active.empty() || m_active.back() < i)
+        m_active.push_back(i);
+  }
+
+  const Multigrid<>& m_multigrid;
+  Parameters m_parameters;
+  std::size_t m_level = 0;
+  Eigen::Index m_count = 0; // of vectors that are asked for
+  int m_iterations = 0;
+  Ritz_basis m_basis;
+  Eigen::VectorXd m_nu, m_values, m_masses, m_residuals;
+  Indices m_active; // vectors whose residuals are computed next, ascending
+  Multigrid<>::Workspace<panel_width> m_workspace;
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_INTERNAL_NESTED_LOBPCG_H

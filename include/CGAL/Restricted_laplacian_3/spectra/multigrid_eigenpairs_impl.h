@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_MULTIGRID_EIGENPAIRS_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_MULTIGRID_EIGENPAIRS_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/Nested_lobpcg.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// reports which part of the work is done
+class Eigenpairs_progress {
+public:
+  Eigenpairs_progress(std::function<bool(double)> callback, double total)
+    : m_callback(std::move(callback)), m_total(total) {}
+
+  void show(double fraction_of_step) {
+    m_shown = (std::max)(m_shown, (m_done + m_step * fraction_of_step) / m_total);
+    if(m_callback && !m_callback((std::min)(m_shown, 1.)))
+      throw Canceled();
+  }
+  /// the last step is done, one with this part of the work comes next
+  void next_step(double work) {
+    m_done += m_step;
+    m_step = work;
+    show(0);
+  }
+
+private:
+  std::function<bool(double)> m_callback;
+  double m_total, m_done = 0, m_step = 0, m_shown = 0;
+};
+
+/// \param stiffness,mass,prolongations compressed
+/// \throws Parameter_error see `multigrid_eigenpairs()`
+inline void check_levels(const std::vector<Sparse_matrix>& stiffness,
+                         const std::vector<Sparse_matrix>& mass,
+                         const std::vector<Sparse_matrix>& prolongations,
+                         const std::vector<Smoothing_patches>& patches) {
+  if(stiffness.empty())
+    throw Parameter_error("stiffness", "has no matrix");
+  if(mass.size() != stiffness.size() || prolongations.size() + 1 != stiffness.size())
+    throw Parameter_error("mass, prolongations", "do not have the number of levels of stiffness");
+  for(std::size_t level = 0; level < stiffness.size(); ++level) {
+    const auto& s = stiffness[level];
+    const auto& m = mass[level];
+    if(s.rows() != s.cols() || m.rows() != s.rows() || m.cols() != s.cols() ||
+       (level > 0 && (prolongations[level - 1].rows() != s.rows() ||
+                      prolongations[level - 1].cols() != stiffness[level - 1].rows())))
+      throw Parameter_error("stiffness, mass, prolongations",
+                            "do not have matching sizes on level " + std::to_string(level));
+    for(const auto* a : {&s, &m})
+      if(!a->coeffs().allFinite())
+        throw Parameter_error(a == &s ? "stiffness" : "mass",
+                              "has an entry that is not a finite number on level " +
+                                  std::to_string(level));
+  }
+  if(patches.size() != prolongations.size())
+    throw Parameter_error("patches", "are not given for each level but the coarsest");
+  CGAL_precondition(is_symmetric(stiffness.back()));
+  CGAL_precondition(is_symmetric(mass.back()));
+}
+
+/// \throws Parameter_error see `multigrid_eigenpairs()`
+inline void check_options(const Multigrid_eigenpairs_options& options) {
+  if(!(options.relative_tolerance > 0 && options.relative_tolerance < 1))
+    throw Parameter_error("relative_tolerance", "must be between 0 and 1");
+  if(options.maximum_iterations < 0)
+    throw Parameter_error("number_of_iterations", "must not be negative");
+  if(options.smoothing_steps < 1)
+    throw Parameter_error("smoothing_steps", "must be positive");
+}
+
+/// A level with fewer unknowns for each vector has no vectors that are like those of the finest
+/// level.
+constexpr Eigen::Index unknowns_of_a_start_vector = 10;
+
+/// Number of vectors that are carried along for `k` pairs, in full panels. The last pairs converge
+/// the faster, the larger the gap is to the first eigenvalue beyond all vectors.
+inline int number_of_carried_vectors(int k) {
+  constexpr int smallest_number_of_guards = 8, pairs_of_a_guard = 3;
+  const int guards = (std::max)(smallest_number_of_guards, k / pairs_of_a_guard);
+  return (k + guards + panel_width - 1) / panel_width * panel_width;
+}
+
+/// What the iteration needs of the levels after the one that it starts on.
+struct Lobpcg_levels {
+  std::vector<Symmetric_matrix> s, m;
+  std::vector<Sparse_matrix> prolongations; // to the level with the same number
+  Multigrid<> multigrid;                    // for S + alpha M, of all levels
+};
+
+/// Uses the matrices up, one after the other: what is needed at most is little more than they are.
+inline void make_levels(std::size_t start, double alpha, std::vector<Sparse_matrix>& stiffness,
+                        std::vector<Sparse_matrix>& mass, std::vector<Sparse_matrix>& prolongations,
+                        std::vector<Smoothing_patches>& patches, bool is_parallel,
+                        Lobpcg_levels& levels) {
+  const std::size_t finest = stiffness.size() - 1;
+  std::vector<Sparse_matrix> coarse(finest);
+  for(std::size_t level = 0; level < finest; ++level)
+    coarse[level] = stiffness[level] + alpha * mass[level];
+  Sparse_matrix a = stiffness[finest] + alpha * mass[finest];
+  levels.s.resize(finest + 1);
+  levels.m.resize(finest + 1);
+  levels.prolongations.resize(finest + 1);
+  for(std::size_t level = 0; level <= finest; ++level) {
+    if(level > start) {
+      levels.s[level].take_half_of(stiffness[level]);
+      levels.m[level].take_half_of(mass[level]);
+      levels.prolongations[level] = prolongations[level - 1];
+    }
+    Sparse_matrix().swap(stiffness[level]);
+    Sparse_matrix().swap(mass[level]);
+  }
+  levels.multigrid = Multigrid<>(
+      std::move(a), {std::move(prolongations), std::move(patches), std::move(coarse)}, is_parallel);
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
+    std::vector<Sparse_matrix> stiffness, std::vector<Sparse_matrix> mass,
+    std::vector<Sparse_matrix> prolongations, std::vector<Smoothing_patches> patches, int k,
+    const Multigrid_eigenpairs_options& options) {
+  // Prolongated vectors of a coarser level are no better than its discretisation.
+  constexpr double tolerance_of_coarse_levels = 1e-2;
+  // of the eigenvalues of the first level; what is wrong in them the next level sets right
+  constexpr double tolerance_of_start = 1e-6;
+  // The hierarchy is for S + alpha M, with half of this eigenvalue (the last one, if there are
+  // fewer): small enough for a good preconditioner of most pairs, but not of a singular matrix.
+  constexpr int eigenvalue_of_alpha = 9;
+
+  for(auto* matrices : {&stiffness, &mass, &prolongations})
+    for(Sparse_matrix& matrix : *matrices)
+      matrix.makeCompressed();
+  internal::check_levels(stiffness, mass, prolongations, patches);
+  internal::check_options(options);
+  const std::size_t finest = stiffness.size() - 1;
+  Eigenpairs_options start_options;
+  start_options.callback = options.callback;
+  if(k < 1 || k > stiffness[finest].cols() / internal::unknowns_of_a_start_vector)
+    return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
+  const int carried = internal::number_of_carried_vectors(k);
+  std::size_t start = 0;
+  while(start < finest && stiffness[start].cols() < internal::unknowns_of_a_start_vector * carried)
+    ++start;
+
+  double work = 0;
+  for(std::size_t level = start; level <= finest; ++level)
+    work += static_cast<double>(stiffness[level].cols());
+  internal::Eigenpairs_progress progress(options.callback, work);
+  progress.next_step(static_cast<double>(stiffness[start].cols()));
+  start_options.callback = [&progress](double part) {
+    progress.show(part);
+    return true;
+  };
+  if(start == finest)
+    return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
+  start_options.tolerance = tolerance_of_start;
+  const Eigenpairs at_start =
+      smallest_eigenpairs(stiffness[start], mass[start], carried, start_options);
+  if(at_start.values.size() < carried)
+    throw Numerical_error("the problem on the coarsest level could not be solved");
+
+  Eigenpairs pairs;
+  pairs.shift = internal::natural_shift(mass[finest].coeffs().sum());
+  const double alpha =
+      (std::max)(at_start.values[(std::min)(carried - 1, eigenvalue_of_alpha)] / 2, -pairs.shift);
+  internal::Lobpcg_levels levels;
+  internal::make_levels(start, alpha, stiffness, mass, prolongations, patches, options.is_parallel,
+                        levels);
+  internal::Nested_lobpcg solver(levels.multigrid, at_start.vectors,
+                                 {alpha, pairs.shift, options.maximum_iterations,
+                                  options.smoothing_steps, options.is_parallel});
+  for(std::size_t level = start + 1; level <= finest; ++level) {
+    progress.next_step(static_cast<double>(levels.s[level].rows()));
+    solver.prolongate(level, levels.prolongations[level], levels.s[level], levels.m[level]);
+    Sparse_matrix().swap(levels.prolongations[level]);
+    const bool is_finest = level == finest;
+    solver.improve(is_finest ? k : carried,
+                   is_finest ? options.relative_tolerance : tolerance_of_coarse_levels, is_finest,
+                   [&progress](double part) { progress.show(part); });
+  }
+  pairs.iterations = solver.iterations();
+  solver.take_pairs(k, pairs);
+  pairs.converged = (pairs.residuals.array() <= options.relative_tolerance).all();
+  return pairs;
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_MULTIGRID_EIGENPAIRS_IMPL_H

@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What varies has one owner: second models of an integration, of a metric, of a destination of
+// matrices, and of a right-hand side of a linear problem.
+
+#include "catch.h"
+#include "matrices.h"
+#include "shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
+#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <mutex>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = CGAL::parameters;
+using shapes::Mesh;
+
+RL::Spline_space_3 contract_space(const shapes::Triangles& t, int depth) {
+  return RL::Spline_space_3(t.points, t.faces, params::octree_depth(depth));
+}
+
+/// The nodes of a cubature, moved to the unit sphere along their radius: some leave their cell a
+/// little. Weights are those of the triangles.
+class Nodes_on_unit_sphere {
+public:
+  explicit Nodes_on_unit_sphere(const RL::Spline_space_3& space)
+    : m_cubature(space), m_width(space.octree().cell_width(space.depth())) {}
+
+  void add_nodes(std::size_t sheet, int degree, RL::Integration_nodes& nodes) const {
+    RL::Surface_integration_view(m_cubature)
+        .visit_nodes(sheet, degree, [&](const RL::Integration_node_block& block) {
+          for(std::size_t i = 0; i < block.size; ++i) {
+            RL::Surface_point p = block.points[i];
+            const RL::Vector_3 r = p.point - CGAL::ORIGIN;
+            p.normal = r / std::sqrt(r.squared_length());
+            p.point = CGAL::ORIGIN + p.normal;
+            const RL::Vector_3 moved = (p.point - block.points[i].point) / m_width;
+            std::array<double, 3> position = block.position(i);
+            for(int axis = 0; axis < 3; ++axis)
+              position[axis] += moved[axis];
+            for(double t : position)
+              is_outside = is_outside || t < 0 || t > 1;
+            nodes.add(p, position, block.weights[i]);
+          }
+        });
+  }
+
+  mutable bool is_outside = false;
+
+private:
+  RL::Cubature m_cubature;
+  double m_width;
+};
+
+/// keeps the entries of the upper halves as they come
+class Triplet_sink : public RL::Operator_sink {
+public:
+  void add(const RL::Cell_elements& elements, const RL::Sheet_block& stiffness_block,
+           const RL::Sheet_block& mass_block) override {
+    RL::for_each_element(elements, [&](int i, std::uint32_t row) {
+      RL::for_each_element(elements, [&](int j, std::uint32_t column) {
+        stiffness.emplace_back(row, column, stiffness_block(i, j));
+        mass.emplace_back(row, column, mass_block(i, j));
+      });
+    });
+  }
+  void finish() override { ++number_of_finishes; }
+
+  std::vector<Eigen::Triplet<double>> stiffness, mass;
+  int number_of_finishes = 0;
+};
+
+RL::Sparse_matrix matrix_of(const std::vector<Eigen::Triplet<double>>& entries, std::size_t n) {
+  RL::Sparse_matrix result(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+RL::Symmetric_tensor_3 diagonal_tensor(double x, double y, double z) { return {x, y, z, 0, 0, 0}; }
+
+} // namespace
+
+TEST_CASE("constant_tensor_multiplies_the_stiffness_and_nothing_else", "[contracts]") {
+  const RL::Spline_space_3 space = contract_space(shapes::box(1, 0.7, 0.4, 3, 1), 4);
+  const RL::Cubature cubature(space);
+  const auto threefold = [](const RL::Surface_point&) { return diagonal_tensor(3, 3, 3); };
+  const RL::Diffusion_integration<decltype(threefold)> diffusion(cubature, threefold);
+  const RL::Operators plain = RL::assemble_operators(space, 4, cubature),
+                      tensor = RL::assemble_operators(space, 4, diffusion);
+  CHECK(relative_difference(tensor.stiffness, 3 * plain.stiffness) < 1e-14);
+  CHECK(relative_difference(tensor.mass, plain.mass) < 1e-14);
+  // The stabilisation is made of areas and normals, which a tensor does not change.
+  constexpr double c = 0.1;
+  const RL::Operators plain_c = RL::assemble_operators(space, 4, cubature, c),
+                      tensor_c = RL::assemble_operators(space, 4, diffusion, c);
+  CHECK(relative_difference(tensor_c.stiffness - tensor.stiffness,
+                            plain_c.stiffness - plain.stiffness) < 1e-12);
+  CHECK(relative_difference(tensor_c.mass - tensor.mass, plain_c.mass - plain.mass) < 1e-12);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(tensor_c.mass.cols());
+  CHECK(ones.dot(tensor_c.mass * ones) == Approx(space.surface().area()).epsilon(1e-13));
+}
+
+TEST_CASE("rotated_tensor_on_a_rotated_surface_has_the_same_spectrum", "[contracts]") {
+  // a quarter turn about the z axis takes the grid to itself
+  const auto turned = [](const RL::Point_3& p) { return RL::Point_3(-p.y(), p.x(), p.z()); };
+  shapes::Triangles t = shapes::box(1, 0.7, 0.4, 3, 1);
+  const auto values_of = [](const shapes::Triangles& t, const RL::Symmetric_tensor_3& d) {
+    const RL::Spline_space_3 space = contract_space(t, 3);
+    const RL::Cubature cubature(space);
+    const auto tensor = [&](const RL::Surface_point&) { return d; };
+    const RL::Diffusion_integration<decltype(tensor)> diffusion(cubature, tensor);
+    const RL::Operators o =
+        RL::assemble_operators(space, 3, diffusion, 1e-3, RL::Stabilized::stiffness);
+    return RL::smallest_eigenpairs(o.stiffness, o.mass, 8).values;
+  };
+  // 4 along x and 1 along y and z, with a part that mixes x and z
+  const Eigen::VectorXd expected = values_of(t, {4, 1, 1, 0, 0.5, 0});
+  for(RL::Point_3& p : t.points)
+    p = turned(p);
+  const Eigen::VectorXd found = values_of(t, {1, 4, 1, 0, 0, 0.5}),
+                        other = values_of(t, {4, 1, 1, 0, 0.5, 0});
+  CHECK((found - expected).cwiseAbs().maxCoeff() < 1e-8 * expected.maxCoeff());
+  CHECK((other - expected).cwiseAbs().maxCoeff() > 1e-2 * expected.maxCoeff());
+}
+
+TEST_CASE("only_the_tangential_part_of_a_tensor_counts", "[contracts]") {
+  const RL::Vector_3 n(0.48, 0.6, 0.64);
+  const RL::Symmetric_tensor_3 p = RL::tangent_projector(n),
+                               identity = RL::tangential_part(diagonal_tensor(1, 1, 1), n),
+                               normal = RL::tangential_part({n.x() * n.x(), n.y() * n.y(),
+                                                             n.z() * n.z(), n.x() * n.y(),
+                                                             n.x() * n.z(), n.y() * n.z()},
+                                                            n);
+  for(int k = 0; k < 6; ++k) {
+    CHECK(identity[k] == Approx(p[k]).margin(1e-15));
+    CHECK(std::abs(normal[k]) < 1e-15);
+  }
+}
+
+TEST_CASE("identities_hold_for_nodes_that_leave_their_cell", "[contracts]") {
+  const RL::Spline_space_3 space = contract_space(shapes::sphere(3), 4);
+  const Nodes_on_unit_sphere nodes(space);
+  const RL::Cubature cubature(space);
+  for(double c : {0., 0.1}) {
+    const std::vector<RL::Operators> levels = RL::assemble_operators(space, 2, 4, nodes, c);
+    CHECK(nodes.is_outside);
+    for(const RL::Operators& o : levels) {
+      const Eigen::VectorXd ones = Eigen::VectorXd::Ones(o.mass.cols());
+      CHECK((o.stiffness * ones).cwiseAbs().maxCoeff() < 1e-12 * o.stiffness.coeffs().maxCoeff());
+      CHECK(ones.dot(o.mass * ones) == Approx(space.surface().area()).epsilon(1e-12));
+    }
+    for(int level = 2; level < 4; ++level) {
+      const RL::Sparse_matrix p = RL::prolongation_matrix(space, level);
+      CHECK(relative_difference(RL::galerkin_product(levels[level - 1].stiffness, p),
+                                levels[level - 2].stiffness) < 1e-12);
+      CHECK(relative_difference(RL::galerkin_product(levels[level - 1].mass, p),
+                                levels[level - 2].mass) < 1e-12);
+    }
+  }
+  // loads of levels are restricted, and those of x^2 + y^2 + z^2 are those of 1
+  const auto square = [](const RL::Surface_point& p) {
+    return (p.point - CGAL::ORIGIN).squared_length();
+  };
+  const auto one = [](const RL::Surface_point&) { return 1.; };
+  const Eigen::VectorXd fine = RL::assemble_load(space, square, 4, nodes);
+  CHECK((fine - RL::assemble_load(space, one, 4, nodes)).cwiseAbs().maxCoeff() <
+        1e-14 * fine.maxCoeff());
+  CHECK((RL::prolongation_matrix(space, 3).transpose() * fine -
+         RL::assemble_load(space, square, 3, nodes))
+            .cwiseAbs()
+            .maxCoeff() < 1e-13 * fine.maxCoeff());
+}
+
+TEST_CASE("sink_of_triplets_gets_the_matrices", "[contracts]") {
+  const RL::Spline_space_3 space = contract_space(shapes::box(1, 0.7, 0.4, 3, 1), 4);
+  const RL::Cubature cubature(space);
+  const std::vector<RL::Operators> expected = RL::assemble_operators(space, 3, 4, cubature, 0.1);
+  Triplet_sink coarse, fine;
+  RL::assemble_into(space, 3, {&coarse, &fine}, cubature, 0.1);
+  CHECK(coarse.number_of_finishes == 1);
+  for(int level = 3; level <= 4; ++level) {
+    const Triplet_sink& sink = level == 3 ? coarse : fine;
+    const std::size_t n = space.dimension(level);
+    CHECK(relative_difference(matrix_of(sink.stiffness, n), expected[level - 3].stiffness) < 1e-14);
+    CHECK(relative_difference(matrix_of(sink.mass, n), expected[level - 3].mass) < 1e-14);
+  }
+}
+
+TEST_CASE("operators_of_other_patterns_are_added", "[contracts]") {
+  const RL::Spline_space_3 space = contract_space(shapes::sphere(2), 3);
+  RL::Operators lumped = RL::assemble_operators(space, 3, RL::Cubature(space), 1e-3);
+  const Eigen::VectorXd sums = lumped.mass * Eigen::VectorXd::Ones(lumped.mass.cols());
+  lumped.mass = sums.asDiagonal();
+  Eigen::VectorXd x;
+  const Eigen::VectorXd b = RL::assemble_load(
+      space, [](const RL::Surface_point& p) { return p.point.x() + p.point.y() * p.point.z(); });
+  const RL::Poisson_solver solver =
+      RL::make_poisson_solver(space, lumped, 2, params::relative_tolerance(1e-10));
+  CHECK(solver.solve(b, x).converged);
+  CHECK((lumped.stiffness * x + 2 * lumped.mass * x - b).norm() < 1e-8 * b.norm());
+  // a matrix of another size
+  lumped.mass = RL::Sparse_matrix(3, 3);
+  CHECK_THROWS_AS(RL::make_poisson_solver(space, lumped, 2), RL::Parameter_error);
+}
+
+TEST_CASE("screening_by_a_function_keeps_the_mean_as_a_number_does", "[contracts]") {
+  const shapes::Triangles t = shapes::sphere(3);
+  const Mesh mesh = shapes::mesh(t);
+  // The mean of the solution is that of f over alpha, 1e9 times as large as what is left.
+  constexpr double alpha = 1e-9;
+  const auto f = [](const RL::Surface_point& p) { return 1 + p.point.x(); };
+  std::vector<double> by_number(t.points.size()), by_function(t.points.size());
+  const auto solve = [&](const auto& weight, std::vector<double>& u) {
+    Mesh copy = mesh;
+    auto map = copy.add_property_map<Mesh::Vertex_index, double>("u").first;
+    const RL::Solve_report report = RL::solve_screened_poisson(
+        copy, f, weight, map, params::octree_depth(4, params::relative_tolerance(1e-8)));
+    CHECK(report.converged);
+    for(const auto v : vertices(copy))
+      u[v.idx()] = map[v];
+    return report.iterations;
+  };
+  const int iterations = solve(alpha, by_number);
+  CHECK(solve(RL::function_of_degree([](const RL::Surface_point&) { return alpha; }, 0),
+              by_function) == iterations);
+  for(std::size_t v = 0; v < t.points.size(); ++v) {
+    CHECK(std::abs(by_number[v] - by_function[v]) < 1e-5);
+    // -Laplacian x = 2 x on the sphere
+    CHECK(by_function[v] - 1 / alpha == Approx(t.points[v].x() / 2).margin(0.02));
+  }
+}
