@@ -41,8 +41,11 @@ elliptic_solver(const Spline_space_3& space, const Surface_integration_view& int
                 Eigen::VectorXd* constant_loads) {
   check_alpha(elliptic.reaction);
   // Matrices of the space of the paper are not the Galerkin products, which are computed then.
-  const int coarsest = space.is_paper_space() ? space.depth() : coarsest_multigrid_level(space);
-  System_matrices system = assemble_system(space, coarsest, integration, elliptic);
+  const bool is_paper_space = space.is_paper_space();
+  const int coarsest = is_paper_space ? space.depth() : coarsest_multigrid_level(space);
+  System_matrices system =
+      assemble_system(space, coarsest, integration, elliptic,
+                      is_paper_space ? Stored_entries::all : Stored_entries::upper_half);
   Sparse_matrix finest;
   finest.swap(system.matrices.back());
   system.matrices.pop_back();

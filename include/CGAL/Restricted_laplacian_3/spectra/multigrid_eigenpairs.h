@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 
 #include <functional>

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ELEMENT_MATRIX_PATTERN_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ELEMENT_MATRIX_PATTERN_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/internal/Stored_entries.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -53,14 +54,21 @@ public:
 
   /// the matrix of this pattern with all entries 0
   /// \throws Parameter_error if it has more entries than an `int` can count
-  Eigen::SparseMatrix<double> zero_matrix() const {
+  Eigen::SparseMatrix<double> zero_matrix(Stored_entries stored = Stored_entries::all) const {
     const std::size_t n = m_first.size() - 1;
     Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
     int* outer = matrix.outerIndexPtr();
-    for_each_column([outer](std::size_t element, const Words& words) {
+    // the rows of a column that are stored and have a bit in a word
+    const auto rows_of = [stored](std::size_t element, const Word& word) {
+      if(stored == Stored_entries::all || word.number < element / 64)
+        return word.bits;
+      const std::uint64_t up_to_element = ~std::uint64_t(0) >> (63 - element % 64);
+      return word.number == element / 64 ? word.bits & up_to_element : 0;
+    };
+    for_each_column([=](std::size_t element, const Words& words) {
       int count = 0;
       for(const Word& word : words)
-        count += number_of_bits(word.bits);
+        count += number_of_bits(rows_of(element, word));
       outer[element + 1] = count;
     });
     std::size_t sum = 0;
@@ -77,7 +85,7 @@ public:
       std::sort(words.begin(), words.end());
       int* row = inner + outer[element];
       for(const Word& word : words)
-        for(std::uint64_t bits = word.bits; bits != 0; bits &= bits - 1)
+        for(std::uint64_t bits = rows_of(element, word); bits != 0; bits &= bits - 1)
           *row++ = static_cast<int>(64 * word.number) + lowest_bit(bits);
       std::fill(values + outer[element], values + outer[element + 1], 0.);
     });

@@ -19,7 +19,8 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// Sparse matrices of Eigen, each a combination of stiffness and mass. They have the same pattern,
-/// which is made first; then the upper halves are filled, and copied to the lower ones.
+/// which is made first; then the upper halves are filled, and copied to the lower ones if these are
+/// stored.
 class Sparse_sink : public Operator_sink {
 public:
   struct Target {
@@ -28,9 +29,10 @@ public:
   };
 
   /// \param targets at least one; the matrices must outlive this object, their old content is lost
-  Sparse_sink(const Spline_space_3& space, int level, std::vector<Target> targets)
-    : m_targets(std::move(targets)), m_is_parallel(space.options().is_parallel) {
-    Element_matrix_pattern(space, level).zero_matrix().swap(*m_targets.front().matrix);
+  Sparse_sink(const Spline_space_3& space, int level, std::vector<Target> targets,
+              Stored_entries stored = Stored_entries::all)
+    : m_targets(std::move(targets)), m_stored(stored), m_is_parallel(space.options().is_parallel) {
+    Element_matrix_pattern(space, level).zero_matrix(stored).swap(*m_targets.front().matrix);
     for(std::size_t i = 1; i < m_targets.size(); ++i)
       *m_targets[i].matrix = *m_targets.front().matrix;
   }
@@ -78,6 +80,8 @@ public:
   }
 
   void finish() override {
+    if(m_stored == Stored_entries::upper_half)
+      return;
     std::vector<Sparse_matrix*> matrices;
     for(const Target& target : m_targets)
       matrices.push_back(target.matrix);
@@ -86,6 +90,7 @@ public:
 
 private:
   std::vector<Target> m_targets;
+  Stored_entries m_stored;
   bool m_is_parallel;
 };
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ASSEMBLE_SYSTEM_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ASSEMBLE_SYSTEM_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/internal/Stored_entries.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
@@ -46,11 +47,13 @@ struct System_matrices {
 };
 
 /// In one pass over the surface; one matrix is formed for each level.
+/// \param stored a `Poisson_solver` needs the upper halves only, unless it forms Galerkin products
 /// \throws Parameter_error if a value of \f$\alpha\f$ is negative or not finite (names the face), or
 /// \f$c\f$
 System_matrices assemble_system(const Spline_space_3& space, int coarsest,
                                 const Surface_integration_view& integration,
-                                const Elliptic_operator& elliptic);
+                                const Elliptic_operator& elliptic,
+                                Stored_entries stored = Stored_entries::all);
 
 /// \throws Parameter_error if the factor of the stabilisation is negative or not finite
 double checked_normal_stabilization(double c);

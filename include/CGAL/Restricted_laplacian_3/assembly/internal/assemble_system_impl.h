@@ -28,9 +28,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double checked_normal_stabilization(double c)
   return c;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices
-assemble_system(const Spline_space_3& space, int coarsest,
-                const Surface_integration_view& integration, const Elliptic_operator& elliptic) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices assemble_system(
+    const Spline_space_3& space, int coarsest, const Surface_integration_view& integration,
+    const Elliptic_operator& elliptic, Stored_entries stored) {
   checked_normal_stabilization(elliptic.normal_stabilization);
   std::optional<Mass_weight> weight;
   if(elliptic.reaction_function)
@@ -44,7 +44,8 @@ assemble_system(const Spline_space_3& space, int coarsest,
     const int level = coarsest + static_cast<int>(i);
     sinks.emplace_back(space, level,
                        std::vector<Sparse_sink::Target>{{&result.matrices[i], elliptic.diffusion,
-                                                         weight ? 1 : elliptic.reaction}});
+                                                         weight ? 1 : elliptic.reaction}},
+                       stored);
     targets[level].sink = &sinks.back();
   }
   Assembly_targets& finest = targets[space.depth()];
