@@ -15,6 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/textures/internal/Triangle_tree.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/random/normal_distribution.hpp>
@@ -144,7 +145,7 @@ inline std::vector<Lighting> make_lightings(const std::vector<double>& exposures
 }
 
 class Virtual_scanner {
-  using Kernel = RL::Kernel;
+  using Kernel = CGAL::Simple_cartesian<double>;
 
 public:
   // how steep a triangle of a scan may be: the cosine of the angle of its normal to the ray
