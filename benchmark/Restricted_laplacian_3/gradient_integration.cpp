@@ -32,6 +32,7 @@
 #include "support/package.h"
 
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Real_timer.h>

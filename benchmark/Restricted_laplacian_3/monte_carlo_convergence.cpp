@@ -24,6 +24,7 @@
 #include "support/package.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>

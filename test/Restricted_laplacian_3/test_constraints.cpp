@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #include <boost/property_map/function_property_map.hpp>

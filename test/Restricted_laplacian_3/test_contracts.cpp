@@ -14,6 +14,7 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <array>

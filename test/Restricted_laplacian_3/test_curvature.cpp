@@ -6,6 +6,7 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
+#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 
 #include <Eigen/Core>
 

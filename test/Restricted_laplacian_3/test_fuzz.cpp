@@ -8,6 +8,7 @@
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>

@@ -8,7 +8,11 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
+#include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <Eigen/Core>
 

@@ -9,6 +9,7 @@
 #include "shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/Running_mean.h>

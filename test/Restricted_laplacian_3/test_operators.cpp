@@ -9,9 +9,12 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
+#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #include <array>
 #include <cmath>

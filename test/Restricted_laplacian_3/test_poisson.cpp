@@ -5,6 +5,7 @@
 #include "shapes.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 

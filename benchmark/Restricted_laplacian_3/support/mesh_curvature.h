@@ -9,6 +9,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <Eigen/Core>
@@ -47,8 +48,11 @@ struct Mesh_curvature {
       mean.push_back(sign * std::sqrt(twice_mean.squared_length()) / (2 * areas[v]));
       gaussian.push_back((2 * CGAL_PI - angles[v]) / areas[v]);
     }
-    for(const auto& [v, neighbor] : RL::internal::Boundary_neighbors(surface).pairs)
-      mean[v] = gaussian[v] = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<char> is_on_boundary =
+        RL::internal::Surface_edges(surface).boundary_vertices();
+    for(std::size_t v = 0; v < n; ++v)
+      if(is_on_boundary[v])
+        mean[v] = gaussian[v] = std::numeric_limits<double>::quiet_NaN();
   }
 
 private:

@@ -11,6 +11,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -133,7 +133,9 @@ public:
   Function_fitter(const Spline_space_3& space, const Surface_integration_view& integration,
                   const Options& options = Options());
   ~Function_fitter();
+  /// takes the solvers over
   Function_fitter(Function_fitter&&) noexcept;
+  /// takes the solvers over
   Function_fitter& operator=(Function_fitter&&) noexcept;
 
   /// the space, as given to the constructor

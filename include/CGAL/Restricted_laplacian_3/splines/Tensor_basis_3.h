@@ -125,6 +125,8 @@ template <class Visitor> void for_each_element(const Cell_elements& elements, Vi
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// The sum of numbers for the elements of a sheet, times the coefficients of those that exist: a
 /// function where `values` are those of the elements.
+/// \param elements those of the sheet
+/// \param values a number for each of them
 /// \param coefficients of all elements of the level, a vector
 template <class Coefficients>
 double combination(const Cell_elements& elements, const Tensor_basis_3::Values& values,

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_FUNCTION_VIEW_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_FUNCTION_VIEW_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/function_components.h>
 
@@ -44,11 +45,11 @@ protected:
   /// \tparam Components how values are read, see `internal::Function_components`
   template <class Function, class Components>
   Surface_function_view(const Function& f, const Components&)
-    : m_function(std::addressof(f)), m_components(Components::size),
+    : m_function(internal::address_of(f)), m_components(Components::size),
       m_degree(internal::degree_on_triangles(f)),
       m_evaluate([](const void* function, const Surface_point* points, std::size_t number,
                     double* values) {
-        const Function& f = *static_cast<const Function*>(function);
+        const Function& f = internal::function_at<Function>(function);
         for(std::size_t i = 0; i < number; ++i, values += Components::size) {
           Eigen::Map<typename Components::Vector> value(values);
           value = Components::read(f(points[i]));

@@ -12,6 +12,23 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
+/// The address of a function object, or of a function: compilers that have shared libraries convert
+/// the address of a function to that of an object and back.
+template <class Function> const void* address_of(const Function& f) {
+  if constexpr(std::is_function_v<Function>)
+    return reinterpret_cast<const void*>(std::addressof(f));
+  else
+    return std::addressof(f);
+}
+
+/// The function object of the address, see `address_of()`.
+template <class Function> const Function& function_at(const void* address) {
+  if constexpr(std::is_function_v<Function>)
+    return *reinterpret_cast<Function*>(const_cast<void*>(address));
+  else
+    return *static_cast<const Function*>(address);
+}
+
 template <class Signature> class Function_view;
 
 /// Refers to a function object of any type, which must outlive it: the argument of functions that

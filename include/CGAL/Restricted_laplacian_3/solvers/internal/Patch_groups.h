@@ -147,24 +147,24 @@ private:
 
   void invert_blocks() {
     constexpr std::size_t grain = 256;
-    parallel_for(
-        is_parallel, 0, m_patches.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
-          Symmetric_inverse invert;
-          std::vector<double> block;
-          std::vector<std::uint32_t> unknowns;
-          for(std::size_t p = begin; p < end; ++p) {
-            const Patch& patch = m_patches[p];
-            const int size = static_cast<int>(patch.size), stride = rounded_up(size, 8);
-            extract(p, stride, unknowns, block);
-            for(int i = 0; i < size; ++i) {
-              double& diagonal = block[static_cast<std::size_t>(stride) * i + i];
-              // Where it is 0 the row is 0, and the unknown remains 0.
-              diagonal = diagonal > 0 ? diagonal + relative_regularization : 0;
-            }
-            invert(block.data(), size, stride, relative_regularization / 2);
-            pack(block, stride, m_inverses.as<float>() + patch.inverse);
-          }
-        });
+    parallel_for(is_parallel, 0, m_patches.size() - 1, grain,
+                 [&](std::size_t begin, std::size_t end) {
+                   Symmetric_inverse invert;
+                   std::vector<double> block;
+                   std::vector<std::uint32_t> unknowns;
+                   for(std::size_t p = begin; p < end; ++p) {
+                     const Patch& patch = m_patches[p];
+                     const int size = static_cast<int>(patch.size), stride = rounded_up(size, 8);
+                     extract(p, stride, unknowns, block);
+                     for(int i = 0; i < size; ++i) {
+                       double& diagonal = block[static_cast<std::size_t>(stride) * i + i];
+                       // Where it is 0 the row is 0, and the unknown remains 0.
+                       diagonal = diagonal > 0 ? diagonal + relative_regularization : 0;
+                     }
+                     invert(block.data(), size, stride, relative_regularization / 2);
+                     pack(block, stride, m_inverses.as<float>() + patch.inverse);
+                   }
+                 });
   }
 
   /// the lower triangle of a matrix, as `multiply_symmetric()` wants it
