@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lists by key, cells and their keys, the spline in one dimension and the basis made of it, cubature
-// rules, edges and samples of a surface, and the version.
+// Lists by key, cells and their keys, the spline in one dimension and the basis made of it,
+// cubature rules, edges and samples of a surface, and the version.
 
 #include "catch.h"
 #include "shapes.h"

@@ -35,8 +35,8 @@ auto optional_function(const Function& f, OnSurface&& on_surface) {
     return on_surface(f);
 }
 
-/// \param target,weight function objects on `Surface_point`, a number, or `Param_not_found`; have to
-/// outlive the result
+/// \param target,weight function objects on `Surface_point`, a number, or `Param_not_found`; have
+/// to outlive the result
 template <class Target, class Weight, class NamedParameters>
 Screening make_screening(const Target& target, const Weight& weight, const NamedParameters& np) {
   Screening screening;

@@ -47,8 +47,8 @@ boundary_sides(const Spline_space_3& space) {
   return result;
 }
 
-/// the largest eigenvalue \f$\lambda\f$ of \f$A x = \lambda B x\f$ for positive semi-definite matrices,
-/// on the complement of the kernel of \f$B\f$; infinity if \f$B\f$ is 0
+/// the largest eigenvalue \f$\lambda\f$ of \f$A x = \lambda B x\f$ for positive semi-definite
+/// matrices, on the complement of the kernel of \f$B\f$; infinity if \f$B\f$ is 0
 /// \throws Numerical_error if there is none that is finite
 inline double largest_generalized_eigenvalue(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   // functions with less energy than this, relative, vanish on the sheet
@@ -203,9 +203,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_side(std::size_t
   }
 }
 
-/// The sheet of a piece of a side, between two walls. A short one at a corner of a cell, or at the tip
-/// of a needle, may have lost its fragment to rounding: then a sheet of the same face that touches it
-/// serves, or else the one that lies nearest to it along the line from its middle into the face.
+/// The sheet of a piece of a side, between two walls. A short one at a corner of a cell, or at the
+/// tip of a needle, may have lost its fragment to rounding: then a sheet of the same face that
+/// touches it serves, or else the one that lies nearest to it along the line from its middle into
+/// the face.
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::size_t
 Dirichlet_boundary::sheet_of_piece(const Surface_location& begin,
                                    const Surface_location& end) const {

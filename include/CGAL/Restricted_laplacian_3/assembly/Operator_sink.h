@@ -26,9 +26,10 @@ private:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Where assembled matrices of a level go: a base class for what stores them. `assemble_operators()`
-/// goes through the sheets of the level and gives their blocks to `add()`; the matrices are the sums
-/// of all blocks. Which elements are coupled is known beforehand: those that act on the same sheet.
+/// Where assembled matrices of a level go: a base class for what stores them.
+/// `assemble_operators()` goes through the sheets of the level and gives their blocks to `add()`;
+/// the matrices are the sums of all blocks. Which elements are coupled is known beforehand: those
+/// that act on the same sheet.
 class Operator_sink {
 public:
   virtual ~Operator_sink() = default;

@@ -21,8 +21,8 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-/// A Poisson problem on a space, \f$\Delta u = f\f$, or \f$\alpha u - \Delta u = f\f$ if \f$\alpha\f$ is
-/// not 0, with prescribed values where wanted.
+/// A Poisson problem on a space, \f$\Delta u = f\f$, or \f$\alpha u - \Delta u = f\f$ if
+/// \f$\alpha\f$ is not 0, with prescribed values where wanted.
 struct Poisson_problem {
   Surface_function_view f;
   Elliptic_operator elliptic;
@@ -39,8 +39,8 @@ constexpr double tolerance_with_constraints = 1e-7;
 Solve_report solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem,
                                    std::vector<double>& values);
 
-/// A location of each vertex that has a face of positive area; \f$-1\f$ as its barycentric coordinate
-/// marks the others.
+/// A location of each vertex that has a face of positive area; \f$-1\f$ as its barycentric
+/// coordinate marks the others.
 std::vector<Surface_location> locations_of_vertices(const Triangulated_surface_3& surface);
 
 /// refuses a screening weight that is not a positive number

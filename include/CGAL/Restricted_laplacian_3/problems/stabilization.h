@@ -31,8 +31,8 @@ double default_normal_stabilization(const Spline_space_3& space);
 double default_spectrum_stabilization(const Spline_space_3& space);
 
 /// \ingroup PkgRestrictedLaplacian3Fits
-/// Factor of the stabilisation for `estimate_curvature()`: larger than for other fits, because it is
-/// the derivatives that count.
+/// Factor of the stabilisation for `estimate_curvature()`: larger than for other fits, because it
+/// is the derivatives that count.
 constexpr double default_curvature_stabilization = 0.01;
 
 namespace internal {

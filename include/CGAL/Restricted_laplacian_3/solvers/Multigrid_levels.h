@@ -51,8 +51,8 @@ struct Multigrid_levels {
   /// of each level but the coarsest, coarsest first, for the smoother
   std::vector<Smoothing_patches> patches;
   /// matrices of each level but the finest, coarsest first, of the size of the columns of
-  /// `prolongations`, or of each the half on and above the diagonal; if there are none, the Galerkin
-  /// products are computed
+  /// `prolongations`, or of each the half on and above the diagonal; if there are none, the
+  /// Galerkin products are computed
   std::vector<Sparse_matrix> coarse_matrices;
 };
 

@@ -48,7 +48,8 @@ struct System_matrices {
 
 /// In one pass over the surface; one matrix is formed for each level.
 /// \param stored a `Poisson_solver` needs the upper halves only, unless it forms Galerkin products
-/// \throws Parameter_error if a value of \f$\alpha\f$ is negative or not finite (names the face), or
+/// \throws Parameter_error if a value of \f$\alpha\f$ is negative or not finite (names the face),
+/// or
 /// \f$c\f$
 System_matrices assemble_system(const Spline_space_3& space, int coarsest,
                                 const Surface_integration_view& integration,

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// Visits the nodes on a sheet of `level` in blocks, with local coordinates in its cell; weights are
-/// in units of the squared width of the finest cells.
+/// Visits the nodes on a sheet of `level` in blocks, with local coordinates in its cell; weights
+/// are in units of the squared width of the finest cells.
 /// \param degree of what is integrated
 inline void visit_nodes_of_level(const Spline_space_3& space, int level, std::size_t sheet,
                                  const Surface_integration_view& integration, int degree,
@@ -56,8 +56,8 @@ inline void visit_nodes_of_level(const Spline_space_3& space, int level, std::si
 }
 
 /// The vectors, columns of a matrix, that get from each sheet of `level` what
-/// `loads_of_sheet(sheet, loads)` writes for its elements, times `factor`: one `Cell_load::Load` for
-/// each column, 0 before. Sheets are computed on several threads, and added in their order.
+/// `loads_of_sheet(sheet, loads)` writes for its elements, times `factor`: one `Cell_load::Load`
+/// for each column, 0 before. Sheets are computed on several threads, and added in their order.
 inline Eigen::MatrixXd
 sum_loads(const Spline_space_3& space, int level, int columns, double factor,
           Function_view<void(std::size_t, Cell_load::Load*)> loads_of_sheet) {

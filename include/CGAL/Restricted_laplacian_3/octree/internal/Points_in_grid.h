@@ -55,7 +55,8 @@ public:
                   return std::array<double, 2>{p[axis], p[axis]};
                 },
                 cell);
-            // Areas may be 0: the centroid of a sheet is that of its points, all with the same weight.
+            // Areas may be 0: the centroid of a sheet is that of its points, all with the same
+            // weight.
             result[i] = {morton_key(cell), static_cast<std::uint32_t>(i), mask, {1, position}};
           }
         });

@@ -39,8 +39,8 @@ struct Vertex_system {
 };
 
 /// \param evaluate `evaluate(points, number)` is called with the nodes of a triangle; then
-/// `weight(i)` is a number for each of them, and `target(i)` are numbers for all channels, which are
-/// read where the weight is positive
+/// `weight(i)` is a number for each of them, and `target(i)` are numbers for all channels, which
+/// are read where the weight is positive
 /// \param degree of the cubature rule
 inline Vertex_system vertex_system(const Triangulated_surface_3& surface,
                                    const Vector_field_view& v,
