@@ -34,6 +34,16 @@ std::atomic<std::size_t> allocated_bytes(0);
 
 } // namespace
 
+// AddressSanitizer needs its own operators; nothing is counted then.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define ALLOCATIONS_ARE_NOT_COUNTED
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define ALLOCATIONS_ARE_NOT_COUNTED
+#endif
+
+#ifndef ALLOCATIONS_ARE_NOT_COUNTED
 // Where only one of them is inlined, GCC takes them for a mismatch.
 #ifdef __GNUC__
 #define NOT_INLINED __attribute__((noinline))
@@ -49,6 +59,7 @@ NOT_INLINED void* operator new(std::size_t size) {
 }
 NOT_INLINED void operator delete(void* p) noexcept { std::free(p); }
 NOT_INLINED void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+#endif
 
 namespace {
 
