@@ -48,7 +48,7 @@ configure() {
 
 # The library at the speed that users have. In programs little is left to optimise.
 configure_all() {
-  configure build -DCMAKE_BUILD_TYPE=Release "-DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O1;--param=ggc-min-expand=20" \
+  configure build -DCMAKE_BUILD_TYPE=Release "-DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O1;--param=ggc-min-expand=10" \
     -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON -DRESTRICTED_LAPLACIAN_3_BUILD_BENCHMARKS=ON \
     -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON
   # Clang compiles the checks faster than GCC and in half the memory, and its warnings are others.
