@@ -207,7 +207,8 @@ public:
     }
     return m_coarse.seconds + seconds_of([&] {
              m_solver.emplace(RL::internal::poisson_solver(m_space, std::move(a), std::move(coarse),
-                                                           m_screening * m_integrals, options));
+                                                           m_integrals, m_screening * m_integrals,
+                                                           options));
            });
   }
   // The limit is fixed when a solver is made: the time of making another one does not count.
