@@ -9,6 +9,8 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What varies has one owner: second models of an integration, of a metric, of a destination of
-// matrices, and of a right-hand side of a linear problem.
+// matrices, of a right-hand side of a linear problem, and of a factorization.
 
 #include "catch.h"
 #include "matrices.h"
@@ -14,10 +14,15 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/shift_invert_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/sparse_cholesky.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
+#include <Eigen/Dense>
+
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <mutex>
@@ -53,13 +58,14 @@ public:
             for(int axis = 0; axis < 3; ++axis)
               position[axis] += moved[axis];
             for(double t : position)
-              is_outside = is_outside || t < 0 || t > 1;
+              if(t < 0 || t > 1)
+                is_outside = true;
             nodes.add(p, position, block.weights[i]);
           }
         });
   }
 
-  mutable bool is_outside = false;
+  mutable std::atomic<bool> is_outside{false};
 
 private:
   RL::Cubature m_cubature;
@@ -91,6 +97,26 @@ RL::Sparse_matrix matrix_of(const std::vector<Eigen::Triplet<double>>& entries, 
 }
 
 RL::Symmetric_tensor_3 diagonal_tensor(double x, double y, double z) { return {x, y, z, 0, 0, 0}; }
+
+/// A factorization as a user may write one: dense, and with another order of the unknowns.
+class Dense_cholesky {
+public:
+  void compute(const RL::Sparse_matrix& k) {
+    ++number_of_factorizations;
+    m_factor.compute(Eigen::MatrixXd(k).reverse());
+  }
+  Eigen::ComputationInfo info() const { return m_factor.info(); }
+  Eigen::VectorXd solve_lower(const Eigen::VectorXd& b) const {
+    return m_factor.matrixL().solve(b.reverse());
+  }
+  Eigen::VectorXd solve_upper(const Eigen::VectorXd& b) const {
+    return m_factor.matrixU().solve(b).reverse();
+  }
+  static inline int number_of_factorizations = 0;
+
+private:
+  Eigen::LLT<Eigen::MatrixXd> m_factor;
+};
 
 } // namespace
 
@@ -241,5 +267,21 @@ TEST_CASE("screening_by_a_function_keeps_the_mean_as_a_number_does", "[contracts
     CHECK(std::abs(by_number[v] - by_function[v]) < 1e-5);
     // -Laplacian x = 2 x on the sphere
     CHECK(by_function[v] - 1 / alpha == Approx(t.points[v].x() / 2).margin(0.02));
+  }
+}
+
+TEST_CASE("eigenpairs_do_not_depend_on_the_factorization", "[contracts]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Operators o = RL::assemble_operators(space);
+  // with CHOLMOD, where there is one
+  const Eigen::VectorXd expected = RL::smallest_eigenpairs(o.stiffness, o.mass, 20).values;
+  const RL::Eigenpairs found[] = {
+      RL::shift_invert_eigenpairs<RL::Eigen_simplicial_cholesky>(o.stiffness, o.mass, 20),
+      RL::shift_invert_eigenpairs<Dense_cholesky>(o.stiffness, o.mass, 20)};
+  CHECK(Dense_cholesky::number_of_factorizations > 0);
+  for(const RL::Eigenpairs& pairs : found) {
+    CHECK(pairs.converged);
+    CHECK(pairs.iterations > 0);
+    CHECK((pairs.values - expected).cwiseAbs().maxCoeff() <= 1e-7 * expected[19]);
   }
 }

@@ -11,9 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/largest_pairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
-#include <CGAL/Restricted_laplacian_3/spectra/shift_invert_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
-#include <CGAL/Restricted_laplacian_3/spectra/sparse_cholesky.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <CGAL/assertions.h>
@@ -95,26 +93,6 @@ void uncompress(RL::Sparse_matrix& a) {
   a.reserve(Eigen::VectorXi::Constant(a.cols(), 3));
   REQUIRE_FALSE(a.isCompressed());
 }
-
-/// A factorization as a user may write one: dense, and with another order of the unknowns.
-class Dense_cholesky {
-public:
-  void compute(const RL::Sparse_matrix& k) {
-    ++number_of_factorizations;
-    m_factor.compute(Eigen::MatrixXd(k).reverse());
-  }
-  Eigen::ComputationInfo info() const { return m_factor.info(); }
-  Eigen::VectorXd solve_lower(const Eigen::VectorXd& b) const {
-    return m_factor.matrixL().solve(b.reverse());
-  }
-  Eigen::VectorXd solve_upper(const Eigen::VectorXd& b) const {
-    return m_factor.matrixU().solve(b).reverse();
-  }
-  static inline int number_of_factorizations = 0;
-
-private:
-  Eigen::LLT<Eigen::MatrixXd> m_factor;
-};
 
 } // namespace
 
@@ -328,24 +306,6 @@ TEST_CASE("panels_are_multiplied_as_matrices", "[eigensolver]") {
       REQUIRE(x.column(j)[width * i] == Approx(expected(i, j)).margin(1e-13));
     for(int j = 0; j < 13; ++j)
       REQUIRE(result.column(j)[width * i] == Approx(expected_p(i, j)).margin(1e-5));
-  }
-}
-
-TEST_CASE("eigenpairs_do_not_depend_on_the_factorization", "[eigensolver]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
-  const RL::Operators o = RL::assemble_operators(space);
-  const Eigen::VectorXd expected = RL::smallest_eigenpairs(o.stiffness, o.mass, 20).values;
-  std::vector<RL::Eigenpairs> found = {
-      RL::shift_invert_eigenpairs<RL::Eigen_simplicial_cholesky>(o.stiffness, o.mass, 20),
-      RL::shift_invert_eigenpairs<Dense_cholesky>(o.stiffness, o.mass, 20)};
-#ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
-  found.push_back(RL::shift_invert_eigenpairs<RL::Cholmod_cholesky>(o.stiffness, o.mass, 20));
-#endif
-  CHECK(Dense_cholesky::number_of_factorizations > 0);
-  for(const RL::Eigenpairs& pairs : found) {
-    CHECK(pairs.converged);
-    CHECK(pairs.iterations > 0);
-    CHECK((pairs.values - expected).cwiseAbs().maxCoeff() <= 1e-7 * expected[19]);
   }
 }
 
