@@ -16,7 +16,10 @@ log, *command = sys.argv[1:]
 child = os.posix_spawnp(command[0], command, os.environ)
 status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 used = resource.getrusage(resource.RUSAGE_CHILDREN)
-what = command[command.index("-o") + 1] if "-o" in command else " ".join(command)
+if "-o" in command:
+    what = os.path.abspath(command[command.index("-o") + 1])
+else:
+    what = " ".join(command)
 with open(log, "a", encoding="utf-8") as file:
     seconds = used.ru_utime + used.ru_stime
     file.write("%.1f %.0f %s\n" % (seconds, used.ru_maxrss / 1024, what))
