@@ -97,6 +97,30 @@ struct Poisson_solver::Impl {
       throw Parameter_error("b", "has an entry that is not a finite number");
   }
 
+  /// \param x a vector or a matrix, gets the size of `b`
+  template <class Vectors>
+  Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Vectors& x,
+                     double relative_tolerance) const {
+    check(b, relative_tolerance);
+    Solve_report report;
+    report.converged = true;
+    report.setup_seconds = setup_seconds;
+    CGAL::Real_timer timer;
+    timer.start();
+    x.resize(b.rows(), b.cols());
+    for(Eigen::Index first = 0; first < b.cols(); first += internal::vectors_of_a_block) {
+      // Some columns travel with empty ones: eight take about twice as long as one.
+      const Eigen::Index left = b.cols() - first;
+      if(left == 1)
+        solve_block<1>(relative_tolerance, b.rightCols(left), x.rightCols(left), report);
+      else
+        solve_block<internal::vectors_of_a_block>(relative_tolerance, b.rightCols(left),
+                                                  x.rightCols(left), report);
+    }
+    report.solve_seconds = timer.time();
+    return report;
+  }
+
   /// solves for the first columns of `b`, at most `K`, and adds to the report
   template <int K>
   void solve_block(double relative_tolerance, const Eigen::Ref<const Eigen::MatrixXd>& b,
@@ -252,16 +276,7 @@ Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorX
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
 Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
                       double relative_tolerance) const {
-  m_impl->check(b, relative_tolerance);
-  Solve_report report;
-  report.converged = true;
-  report.setup_seconds = m_impl->setup_seconds;
-  CGAL::Real_timer timer;
-  timer.start();
-  x.resize(b.rows());
-  m_impl->solve_block<1>(relative_tolerance, b, x, report);
-  report.solve_seconds = timer.time();
-  return report;
+  return m_impl->solve(b, x, relative_tolerance);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
@@ -272,25 +287,7 @@ Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixX
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
 Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
                       double relative_tolerance) const {
-  m_impl->check(b, relative_tolerance);
-  Solve_report report;
-  report.converged = true;
-  report.setup_seconds = m_impl->setup_seconds;
-  CGAL::Real_timer timer;
-  timer.start();
-  x.resize(b.rows(), b.cols());
-  for(Eigen::Index first = 0; first < b.cols();) {
-    // Some columns travel with empty ones: eight take about twice as long as one.
-    const Eigen::Index left = b.cols() - first;
-    if(left == 1)
-      m_impl->solve_block<1>(relative_tolerance, b.rightCols(left), x.rightCols(left), report);
-    else
-      m_impl->solve_block<internal::vectors_of_a_block>(relative_tolerance, b.rightCols(left),
-                                                        x.rightCols(left), report);
-    first += internal::vectors_of_a_block;
-  }
-  report.solve_seconds = timer.time();
-  return report;
+  return m_impl->solve(b, x, relative_tolerance);
 }
 
 } // namespace Restricted_laplacian_3
