@@ -318,21 +318,38 @@ private:
 /// A symmetric 27 x 27 block: entry \f$27 i + j\f$, elements numbered as in `Cell_elements`.
 using Cell_block = std::array<double, Tensor_basis_3::size * Tensor_basis_3::size>;
 
-/// \f$\int b_i b_j\f$ over the surface in one cell, in units of the squared cell width.
-inline void mass_block(const Sheet_moments& moments, Cell_block& block) {
-  const auto& v = Spline_products::values;
-  std::array<double, 216> values;
-  contract(v, v, v, moments.component(Sheet_moments::mass), values);
+/// Where the products of one factor of two elements stand in `Spline_products`.
+struct Factor_pair {
+  int symmetric;  // in those that are equal for both orders, 6
+  int ordered;    // in those that are not, 9
+  int transposed; // in the same, with the elements exchanged
+};
+
+/// Sets every entry of a block to `value(x, y, z)`, the pairs of factors of its two elements.
+template <class Value> void fill_block(Cell_block& block, Value&& value) {
+  static constexpr auto pair = [](int i, int j) {
+    return Factor_pair{pair_number(i, j), i + 3 * j, j + 3 * i};
+  };
   std::size_t entry = 0;
   for(int iz = 0; iz < 3; ++iz)
     for(int iy = 0; iy < 3; ++iy)
       for(int ix = 0; ix < 3; ++ix)
         for(int jz = 0; jz < 3; ++jz)
           for(int jy = 0; jy < 3; ++jy) {
-            const int row = 6 * (pair_number(iy, jy) + 6 * pair_number(iz, jz));
+            const Factor_pair y = pair(iy, jy), z = pair(iz, jz);
             for(int jx = 0; jx < 3; ++jx)
-              block[entry++] = values[pair_number(ix, jx) + row];
+              block[entry++] = value(pair(ix, jx), y, z);
           }
+}
+
+/// \f$\int b_i b_j\f$ over the surface in one cell, in units of the squared cell width.
+inline void mass_block(const Sheet_moments& moments, Cell_block& block) {
+  const auto& v = Spline_products::values;
+  std::array<double, 216> values;
+  contract(v, v, v, moments.component(Sheet_moments::mass), values);
+  fill_block(block, [&](const Factor_pair& x, const Factor_pair& y, const Factor_pair& z) {
+    return values[x.symmetric + 6 * (y.symmetric + 6 * z.symmetric)];
+  });
 }
 
 /// \f$\int \nabla b_i^T A\, \nabla b_j\f$ over the surface in one cell; it has no unit.
@@ -351,24 +368,17 @@ inline void stiffness_block(const Sheet_moments& moments, Cell_block& block) {
   contract(m, v, mt, moments.component(4), xz);
   contract(v, m, mt, moments.component(5), yz);
 
-  std::size_t entry = 0;
-  for(int iz = 0; iz < 3; ++iz)
-    for(int iy = 0; iy < 3; ++iy)
-      for(int ix = 0; ix < 3; ++ix)
-        for(int jz = 0; jz < 3; ++jz)
-          for(int jy = 0; jy < 3; ++jy) {
-            const int py = pair_number(iy, jy), pz = pair_number(iz, jz);
-            const int y = iy + 3 * jy, yt = jy + 3 * iy, z = iz + 3 * jz, zt = jz + 3 * iz;
-            for(int jx = 0; jx < 3; ++jx) {
-              const int px = pair_number(ix, jx), x = ix + 3 * jx, xt = jx + 3 * ix;
-              const int p = px + 6 * (py + 6 * pz);
-              // Sums of an entry with its transpose first: the block is symmetric to the last bit.
-              block[entry++] = xx[p] + yy[p] + zz[p] +
-                               (xy[x + 9 * (y + 9 * pz)] + xy[xt + 9 * (yt + 9 * pz)]) +
-                               (xz[x + 9 * (py + 6 * z)] + xz[xt + 9 * (py + 6 * zt)]) +
-                               (yz[px + 6 * (y + 9 * z)] + yz[px + 6 * (yt + 9 * zt)]);
-            }
-          }
+  fill_block(block, [&](const Factor_pair& x, const Factor_pair& y, const Factor_pair& z) {
+    const int p = x.symmetric + 6 * (y.symmetric + 6 * z.symmetric);
+    // Sums of an entry with its transpose first: the block is symmetric to the last bit.
+    return xx[p] + yy[p] + zz[p] +
+           (xy[x.ordered + 9 * (y.ordered + 9 * z.symmetric)] +
+            xy[x.transposed + 9 * (y.transposed + 9 * z.symmetric)]) +
+           (xz[x.ordered + 9 * (y.symmetric + 6 * z.ordered)] +
+            xz[x.transposed + 9 * (y.symmetric + 6 * z.transposed)]) +
+           (yz[x.symmetric + 6 * (y.ordered + 9 * z.ordered)] +
+            yz[x.symmetric + 6 * (y.transposed + 9 * z.transposed)]);
+  });
 }
 
 /// \f$\int b_i\f$ over the surface in one cell, in units of the squared cell width: Bernstein
