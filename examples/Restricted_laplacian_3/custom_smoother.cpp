@@ -22,15 +22,18 @@ namespace params = CGAL::parameters;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
-/// Jacobi's iteration with the sums of absolute values of the rows in place of the diagonal, which
-/// converges for every matrix: x = x + D (b - A x). D is diagonal, so a step is its own transpose.
-/// A model of MultigridSmoother_3.
+/// Jacobi's iteration x = x + D (b - A x), in which D is smaller than the inverse diagonal, by what the
+/// rows of A, scaled to a diagonal of 1, sum to in absolute values: so it converges for every matrix. D
+/// is diagonal, so a step is its own transpose. A model of MultigridSmoother_3.
 class Jacobi_smoother {
 public:
   Jacobi_smoother(const Sparse_matrix& a, const RL::Smoothing_patches&, bool /*is_parallel*/)
-    : m_a(a), m_factors(a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols())) {
+    : m_a(a) {
     // rows of elements that hardly reach the surface may be 0
-    m_factors = (m_factors.array() > 0).select(m_factors.cwiseInverse(), 0);
+    const Eigen::ArrayXd diagonal = a.diagonal();
+    const Eigen::ArrayXd scale = (diagonal > 0).select(diagonal.rsqrt(), 0);
+    const Eigen::ArrayXd sums = a.cwiseAbs() * scale.matrix();
+    m_factors = (diagonal > 0).select(scale / sums, 0);
   }
 
   void smooth(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const {
