@@ -9,10 +9,15 @@
 
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
+#include <Eigen/LU>
 #include <Eigen/SparseCore>
 
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace {
@@ -62,6 +67,38 @@ Solution solve(Preconditioner&& preconditioner, const RL::Sparse_matrix& a,
   return {x, static_cast<int>(cg.iterations())};
 }
 
+/// The nodes of a cubature with the metric of the surface that is stretched along the axes. A model
+/// of SurfaceIntegration_3: nothing but weights and metrics has to know of the other surface.
+class Stretched_surface {
+public:
+  Stretched_surface(const RL::Spline_space_3& space, const RL::Vector_3& factors)
+    : m_cubature(space), m_factors(factors.x(), factors.y(), factors.z()) {}
+
+  void add_nodes(std::size_t sheet, int degree, RL::Integration_nodes& nodes) const {
+    RL::Surface_integration_view(m_cubature)
+        .visit_nodes(sheet, degree, [&](const RL::Integration_node_block& block) {
+          for(std::size_t i = 0; i < block.size; ++i) {
+            const RL::Vector_3& n = block.points[i].normal;
+            // T, an orthonormal basis of the tangents, and G = (F T)^T (F T): the metric is
+            // T G^-1 T^T
+            const Eigen::Vector3d normal(n.x(), n.y(), n.z()), side = normal.unitOrthogonal();
+            Eigen::Matrix<double, 3, 2> t, stretched;
+            t << side, normal.cross(side);
+            stretched = m_factors.asDiagonal() * t;
+            const Eigen::Matrix2d g = stretched.transpose() * stretched;
+            const Eigen::Matrix3d a = t * g.inverse() * t.transpose();
+            nodes.add(block.points[i], block.position(i),
+                      block.weights[i] * std::sqrt(g.determinant()),
+                      {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)});
+          }
+        });
+  }
+
+private:
+  RL::Cubature m_cubature;
+  Eigen::Vector3d m_factors;
+};
+
 } // namespace
 
 TEST_CASE("a_newcomers_smoother_makes_a_hierarchy", "[newcomers]") {
@@ -81,4 +118,26 @@ TEST_CASE("a_newcomers_smoother_makes_a_hierarchy", "[newcomers]") {
   CHECK(2 * by_chebyshev.iterations <= by_diagonal.iterations);
   const Eigen::VectorXd difference = by_chebyshev.x - by_points.x;
   CHECK(difference.dot(o.mass * difference) <= 1e-12 * by_points.x.dot(o.mass * by_points.x));
+}
+
+TEST_CASE("a_newcomers_integration_gives_the_spectrum_of_another_surface", "[newcomers]") {
+  const RL::Vector_3 factors(1, 0.8, 1.3);
+  const shapes::Triangles sphere = shapes::sphere(4);
+  shapes::Triangles ellipsoid = sphere;
+  for(RL::Point_3& p : ellipsoid.points)
+    p = RL::Point_3(factors.x() * p.x(), factors.y() * p.y(), factors.z() * p.z());
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4)),
+      other(ellipsoid.points, ellipsoid.faces, params::octree_depth(4));
+  const RL::Operators stretched =
+                          RL::assemble_operators(space, 4, Stretched_surface(space, factors)),
+                      direct = RL::assemble_operators(other, 4, RL::Cubature(other));
+  // mass matrices sum to areas
+  CHECK(stretched.mass.sum() == Approx(direct.mass.sum()).epsilon(1e-12));
+  const Eigen::VectorXd values =
+                            RL::smallest_eigenpairs(stretched.stiffness, stretched.mass, 16).values,
+                        expected =
+                            RL::smallest_eigenpairs(direct.stiffness, direct.mass, 16).values;
+  INFO(values.transpose() << ", expected " << expected.transpose());
+  CHECK((values - expected).cwiseAbs().maxCoeff() <= 1e-4 * expected[15]);
+  CHECK(expected[1] < 0.95 * expected[3]); // on the sphere they are equal
 }
