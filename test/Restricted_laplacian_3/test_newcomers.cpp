@@ -7,18 +7,22 @@
 #include "catch.h"
 #include "shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -99,6 +103,30 @@ private:
   Eigen::Vector3d m_factors;
 };
 
+/// Heat that flows on a surface, in implicit steps of Euler:
+/// \f$(S + M / \tau)\, u_{k+1} = M / \tau\, u_k\f$.
+class Heat_flow {
+public:
+  /// \param load of the function at the beginning
+  Heat_flow(const RL::Spline_space_3& space, double tau, const Eigen::VectorXd& load)
+    : m_mass(RL::assemble_mass_matrix(space)), m_tau(tau), m_load(load),
+      m_solver(RL::make_poisson_solver(space, 1 / tau, params::relative_tolerance(1e-10))) {}
+
+  Eigen::VectorXd step() {
+    Eigen::VectorXd u;
+    m_solver.solve(m_load / m_tau, u);
+    m_load = m_mass * u;
+    return u;
+  }
+  double heat() const { return m_load.sum(); }
+
+private:
+  RL::Sparse_matrix m_mass;
+  double m_tau;
+  Eigen::VectorXd m_load;
+  RL::Poisson_solver m_solver;
+};
+
 } // namespace
 
 TEST_CASE("a_newcomers_smoother_makes_a_hierarchy", "[newcomers]") {
@@ -140,4 +168,28 @@ TEST_CASE("a_newcomers_integration_gives_the_spectrum_of_another_surface", "[new
   INFO(values.transpose() << ", expected " << expected.transpose());
   CHECK((values - expected).cwiseAbs().maxCoeff() <= 1e-4 * expected[15]);
   CHECK(expected[1] < 0.95 * expected[3]); // on the sphere they are equal
+}
+
+TEST_CASE("a_newcomers_application_lets_heat_flow", "[newcomers]") {
+  const shapes::Triangles sphere = shapes::sphere(5);
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4));
+  // z is an eigenfunction with the eigenvalue 2
+  constexpr double tau = 0.1;
+  constexpr int steps = 5;
+  Heat_flow flow(space, tau, RL::assemble_load(space, [](const RL::Surface_point& p) {
+                   return 1 + p.point.z();
+                 }));
+  const double heat = flow.heat();
+  CHECK(heat == Approx(space.surface().area()).epsilon(1e-12));
+  Eigen::VectorXd u;
+  for(int k = 0; k < steps; ++k)
+    u = flow.step();
+  CHECK(flow.heat() == Approx(heat).epsilon(1e-9));
+  const double left = std::pow(1 + 2 * tau, -steps);
+  const std::vector<double> values = RL::Spline_function_3(space, u).values_at_vertices();
+  double error = 0;
+  for(std::size_t v = 0; v < values.size(); ++v)
+    error = (std::max)(error, std::abs(values[v] - (1 + left * sphere.points[v].z())));
+  INFO("error " << error << ", part of z that is left " << left);
+  CHECK(error <= 2e-3 * left);
 }
