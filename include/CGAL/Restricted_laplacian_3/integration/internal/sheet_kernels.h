@@ -364,16 +364,6 @@ mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& bl
 
 } // namespace lanes
 
-#define CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(call)                                                 \
-  if(processor_has_lanes())                                                                        \
-    lanes::call;                                                                                   \
-  else                                                                                             \
-    plain::call
-
-#else
-
-#define CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(call) plain::call
-
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
 
 /// Adds the moments of a fragment of a triangle.
@@ -384,27 +374,25 @@ mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& bl
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
                          const Symmetric_tensor_3& metric, Sheet_moments& moments,
                          double mass_weight) {
-  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_fragment(fragment, cell, metric, moments, mass_weight));
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_fragment(fragment, cell, metric, moments, mass_weight));
 }
 
 /// Adds the moments of a child to those of its parent, whose area unit is four times that of the
 /// child.
 inline void add_child_moments(const Sheet_moments& child, int octant, Sheet_moments& parent) {
-  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(add_child_moments(child, octant, parent));
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_child_moments(child, octant, parent));
 }
 
 /// the blocks of `stiffness_block()` of four sheets
 inline void stiffness_blocks(const std::array<const Sheet_moments*, 4>& sheets,
                              Packed_blocks& blocks) {
-  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(stiffness_blocks(sheets, blocks));
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(stiffness_blocks(sheets, blocks));
 }
 
 /// the blocks of `mass_block()` of four sheets
 inline void mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& blocks) {
-  CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH(mass_blocks(sheets, blocks));
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(mass_blocks(sheets, blocks));
 }
-
-#undef CGAL_RESTRICTED_LAPLACIAN_3_DISPATCH
 
 } // namespace internal
 } // namespace Restricted_laplacian_3
