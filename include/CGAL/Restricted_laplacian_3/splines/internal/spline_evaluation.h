@@ -7,7 +7,6 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 
 #include <algorithm>
 #include <array>
@@ -96,16 +95,6 @@ inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int
           is_lost[v] = points[v].sheet == Sheet_point::not_on_surface;
         }
   return points;
-}
-
-/// the values of the elements at a point
-inline Tensor_basis_3::Values element_values(const std::array<double, 3>& t) {
-  return Tensor_basis_3::values(t);
-}
-
-/// the derivatives of the elements along an axis at a point, times the cell width
-inline Tensor_basis_3::Values element_derivatives(const std::array<double, 3>& t, int axis) {
-  return Tensor_basis_3::derivatives(t, axis);
 }
 
 } // namespace internal

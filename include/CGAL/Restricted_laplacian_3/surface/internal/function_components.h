@@ -132,11 +132,6 @@ template <class Field>
 using Channels_of =
     Vector_field_channels<std::decay_t<std::invoke_result_t<const Field&, const Surface_point&>>>;
 
-/// the components of a function at a point, as a column vector
-template <class Function> auto components_at(const Function& f, const Surface_point& p) {
-  return Components_of<Function>::read(f(p));
-}
-
 /// writes the rows of a matrix, one for each vertex, into a property map of numbers or vectors
 template <class Source, class PropertyMap>
 void put_rows(const Source& source, const Eigen::MatrixXd& values, const PropertyMap& map) {
