@@ -22,9 +22,9 @@ namespace params = CGAL::parameters;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
-/// Jacobi's iteration x = x + D (b - A x), in which D is smaller than the inverse diagonal, by what the
-/// rows of A, scaled to a diagonal of 1, sum to in absolute values: so it converges for every matrix. D
-/// is diagonal, so a step is its own transpose. A model of MultigridSmoother_3.
+/// Jacobi's iteration x = x + D (b - A x), in which D is smaller than the inverse diagonal, by what
+/// the rows of A, scaled to a diagonal of 1, sum to in absolute values: so it converges for every
+/// matrix. D is diagonal, so a step is its own transpose. A model of MultigridSmoother_3.
 class Jacobi_smoother {
 public:
   Jacobi_smoother(const Sparse_matrix& a, const RL::Smoothing_patches&, bool /*is_parallel*/)
