@@ -69,7 +69,7 @@ TEST_CASE("functions_in_the_space_are_fitted_to_the_tolerance", "[fit]") {
   CHECK(RL::fit_function(space, quadric).root_mean_square_error() < 1e-6);
 }
 
-TEST_CASE("smooth_functions_are_fitted_with_order_three", "[fit]") {
+TEST_CASE("smooth_functions_are_fitted_with_order_three", "[fit][slow]") {
   // an ellipsoid whose axes are not those of the grid
   shapes::Triangles ellipsoid = shapes::sphere(4);
   for(RL::Point_3& p : ellipsoid.points)

@@ -118,7 +118,7 @@ Calibration calibration_of_operators(const RL::Spline_space_3& space, RL::Sampli
 
 } // namespace
 
-TEST_CASE("matrices_of_samples_converge_with_their_square_root", "[monte_carlo]") {
+TEST_CASE("matrices_of_samples_converge_with_their_square_root", "[monte_carlo][slow]") {
   const RL::Spline_space_3 space = sampled_space(shapes::sphere(3), 3);
   for(double slope : slopes_of_errors(space, RL::Sampling::independent)) {
     CHECK(slope >= -0.55);
@@ -126,13 +126,13 @@ TEST_CASE("matrices_of_samples_converge_with_their_square_root", "[monte_carlo]"
   }
 }
 
-TEST_CASE("matrices_of_stratified_samples_converge_faster", "[monte_carlo]") {
+TEST_CASE("matrices_of_stratified_samples_converge_faster", "[monte_carlo][slow]") {
   const RL::Spline_space_3 space = sampled_space(shapes::sphere(3), 3);
   for(double slope : slopes_of_errors(space, RL::Sampling::stratified))
     CHECK(slope <= -0.85);
 }
 
-TEST_CASE("matrices_of_samples_are_unbiased_and_their_error_bars_right", "[monte_carlo]") {
+TEST_CASE("matrices_of_samples_are_unbiased_and_their_error_bars_right", "[monte_carlo][slow]") {
   const RL::Spline_space_3 space = sampled_space(three_sided_ellipsoid(2), 2);
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified}) {
     const Calibration c = calibration_of_operators(space, sampling);

@@ -376,7 +376,7 @@ TEST_CASE("number_of_elements_of_the_paper_on_real_meshes", "[operators]") {
   }
 }
 
-TEST_CASE("monte_carlo_converges_to_cubature", "[operators]") {
+TEST_CASE("monte_carlo_converges_to_cubature", "[operators][slow]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const RL::Spline_space_3 space(mesh, params::octree_depth(3));
   const RL::Operators exact = RL::assemble_operators(space);

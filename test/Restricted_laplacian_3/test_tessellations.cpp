@@ -50,7 +50,7 @@ double mean_change(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 
 } // namespace
 
-TEST_CASE("multiplicities_of_the_sphere_up_to_degree_13", "[spectrum]") {
+TEST_CASE("multiplicities_of_the_sphere_up_to_degree_13", "[spectrum][slow]") {
   const shapes::Mesh mesh = shapes::mesh(shapes::sphere(6));
   const RL::Laplace_spectrum spectrum =
       RL::laplace_spectrum(mesh, Sphere_spectrum::count, params::octree_depth(4));
@@ -63,7 +63,7 @@ TEST_CASE("multiplicities_of_the_sphere_up_to_degree_13", "[spectrum]") {
   CHECK(sphere.error <= 2e-3);
 }
 
-TEST_CASE("spectrum_stays_when_a_mesh_is_simplified", "[spectrum]") {
+TEST_CASE("spectrum_stays_when_a_mesh_is_simplified", "[spectrum][slow]") {
   // QSlim moves the surface a little; what the spectrum changes beyond that is the fault of the
   // elements.
   const shapes::Mesh fine = shapes::read(cgal_mesh("bear.off"));
