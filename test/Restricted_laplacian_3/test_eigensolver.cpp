@@ -111,7 +111,8 @@ TEST_CASE("multigrid_eigenpairs_are_those_of_a_factorization", "[eigensolver]") 
       5, 30);
 }
 
-TEST_CASE("multigrid_eigenpairs_do_not_miss_copies_of_a_multiple_eigenvalue", "[eigensolver][slow]") {
+TEST_CASE("multigrid_eigenpairs_do_not_miss_copies_of_a_multiple_eigenvalue",
+          "[eigensolver][slow]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
   const Level_matrices m = level_matrices(space, 2);
   const Eigen::VectorXd expected =
