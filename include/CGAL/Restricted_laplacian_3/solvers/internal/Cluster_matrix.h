@@ -36,27 +36,12 @@ public:
   /// \param room what may be written to meanwhile
   Cluster_matrix(bool is_parallel, const Sparse_matrix& a, const Level_positions& positions,
                  const std::vector<double>& scale, Aligned_room* room = nullptr) {
-    const Symmetric_rows rows(a, room);
+    const Source source(a, positions, scale, room);
     const std::size_t clusters = positions.number_of_clusters();
-    std::vector<int> unknowns(positions.number_of_positions, -1);
     m_cluster_sizes.assign(clusters, 0);
-    for(std::size_t i = 0; i < positions.of_unknown.size(); ++i) {
-      unknowns[positions.of_unknown[i]] = static_cast<int>(i);
-      ++m_cluster_sizes[positions.of_unknown[i] / lanes_of_floats];
-    }
-    // calls visit(lane, position of the column, value) for all entries in the rows of cluster i
-    const auto for_each_entry = [&](std::size_t i, auto&& visit) {
-      for(int lane = 0; lane < m_cluster_sizes[i]; ++lane) {
-        const int row = unknowns[lanes_of_floats * i + lane];
-        rows.for_each_entry(row, [&](int column, double value) {
-          visit(lane, positions.of_unknown[column], scale[row] * value * scale[column]);
-        });
-      }
-    };
+    for(std::uint32_t position : positions.of_unknown)
+      ++m_cluster_sizes[position / lanes_of_floats];
     // calls work(i, numbers) for all clusters, with a number for each position that is kept
-    using Numbers = std::vector<std::uint32_t>;
-    constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-    constexpr std::size_t grain = 2048;
     Object_pool<Numbers> pool;
     const auto for_each_cluster = [&](auto&& work) {
       parallel_for(is_parallel, 0, clusters, grain, [&](std::size_t begin, std::size_t end) {
@@ -70,15 +55,7 @@ public:
     std::vector<Numbers> chunks((clusters + grain - 1) / grain);
     m_first.assign(clusters + 1, 0);
     for_each_cluster([&](std::size_t i, Numbers& last_seen) {
-      Numbers& columns = chunks[i / grain];
-      const std::ptrdiff_t before = static_cast<std::ptrdiff_t>(columns.size());
-      for_each_entry(i, [&](int, std::uint32_t column, double) {
-        if(last_seen[column] != i)
-          columns.push_back(column);
-        last_seen[column] = static_cast<std::uint32_t>(i);
-      });
-      std::sort(columns.begin() + before, columns.end());
-      m_first[i + 1] = columns.size() - static_cast<std::size_t>(before);
+      m_first[i + 1] = add_columns(i, source, last_seen, chunks[i / grain]);
     });
     m_first_values.assign(clusters + 1, 0);
     for(std::size_t i = 0; i < clusters; ++i) {
@@ -92,14 +69,8 @@ public:
     }
     // Products read eight numbers at a time.
     m_values.assign(m_first_values.back() + lanes_of_floats - 1, 0.f);
-    for_each_cluster([&](std::size_t i, Numbers& number_of_column) {
-      for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
-        number_of_column[m_columns[k]] = static_cast<std::uint32_t>(k - m_first[i]);
-      float* const values = m_values.data() + m_first_values[i];
-      for_each_entry(i, [&](int lane, std::uint32_t column, double value) {
-        values[m_cluster_sizes[i] * number_of_column[column] + lane] = static_cast<float>(value);
-      });
-    });
+    for_each_cluster(
+        [&](std::size_t i, Numbers& number_of_column) { set_values(i, source, number_of_column); });
   }
 
   std::size_t number_of_clusters() const { return m_first.size() - 1; }
@@ -136,6 +107,63 @@ public:
   }
 
 private:
+  using Numbers = std::vector<std::uint32_t>;
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+  static constexpr std::size_t grain = 2048; // clusters
+
+  /// the scaled matrix, row by row, in the order of the positions
+  class Source {
+  public:
+    Source(const Sparse_matrix& a, const Level_positions& positions,
+           const std::vector<double>& scale, Aligned_room* room)
+      : m_rows(a, room), m_positions(positions.of_unknown), m_scale(scale),
+        m_unknowns(positions.number_of_positions, -1) {
+      for(std::size_t i = 0; i < m_positions.size(); ++i)
+        m_unknowns[m_positions[i]] = static_cast<int>(i);
+    }
+
+    /// Calls `visit(position of the column, value)` for all entries of a row.
+    template <class Visitor> void for_each_entry(std::size_t position, Visitor&& visit) const {
+      const int row = m_unknowns[position];
+      m_rows.for_each_entry(row, [&](int column, double value) {
+        visit(m_positions[column], m_scale[row] * value * m_scale[column]);
+      });
+    }
+
+  private:
+    Symmetric_rows m_rows;
+    const std::vector<std::uint32_t>& m_positions;
+    const std::vector<double>& m_scale;
+    std::vector<int> m_unknowns; // at each position
+  };
+
+  /// Appends the columns of cluster `i`, ascending.
+  /// \param last_seen the last cluster, not `i`, with an entry at each position
+  std::size_t add_columns(std::size_t i, const Source& source, Numbers& last_seen,
+                          Numbers& columns) const {
+    const std::size_t before = columns.size();
+    for(std::size_t lane = 0; lane < m_cluster_sizes[i]; ++lane)
+      source.for_each_entry(lanes_of_floats * i + lane, [&](std::uint32_t column, double) {
+        if(last_seen[column] != i)
+          columns.push_back(column);
+        last_seen[column] = static_cast<std::uint32_t>(i);
+      });
+    std::sort(columns.begin() + static_cast<std::ptrdiff_t>(before), columns.end());
+    return columns.size() - before;
+  }
+
+  /// \param number_of_column room for a number for each position
+  void set_values(std::size_t i, const Source& source, Numbers& number_of_column) {
+    for(std::size_t k = m_first[i]; k < m_first[i + 1]; ++k)
+      number_of_column[m_columns[k]] = static_cast<std::uint32_t>(k - m_first[i]);
+    float* const values = m_values.data() + m_first_values[i];
+    const std::size_t size = m_cluster_sizes[i];
+    for(std::size_t lane = 0; lane < size; ++lane)
+      source.for_each_entry(lanes_of_floats * i + lane, [&](std::uint32_t column, double value) {
+        values[size * number_of_column[column] + lane] = static_cast<float>(value);
+      });
+  }
+
   std::vector<std::uint8_t> m_cluster_sizes; // number of unknowns
   std::vector<std::size_t> m_first;          // column of each cluster, and one more
   std::vector<std::size_t> m_first_values;   // of each cluster, and one more
