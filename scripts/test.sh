@@ -94,11 +94,11 @@ stage tests run_all
 
 echo
 echo "The slowest compilations (seconds, MiB):"
-sort -rn "$compilations" | head -n 10
+sort -rn "$compilations" | awk 'NR <= 10'
 echo
 echo "The slowest tests (seconds):"
 sed -n 's/.*<testcase name="\([^"]*\)".* time="\([^"]*\)".*/\2 \1/p' "$results" | sort -rn |
-  awk '{ printf "%.1f %s\n", $1, $2 }' | head -n 20
+  awk 'NR <= 20 { printf "%.1f %s\n", $1, $2 }'
 echo
 printf '%s\n' "${stages[@]}"
 
