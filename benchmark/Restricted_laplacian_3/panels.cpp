@@ -5,8 +5,7 @@
 // `multigrid_eigenpairs()` does with tall matrices, X in double, P and W in single precision:
 // - products: of all columns with those of S W and M W
 // - update: X and P become combinations of all columns
-// for panels, and for matrices of Eigen, with the columns or the rows one after the other, which
-// get
+// for panels, and for matrices of Eigen, with the columns or the rows one after the other, which get
 // all columns of S W and M W at once, and are worked on in the same chunks of rows: with P and W in
 // single precision as well, or all in double. Each is the median of five runs, and what it takes
 // is also given over the time for panels.

@@ -1,0 +1,329 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Are a sort and an inverse of our own worth their code? Measures, beside what libraries have,
+// - `stable_sort_by_key()`: of the elements of sheets by their centres, and of fragments of
+//   triangles by their cells, in rows as a scanner sees them or in random order, at a depth where a
+//   sphere has 50,000 cells. Sorts that are not stable break ties by the number of the value.
+// - `Symmetric_inverse`: of the blocks of a smoother, which have up to 64 unknowns, most of them 49.
+//   Of the peers only the decomposition into eigenvectors copes with singular blocks, too.
+// Each is the median of eleven runs, and is also given over our own.
+//
+// usage: sorts_and_inverses [--threads N]
+// default: one thread
+
+#include "support/measure.h"
+
+#include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_inverse.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/sort/sort.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/parallel_sort.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <functional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#ifdef RESTRICTED_LAPLACIAN_3_BENCHMARK_LAPACK
+extern "C" {
+void dpotrf_(const char* triangle, const int* n, double* a, const int* stride, int* info);
+void dpotri_(const char* triangle, const int* n, double* a, const int* stride, int* info);
+}
+#endif
+
+namespace {
+
+using namespace benchmarks;
+namespace RL = CGAL::Restricted_laplacian_3;
+
+constexpr int repetitions = 11;
+
+/// of work on a copy that `prepare` makes, which does not count
+template <class Prepare, class Work> double median_seconds(Prepare&& prepare, Work&& work) {
+  std::vector<double> seconds;
+  for(int repetition = 0; repetition < repetitions; ++repetition) {
+    prepare();
+    const double start = seconds_now();
+    work();
+    seconds.push_back(seconds_now() - start);
+  }
+  return median(seconds);
+}
+
+/// prints each row as a factor over the first one of its input
+class Table {
+public:
+  void start(const std::string& input, std::size_t size) {
+    m_input = input;
+    m_size = size;
+    m_own = 0;
+  }
+
+  void row(const char* what, double seconds) {
+    if(m_own == 0)
+      m_own = seconds;
+    std::printf("%-34s %-20s %9zu %12.3g %9.2f\n", what, m_input.c_str(), m_size, seconds,
+                seconds / m_own);
+    std::fflush(stdout);
+  }
+
+private:
+  std::string m_input;
+  std::size_t m_size = 0;
+  double m_own = 0;
+};
+
+/// `Tail` stands for what else a value has
+template <std::size_t Tail> struct Value {
+  std::uint64_t key;
+  std::uint32_t number;
+  std::array<std::uint32_t, Tail> tail;
+
+  bool operator<(const Value& other) const {
+    return key != other.key ? key < other.key : number < other.number;
+  }
+  friend bool operator==(const Value& a, const Value& b) {
+    return a.key == b.key && a.number == b.number;
+  }
+};
+
+using Element = Value<1>;
+using Fragment = Value<(sizeof(RL::internal::Cell_fragment) - 12) / 4>;
+static_assert(sizeof(Fragment) == sizeof(RL::internal::Cell_fragment), "as much to move");
+
+struct By_key {
+  template <class V> bool operator()(const V& a, const V& b) const { return a.key < b.key; }
+};
+
+template <class V>
+void compare_sorts(Table& table, const std::string& input, const std::vector<V>& values, int bits,
+                   int threads) {
+  std::vector<V> expected = values, copy;
+  std::sort(expected.begin(), expected.end());
+  table.start(input, values.size());
+  const auto measure = [&](const char* what, auto&& sort) {
+    const double seconds = median_seconds([&] { copy = values; }, [&] { sort(copy); });
+    if(copy != expected)
+      throw std::runtime_error(std::string(what) + " did not sort");
+    table.row(what, seconds);
+  };
+  measure("own radix sort", [&](std::vector<V>& v) {
+    RL::internal::stable_sort_by_key(v, bits, threads > 1, [](const V& a) { return a.key; });
+  });
+  const auto n = static_cast<std::uint32_t>(threads);
+  measure("std::stable_sort",
+          [](std::vector<V>& v) { std::stable_sort(v.begin(), v.end(), By_key()); });
+  measure("std::sort", [](std::vector<V>& v) { std::sort(v.begin(), v.end()); });
+  measure("boost::sort::spinsort",
+          [](std::vector<V>& v) { boost::sort::spinsort(v.begin(), v.end(), By_key()); });
+  measure("boost::sort::flat_stable_sort",
+          [](std::vector<V>& v) { boost::sort::flat_stable_sort(v.begin(), v.end(), By_key()); });
+  measure("boost::sort::pdqsort",
+          [](std::vector<V>& v) { boost::sort::pdqsort(v.begin(), v.end()); });
+  measure("boost::sort::integer_sort", [](std::vector<V>& v) {
+    // not stable: values of the same key are put in order afterwards
+    boost::sort::spreadsort::integer_sort(
+        v.begin(), v.end(), [](const V& a, unsigned offset) { return a.key >> offset; }, By_key());
+    for(auto begin = v.begin(), end = begin; begin != v.end(); begin = end) {
+      while(end != v.end() && end->key == begin->key)
+        ++end;
+      std::sort(begin, end);
+    }
+  });
+  if(threads == 1)
+    return;
+  measure("boost::sort::sample_sort",
+          [n](std::vector<V>& v) { boost::sort::sample_sort(v.begin(), v.end(), By_key(), n); });
+  measure("boost::sort::parallel_stable_sort", [n](std::vector<V>& v) {
+    boost::sort::parallel_stable_sort(v.begin(), v.end(), By_key(), n);
+  });
+  measure("boost::sort::block_indirect_sort", [n](std::vector<V>& v) {
+    boost::sort::block_indirect_sort(v.begin(), v.end(), std::less<V>(), n);
+  });
+#ifdef CGAL_LINKED_WITH_TBB
+  measure("tbb::parallel_sort", [](std::vector<V>& v) { tbb::parallel_sort(v); });
+#endif
+}
+
+constexpr int depth = 7;
+
+std::array<int, 3> cell_of(double x, double y, double z) {
+  const auto index = [](double t) { return static_cast<int>((t * 0.4 + 0.5) * (1 << depth)); };
+  return {index(x), index(y), index(z)};
+}
+
+/// the cells of fragments on a sphere, in rows
+std::vector<Fragment> fragments_in_rows(int rows) {
+  std::vector<Fragment> result;
+  for(int i = 0; i < rows; ++i) {
+    const double latitude = boost::math::constants::pi<double>() * (i + 0.5) / rows;
+    const int columns = static_cast<int>(2 * rows * std::sin(latitude)) + 1;
+    for(int j = 0; j < columns; ++j) {
+      const double longitude = boost::math::constants::two_pi<double>() * (j + 0.5) / columns;
+      result.push_back(
+          {RL::morton_key(cell_of(std::sin(latitude) * std::cos(longitude),
+                                  std::sin(latitude) * std::sin(longitude), std::cos(latitude))),
+           static_cast<std::uint32_t>(result.size()),
+           {}});
+    }
+  }
+  return result;
+}
+
+/// the centres of the 27 elements of each cell, in the order of cells
+std::vector<Element> elements_of_cells(const std::vector<Fragment>& fragments) {
+  std::vector<std::uint64_t> cells;
+  for(const auto& fragment : fragments)
+    cells.push_back(fragment.key);
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  std::vector<Element> result;
+  for(std::uint64_t cell : cells) {
+    const std::array<int, 3> index = RL::morton_index(cell);
+    for(int dz = 0; dz < 3; ++dz)
+      for(int dy = 0; dy < 3; ++dy)
+        for(int dx = 0; dx < 3; ++dx)
+          result.push_back({RL::morton_key({index[0] + dx, index[1] + dy, index[2] + dz}),
+                            static_cast<std::uint32_t>(result.size()),
+                            {}});
+  }
+  return result;
+}
+
+void compare_all_sorts(Table& table, int threads) {
+  std::vector<Fragment> fragments = fragments_in_rows(560);
+  compare_sorts(table, "elements", elements_of_cells(fragments), 3 * (depth + 2), threads);
+  compare_sorts(table, "fragments, rows", fragments, 3 * depth, threads);
+  std::mt19937 generator(1);
+  std::shuffle(fragments.begin(), fragments.end(), generator);
+  for(std::size_t i = 0; i < fragments.size(); ++i)
+    fragments[i].number = static_cast<std::uint32_t>(i);
+  compare_sorts(table, "fragments, random", fragments, 3 * depth, threads);
+}
+
+/// inverses of as many blocks as a patch smoother has at depth 7
+void compare_inverses(Table& table, int size) {
+  constexpr std::size_t number_of_blocks = 256; // of them, again and again
+  const int stride = (size + 7) / 8 * 8;
+  // Functions of few degrees of freedom at many points, as splines on a surface.
+  std::vector<Eigen::MatrixXd> blocks;
+  for(std::size_t i = 0; i < number_of_blocks; ++i) {
+    const Eigen::MatrixXd factor = Eigen::MatrixXd::Random(4 * size, size);
+    blocks.push_back(factor.transpose() * factor / (4. * size));
+    blocks.back().diagonal().array() += 1e-5;
+  }
+  std::vector<Eigen::MatrixXd> results;
+  std::vector<std::vector<double>> stored(number_of_blocks);
+  table.start("blocks of " + std::to_string(size), number_of_blocks);
+
+  // the largest error of the first block
+  const auto check = [&](const char* what, const Eigen::MatrixXd& inverse) {
+    const Eigen::MatrixXd whole = inverse.selfadjointView<Eigen::Lower>();
+    if(!((blocks[0] * whole - Eigen::MatrixXd::Identity(size, size)).norm() < 1e-9))
+      throw std::runtime_error(std::string(what) + " did not invert");
+  };
+  const auto measure = [&](const char* what, auto&& invert) {
+    const double seconds = median_seconds([&] { results = blocks; },
+                                          [&] {
+                                            for(Eigen::MatrixXd& block : results)
+                                              invert(block);
+                                          });
+    check(what, results[0]);
+    table.row(what, seconds);
+  };
+
+  const double own = median_seconds(
+      [&] {
+        for(std::size_t i = 0; i < number_of_blocks; ++i) {
+          stored[i].assign(static_cast<std::size_t>(stride) * stride, 0.);
+          for(int row = 0; row < size; ++row)
+            for(int column = 0; column <= row; ++column)
+              stored[i][static_cast<std::size_t>(stride * row + column)] = blocks[i](row, column);
+        }
+      },
+      [&] {
+        RL::internal::Symmetric_inverse invert;
+        for(auto& block : stored)
+          invert(block.data(), size, stride, 5e-6);
+      });
+  // rows there are columns here
+  const Eigen::MatrixXd first = Eigen::Map<Eigen::MatrixXd>(stored[0].data(), stride, stride)
+                                    .topLeftCorner(size, size)
+                                    .transpose();
+  check("own inverse", first);
+  table.row("own inverse", own);
+
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
+  measure("Eigen::LLT", [&](Eigen::MatrixXd& a) { a = Eigen::MatrixXd(a.llt().solve(identity)); });
+  measure("Eigen::LDLT",
+          [&](Eigen::MatrixXd& a) { a = Eigen::MatrixXd(a.ldlt().solve(identity)); });
+  measure("Eigen::PartialPivLU",
+          [](Eigen::MatrixXd& a) { a = Eigen::MatrixXd(a.partialPivLu().inverse()); });
+  measure("Eigen::SelfAdjointEigenSolver", [](Eigen::MatrixXd& a) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(a);
+    a = Eigen::MatrixXd(solver.eigenvectors() * solver.eigenvalues().cwiseInverse().asDiagonal() *
+                        solver.eigenvectors().transpose());
+  });
+#ifdef RESTRICTED_LAPLACIAN_3_BENCHMARK_LAPACK
+  set_blas_threads(1);
+  measure("LAPACK dpotrf, dpotri", [size](Eigen::MatrixXd& a) {
+    int info = 0;
+    dpotrf_("L", &size, a.data(), &size, &info);
+    dpotri_("L", &size, a.data(), &size, &info);
+  });
+#endif
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  try {
+    int threads = 1;
+    for(int i = 1; i < argc; ++i)
+      if(std::strcmp(argv[i], "--threads") == 0 && i + 1 < argc)
+        threads = std::atoi(argv[++i]);
+      else
+        threads = 0;
+    if(threads < 1)
+      throw std::runtime_error("usage: sorts_and_inverses [--threads N]");
+#ifdef CGAL_LINKED_WITH_TBB
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(threads));
+#endif
+    print_header(argc, argv);
+    std::printf("# %-32s %-20s %9s %12s %9s\n", "what", "input", "values", "seconds", "over own");
+    Table table;
+    compare_all_sorts(table, threads);
+    // Each block is inverted by one thread, however many there are.
+    if(threads == 1)
+      for(int size : {27, 49, 64})
+        compare_inverses(table, size);
+    return 0;
+  } catch(const std::exception& e) {
+    std::fprintf(stderr, "sorts_and_inverses: %s\n", e.what());
+    return 1;
+  }
+}
