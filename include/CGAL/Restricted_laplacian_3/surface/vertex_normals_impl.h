@@ -64,7 +64,10 @@ inline Vector_3 normal_by_chords(const Triangulated_surface_3& surface, std::siz
   if(!(trace > 0) || n == CGAL::NULL_VECTOR)
     return n;
   a += trace * (normal * normal.transpose() + weight_of_no_change * Eigen::Matrix3d::Identity());
-  Eigen::Vector3d change = a.ldlt().solve(b);
+  const Eigen::LDLT<Eigen::Matrix3d> factorization(a);
+  if(factorization.info() != Eigen::Success)
+    return n; // all neighbours in the direction of the normal, up to underflow
+  Eigen::Vector3d change = factorization.solve(b);
   const double length = change.norm();
   if(length > largest_change)
     change *= largest_change / length;
