@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # How long does a user's program take to compile, and how much memory, with the headers alone and with
-# the compiled library, next to CGAL's heat method and to what a mesh alone takes?
+# the compiled library, next to CGAL's heat method, and to what a mesh and reading one alone take?
 #
 # usage: compile_times.sh [--repetitions N] [--only REGEX]
 #
@@ -56,6 +56,7 @@ flags=(-std=c++17 -frounding-math -I"$root/include" -isystem /usr/include/eigen3
 # program, mode, source
 programs="\
 surface_mesh          alone    $folder/surface_mesh.cpp
+read_mesh             alone    $here/compile_times/read_mesh.cpp
 heat_method           headers  $here/compile_times/heat_method.cpp
 include_solve_poisson headers  $folder/include_solve_poisson.cpp
 include_solve_poisson compiled $folder/include_solve_poisson.cpp
