@@ -7,8 +7,8 @@
 // - update: X and P become combinations of all columns
 // for panels, and for matrices of Eigen, with the columns or the rows one after the other, which get
 // all columns of S W and M W at once, and are worked on in the same chunks of rows: with P and W in
-// single precision as well, or all in double. Each is the median of five runs, and what it takes
-// is also given over the time for panels.
+// single precision as well, or all in double. Each is the median of nine runs, which take turns, so
+// that all share what else the machine does; what it takes is also given over the time for panels.
 //
 // usage: panels [--threads N] [--pairs K] [--processor-time] ROWS...
 // default: one thread, 50 pairs, 9093 and 35708 rows (a bunny at depths 5 and 6)
@@ -52,14 +52,12 @@ struct Times {
   double products, update;
 };
 
-template <class Work> double median_seconds(Work&& work) {
-  std::vector<double> seconds;
-  for(int repetition = 0; repetition < 5; ++repetition) {
-    const double start = seconds_now();
-    work();
-    seconds.push_back(seconds_now() - start);
-  }
-  return median(seconds);
+/// of a second run; the first one finds the memory
+template <class Work> double seconds_of(Work&& work) {
+  work();
+  const double start = seconds_now();
+  work();
+  return seconds_now() - start;
 }
 
 /// coefficients that keep the columns of the order of 1
@@ -91,12 +89,12 @@ Times measure_panels(const Sizes& n, bool is_parallel) {
                                           mw = RL::internal::Block_vector<width>::Random(n.rows,
                                                                                          width);
   Times times;
-  times.products = median_seconds([&] {
+  times.products = seconds_of([&] {
     for(std::size_t i = first_w; i < panels.size(); ++i)
       checksum += RL::internal::scalar_products(is_parallel, panels, i + 1, sw, mw).first(1, 2);
   });
   const Eigen::MatrixXd c = coefficients(n.all(), n.x), d = coefficients(n.all(), n.p);
-  times.update = median_seconds([&] { RL::internal::combine(is_parallel, panels, c, x, d, p); });
+  times.update = seconds_of([&] { RL::internal::combine(is_parallel, panels, c, x, d, p); });
   checksum += x.column(3)[0];
   return times;
 }
@@ -132,7 +130,7 @@ template <int Order, class Number> Times measure_eigen(const Sizes& n, bool is_p
                                });
   };
   Times times;
-  times.products = median_seconds([&] {
+  times.products = seconds_of([&] {
     std::vector<Eigen::MatrixXd> s(parts, Eigen::MatrixXd::Zero(n.all(), n.w)), m = s;
     for_each_chunk([&](std::size_t part, Eigen::Index row, Eigen::Index size, const Doubles& all) {
       s[part].noalias() += all.transpose() * sw.middleRows(row, size);
@@ -143,7 +141,7 @@ template <int Order, class Number> Times measure_eigen(const Sizes& n, bool is_p
     checksum += s[0](1, 2) + m[0](1, 2);
   });
   const Eigen::MatrixXd c = coefficients(n.all(), n.x), d = coefficients(n.all(), n.p);
-  times.update = median_seconds([&] {
+  times.update = seconds_of([&] {
     for_each_chunk([&](std::size_t, Eigen::Index row, Eigen::Index size, const Doubles& all) {
       x.middleRows(row, size).noalias() = all * c;
       p.middleRows(row, size) = (all * d).template cast<Number>();
@@ -166,16 +164,26 @@ void compare(Eigen::Index rows, int pairs, int threads) {
                      own = (pairs + width - 1) / width * width;
   const Sizes n = {rows, block, own, own};
   const bool is_parallel = threads > 1;
-  const Times panels = measure_panels(n, is_parallel);
-  print("panels", n, threads, panels, panels);
-  print("columns, single precision", n, threads,
-        measure_eigen<Eigen::ColMajor, float>(n, is_parallel), panels);
-  print("rows, single precision", n, threads, measure_eigen<Eigen::RowMajor, float>(n, is_parallel),
-        panels);
-  print("columns, double precision", n, threads,
-        measure_eigen<Eigen::ColMajor, double>(n, is_parallel), panels);
-  print("rows, double precision", n, threads,
-        measure_eigen<Eigen::RowMajor, double>(n, is_parallel), panels);
+  struct Method {
+    const char* what;
+    Times (*measure)(const Sizes&, bool);
+    std::vector<double> products, update;
+    Times times() const { return {median(products), median(update)}; }
+  };
+  std::vector<Method> methods = {
+      {"panels", measure_panels, {}, {}},
+      {"columns, single precision", measure_eigen<Eigen::ColMajor, float>, {}, {}},
+      {"rows, single precision", measure_eigen<Eigen::RowMajor, float>, {}, {}},
+      {"columns, double precision", measure_eigen<Eigen::ColMajor, double>, {}, {}},
+      {"rows, double precision", measure_eigen<Eigen::RowMajor, double>, {}, {}}};
+  for(int repetition = 0; repetition < 9; ++repetition)
+    for(Method& method : methods) {
+      const Times times = method.measure(n, is_parallel);
+      method.products.push_back(times.products);
+      method.update.push_back(times.update);
+    }
+  for(const Method& method : methods)
+    print(method.what, n, threads, method.times(), methods.front().times());
 }
 
 } // namespace

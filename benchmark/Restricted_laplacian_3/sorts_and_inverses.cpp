@@ -7,7 +7,8 @@
 //   sphere has 50,000 cells. Sorts that are not stable break ties by the number of the value.
 // - `Symmetric_inverse`: of the blocks of a smoother, which have up to 64 unknowns, most of them 49.
 //   Of the peers only the decomposition into eigenvectors copes with singular blocks, too.
-// Each is the median of eleven runs, and is also given over our own.
+// Each is the median of eleven runs, which take turns, so that all share what else the machine does,
+// and is also given over our own.
 //
 // usage: sorts_and_inverses [--threads N]
 // default: one thread
@@ -61,39 +62,40 @@ namespace RL = CGAL::Restricted_laplacian_3;
 
 constexpr int repetitions = 11;
 
-/// of work on a copy that `prepare` makes, which does not count
-template <class Prepare, class Work> double median_seconds(Prepare&& prepare, Work&& work) {
-  std::vector<double> seconds;
-  for(int repetition = 0; repetition < repetitions; ++repetition) {
-    prepare();
-    const double start = seconds_now();
-    work();
-    seconds.push_back(seconds_now() - start);
-  }
-  return median(seconds);
-}
-
-/// prints each row as a factor over the first one of its input
+/// what is measured on the same input; the first one is our own
 class Table {
 public:
-  void start(const std::string& input, std::size_t size) {
-    m_input = input;
-    m_size = size;
-    m_own = 0;
+  /// \param prepare makes what `work` works on, and does not count
+  /// \param check throws if the result is wrong
+  void add(const std::string& what, const std::function<void()>& prepare,
+           const std::function<void()>& work, const std::function<void()>& check) {
+    m_rows.push_back({what, prepare, work, check, {}});
   }
 
-  void row(const char* what, double seconds) {
-    if(m_own == 0)
-      m_own = seconds;
-    std::printf("%-34s %-20s %9zu %12.3g %9.2f\n", what, m_input.c_str(), m_size, seconds,
-                seconds / m_own);
+  void measure_and_print(const std::string& input, std::size_t size) {
+    for(int repetition = 0; repetition < repetitions; ++repetition)
+      for(Row& row : m_rows) {
+        row.prepare();
+        const double start = seconds_now();
+        row.work();
+        row.seconds.push_back(seconds_now() - start);
+        row.check();
+      }
+    for(const Row& row : m_rows) {
+      const double seconds = median(row.seconds);
+      std::printf("%-34s %-20s %9zu %12.3g %9.2f\n", row.what.c_str(), input.c_str(), size, seconds,
+                  seconds / median(m_rows.front().seconds));
+    }
     std::fflush(stdout);
   }
 
 private:
-  std::string m_input;
-  std::size_t m_size = 0;
-  double m_own = 0;
+  struct Row {
+    std::string what;
+    std::function<void()> prepare, work, check;
+    std::vector<double> seconds;
+  };
+  std::vector<Row> m_rows;
 };
 
 /// `Tail` stands for what else a value has
@@ -119,16 +121,17 @@ struct By_key {
 };
 
 template <class V>
-void compare_sorts(Table& table, const std::string& input, const std::vector<V>& values, int bits,
-                   int threads) {
+void compare_sorts(const std::string& input, const std::vector<V>& values, int bits, int threads) {
   std::vector<V> expected = values, copy;
   std::sort(expected.begin(), expected.end());
-  table.start(input, values.size());
-  const auto measure = [&](const char* what, auto&& sort) {
-    const double seconds = median_seconds([&] { copy = values; }, [&] { sort(copy); });
-    if(copy != expected)
-      throw std::runtime_error(std::string(what) + " did not sort");
-    table.row(what, seconds);
+  Table table;
+  const auto measure = [&](const char* what, const std::function<void(std::vector<V>&)>& sort) {
+    table.add(
+        what, [&] { copy = values; }, [&copy, sort] { sort(copy); },
+        [&, what] {
+          if(copy != expected)
+            throw std::runtime_error(std::string(what) + " did not sort");
+        });
   };
   measure("own radix sort", [&](std::vector<V>& v) {
     RL::internal::stable_sort_by_key(v, bits, threads > 1, [](const V& a) { return a.key; });
@@ -153,19 +156,20 @@ void compare_sorts(Table& table, const std::string& input, const std::vector<V>&
       std::sort(begin, end);
     }
   });
-  if(threads == 1)
-    return;
-  measure("boost::sort::sample_sort",
-          [n](std::vector<V>& v) { boost::sort::sample_sort(v.begin(), v.end(), By_key(), n); });
-  measure("boost::sort::parallel_stable_sort", [n](std::vector<V>& v) {
-    boost::sort::parallel_stable_sort(v.begin(), v.end(), By_key(), n);
-  });
-  measure("boost::sort::block_indirect_sort", [n](std::vector<V>& v) {
-    boost::sort::block_indirect_sort(v.begin(), v.end(), std::less<V>(), n);
-  });
+  if(threads > 1) {
+    measure("boost::sort::sample_sort",
+            [n](std::vector<V>& v) { boost::sort::sample_sort(v.begin(), v.end(), By_key(), n); });
+    measure("boost::sort::parallel_stable_sort", [n](std::vector<V>& v) {
+      boost::sort::parallel_stable_sort(v.begin(), v.end(), By_key(), n);
+    });
+    measure("boost::sort::block_indirect_sort", [n](std::vector<V>& v) {
+      boost::sort::block_indirect_sort(v.begin(), v.end(), std::less<V>(), n);
+    });
 #ifdef CGAL_LINKED_WITH_TBB
-  measure("tbb::parallel_sort", [](std::vector<V>& v) { tbb::parallel_sort(v); });
+    measure("tbb::parallel_sort", [](std::vector<V>& v) { tbb::parallel_sort(v); });
 #endif
+  }
+  table.measure_and_print(input, values.size());
 }
 
 constexpr int depth = 7;
@@ -213,19 +217,19 @@ std::vector<Element> elements_of_cells(const std::vector<Fragment>& fragments) {
   return result;
 }
 
-void compare_all_sorts(Table& table, int threads) {
+void compare_all_sorts(int threads) {
   std::vector<Fragment> fragments = fragments_in_rows(560);
-  compare_sorts(table, "elements", elements_of_cells(fragments), 3 * (depth + 2), threads);
-  compare_sorts(table, "fragments, rows", fragments, 3 * depth, threads);
+  compare_sorts("elements", elements_of_cells(fragments), 3 * (depth + 2), threads);
+  compare_sorts("fragments, rows", fragments, 3 * depth, threads);
   std::mt19937 generator(1);
   std::shuffle(fragments.begin(), fragments.end(), generator);
   for(std::size_t i = 0; i < fragments.size(); ++i)
     fragments[i].number = static_cast<std::uint32_t>(i);
-  compare_sorts(table, "fragments, random", fragments, 3 * depth, threads);
+  compare_sorts("fragments, random", fragments, 3 * depth, threads);
 }
 
 /// inverses of as many blocks as a patch smoother has at depth 7
-void compare_inverses(Table& table, int size) {
+void compare_inverses(int size) {
   constexpr std::size_t number_of_blocks = 256; // of them, again and again
   const int stride = (size + 7) / 8 * 8;
   // Functions of few degrees of freedom at many points, as splines on a surface.
@@ -237,7 +241,7 @@ void compare_inverses(Table& table, int size) {
   }
   std::vector<Eigen::MatrixXd> results;
   std::vector<std::vector<double>> stored(number_of_blocks);
-  table.start("blocks of " + std::to_string(size), number_of_blocks);
+  Table table;
 
   // the largest error of the first block
   const auto check = [&](const char* what, const Eigen::MatrixXd& inverse) {
@@ -245,17 +249,8 @@ void compare_inverses(Table& table, int size) {
     if(!((blocks[0] * whole - Eigen::MatrixXd::Identity(size, size)).norm() < 1e-9))
       throw std::runtime_error(std::string(what) + " did not invert");
   };
-  const auto measure = [&](const char* what, auto&& invert) {
-    const double seconds = median_seconds([&] { results = blocks; },
-                                          [&] {
-                                            for(Eigen::MatrixXd& block : results)
-                                              invert(block);
-                                          });
-    check(what, results[0]);
-    table.row(what, seconds);
-  };
-
-  const double own = median_seconds(
+  table.add(
+      "own inverse",
       [&] {
         for(std::size_t i = 0; i < number_of_blocks; ++i) {
           stored[i].assign(static_cast<std::size_t>(stride) * stride, 0.);
@@ -268,13 +263,22 @@ void compare_inverses(Table& table, int size) {
         RL::internal::Symmetric_inverse invert;
         for(auto& block : stored)
           invert(block.data(), size, stride, 5e-6);
+      },
+      [&] {
+        // rows there are columns here
+        check("own inverse", Eigen::Map<Eigen::MatrixXd>(stored[0].data(), stride, stride)
+                                 .topLeftCorner(size, size)
+                                 .transpose());
       });
-  // rows there are columns here
-  const Eigen::MatrixXd first = Eigen::Map<Eigen::MatrixXd>(stored[0].data(), stride, stride)
-                                    .topLeftCorner(size, size)
-                                    .transpose();
-  check("own inverse", first);
-  table.row("own inverse", own);
+  const auto measure = [&](const char* what, const std::function<void(Eigen::MatrixXd&)>& invert) {
+    table.add(
+        what, [&] { results = blocks; },
+        [&results, invert] {
+          for(Eigen::MatrixXd& block : results)
+            invert(block);
+        },
+        [&results, check, what] { check(what, results[0]); });
+  };
 
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
   measure("Eigen::LLT", [&](Eigen::MatrixXd& a) { a = Eigen::MatrixXd(a.llt().solve(identity)); });
@@ -295,6 +299,7 @@ void compare_inverses(Table& table, int size) {
     dpotri_("L", &size, a.data(), &size, &info);
   });
 #endif
+  table.measure_and_print("blocks of " + std::to_string(size), number_of_blocks);
 }
 
 } // namespace
@@ -315,12 +320,11 @@ int main(int argc, char* argv[]) {
 #endif
     print_header(argc, argv);
     std::printf("# %-32s %-20s %9s %12s %9s\n", "what", "input", "values", "seconds", "over own");
-    Table table;
-    compare_all_sorts(table, threads);
+    compare_all_sorts(threads);
     // Each block is inverted by one thread, however many there are.
     if(threads == 1)
       for(int size : {27, 49, 64})
-        compare_inverses(table, size);
+        compare_inverses(size);
     return 0;
   } catch(const std::exception& e) {
     std::fprintf(stderr, "sorts_and_inverses: %s\n", e.what());
