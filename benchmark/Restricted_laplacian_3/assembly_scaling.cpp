@@ -63,7 +63,7 @@ void run(const char* name, const Make& make_surface, int depth, int threads, boo
     timer.start();
     const RL::Spline_space_3 space(make_surface(), options);
     space_seconds = (std::min)(space_seconds, timer.time());
-    const RL::Cubature cubature(space);
+    const RL::Triangle_cubature cubature(space);
     stiffness_seconds =
         (std::min)(stiffness_seconds, seconds([&] {
                      entries = static_cast<std::size_t>(

@@ -61,7 +61,7 @@ void measure_operators(const Mesh& mesh, int depth, int threads) {
   std::size_t unknowns = 0;
   const double seconds = median_seconds([&] {
     const RL::Spline_space_3 space(RL::read_surface(mesh), space_options(depth, true, threads));
-    RL::assemble_operators(space, 0, depth, RL::Cubature(space), default_stabilization());
+    RL::assemble_operators(space, 0, depth, RL::Triangle_cubature(space), default_stabilization());
     unknowns = space.dimension();
   });
   print("operators_all_levels", depth, threads, unknowns, seconds);

@@ -109,7 +109,7 @@ private:
 
 std::vector<RL::Operators> level_operators(const RL::Spline_space_3& space, int coarsest,
                                            const Options& o) {
-  return RL::assemble_operators(space, coarsest, space.depth(), RL::Cubature(space),
+  return RL::assemble_operators(space, coarsest, space.depth(), RL::Triangle_cubature(space),
                                 o.stabilization < 0 ? RL::default_spectrum_stabilization(space)
                                                     : o.stabilization,
                                 RL::Stabilized::stiffness);

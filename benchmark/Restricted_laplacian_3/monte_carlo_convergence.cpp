@@ -162,7 +162,7 @@ void run_eigenvalues() {
   const RL::Spline_space_3 space = space_of(sphere(6), depth, true);
   const double stabilization = RL::default_spectrum_stabilization(space);
   const Eigen::VectorXd exact =
-      RL::laplace_eigenpairs(space, sphere_count, RL::Cubature(space)).eigenvalues;
+      RL::laplace_eigenpairs(space, sphere_count, RL::Triangle_cubature(space)).eigenvalues;
   std::printf("# sphere, depth %d, %zu unknowns, %zu cells; by cubature the largest relative error "
               "of l = 1 .. 5 is %.2e\n",
               depth, space.dimension(), space.number_of_cells(depth),
@@ -263,7 +263,7 @@ void run_points() {
         if(per_cell < 2)
           break;
         const Eigen::VectorXd found =
-            RL::laplace_eigenpairs(space, sphere_count, RL::Cubature(space)).eigenvalues;
+            RL::laplace_eigenpairs(space, sphere_count, RL::Triangle_cubature(space)).eigenvalues;
         std::printf("%-10s %9zu %6d %9zu %9.1f %11.2e\n", is_random ? "random" : "regular", n,
                     depth, space.dimension(), per_cell,
                     largest_difference(found, sphere_eigenvalues()));
@@ -461,7 +461,7 @@ void run_scans() {
     else
       std::printf("%8s %8s ", "-", "-");
     const Eigen::VectorXd values =
-        RL::laplace_eigenpairs(space, count, RL::Cubature(space)).eigenvalues;
+        RL::laplace_eigenpairs(space, count, RL::Triangle_cubature(space)).eigenvalues;
     for(Eigen::Index i = 1; i < values.size(); ++i)
       std::printf(" %.1f", values[i]);
     std::printf("\n");

@@ -42,7 +42,7 @@ void errors_on_the_sphere(const RL::Triangulated_surface_3& surface, int depth) 
   const Eigen::VectorXd load = RL::assemble_load(space, harmonic);
   const double h = space.octree().cell_width(depth);
   double norm = 0;
-  const RL::Cubature cubature(space);
+  const RL::Triangle_cubature cubature(space);
   for(std::size_t sheet = 0; sheet < space.number_of_sheets(depth); ++sheet)
     RL::Surface_integration_view(cubature).visit_nodes(
         sheet, 12, [&](const RL::Integration_node_block& block) {

@@ -68,7 +68,7 @@ public:
   mutable std::atomic<bool> is_outside{false};
 
 private:
-  RL::Cubature m_cubature;
+  RL::Triangle_cubature m_cubature;
   double m_width;
 };
 
@@ -122,7 +122,7 @@ private:
 
 TEST_CASE("constant_tensor_multiplies_the_stiffness_and_nothing_else", "[contracts]") {
   const RL::Spline_space_3 space = contract_space(shapes::box(1, 0.7, 0.4, 3, 1), 4);
-  const RL::Cubature cubature(space);
+  const RL::Triangle_cubature cubature(space);
   const auto threefold = [](const RL::Surface_point&) { return diagonal_tensor(3, 3, 3); };
   const RL::Diffusion_integration<decltype(threefold)> diffusion(cubature, threefold);
   const RL::Operators plain = RL::assemble_operators(space, 4, cubature),
@@ -146,7 +146,7 @@ TEST_CASE("rotated_tensor_on_a_rotated_surface_has_the_same_spectrum", "[contrac
   shapes::Triangles t = shapes::box(1, 0.7, 0.4, 3, 1);
   const auto values_of = [](const shapes::Triangles& t, const RL::Symmetric_tensor_3& d) {
     const RL::Spline_space_3 space = contract_space(t, 3);
-    const RL::Cubature cubature(space);
+    const RL::Triangle_cubature cubature(space);
     const auto tensor = [&](const RL::Surface_point&) { return d; };
     const RL::Diffusion_integration<decltype(tensor)> diffusion(cubature, tensor);
     const RL::Operators o =
@@ -180,7 +180,7 @@ TEST_CASE("only_the_tangential_part_of_a_tensor_counts", "[contracts]") {
 TEST_CASE("identities_hold_for_nodes_that_leave_their_cell", "[contracts]") {
   const RL::Spline_space_3 space = contract_space(shapes::sphere(3), 4);
   const Nodes_on_unit_sphere nodes(space);
-  const RL::Cubature cubature(space);
+  const RL::Triangle_cubature cubature(space);
   for(double c : {0., 0.1}) {
     const std::vector<RL::Operators> levels = RL::assemble_operators(space, 2, 4, nodes, c);
     CHECK(nodes.is_outside);
@@ -213,7 +213,7 @@ TEST_CASE("identities_hold_for_nodes_that_leave_their_cell", "[contracts]") {
 
 TEST_CASE("sink_of_triplets_gets_the_matrices", "[contracts]") {
   const RL::Spline_space_3 space = contract_space(shapes::box(1, 0.7, 0.4, 3, 1), 4);
-  const RL::Cubature cubature(space);
+  const RL::Triangle_cubature cubature(space);
   const std::vector<RL::Operators> expected = RL::assemble_operators(space, 3, 4, cubature, 0.1);
   Triplet_sink coarse, fine;
   RL::assemble_into(space, 3, {&coarse, &fine}, cubature, 0.1);
@@ -228,7 +228,7 @@ TEST_CASE("sink_of_triplets_gets_the_matrices", "[contracts]") {
 
 TEST_CASE("operators_of_other_patterns_are_added", "[contracts]") {
   const RL::Spline_space_3 space = contract_space(shapes::sphere(2), 3);
-  RL::Operators lumped = RL::assemble_operators(space, 3, RL::Cubature(space), 1e-3);
+  RL::Operators lumped = RL::assemble_operators(space, 3, RL::Triangle_cubature(space), 1e-3);
   const Eigen::VectorXd sums = lumped.mass * Eigen::VectorXd::Ones(lumped.mass.cols());
   lumped.mass = sums.asDiagonal();
   Eigen::VectorXd x;

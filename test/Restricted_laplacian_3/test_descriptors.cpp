@@ -45,7 +45,7 @@ double largest_entry(const Eigen::MatrixXd& a) { return a.cwiseAbs().maxCoeff();
 struct Surface_nodes {
   explicit Surface_nodes(const RL::Spline_space_3& space) {
     const double h = space.octree().cell_width(space.depth());
-    const RL::Cubature cubature(space);
+    const RL::Triangle_cubature cubature(space);
     for(std::size_t sheet = 0; sheet < space.number_of_sheets(space.depth()); ++sheet)
       RL::Surface_integration_view(cubature).visit_nodes(
           sheet, 12, [&](const RL::Integration_node_block& block) {

@@ -137,7 +137,7 @@ TEST_CASE("the_part_of_a_field_that_is_no_gradient_is_ignored", "[gradient]") {
         }) < 1e-4);
   // what is left is the swirling part
   double square = 0;
-  const RL::Cubature cubature(space);
+  const RL::Triangle_cubature cubature(space);
   const double h = space.octree().cell_width(3);
   for(std::size_t sheet = 0; sheet < space.number_of_sheets(3); ++sheet)
     RL::Surface_integration_view(cubature).visit_nodes(
@@ -178,7 +178,7 @@ TEST_CASE("channels_are_integrated_as_one_by_one", "[gradient]") {
   const Eigen::MatrixXd fine = RL::assemble_gradient_loads(space, rough);
   CHECK(matrix_difference<Eigen::MatrixXd>(
             RL::prolongation_matrix(space, 2).transpose() * fine,
-            RL::assemble_gradient_loads(space, rough, 2, RL::Cubature(space))) < 1e-12);
+            RL::assemble_gradient_loads(space, rough, 2, RL::Triangle_cubature(space))) < 1e-12);
 }
 
 TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[gradient]") {
@@ -241,7 +241,7 @@ TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[
 
 TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {
   const RL::Spline_space_3 space = gradient_space(shapes::sphere(2), 4);
-  const RL::Cubature cubature(space);
+  const RL::Triangle_cubature cubature(space);
   const Weight by_face = [](const RL::Surface_point& p) { return p.face % 3 * 0.7; };
   const Weight smooth = [](const RL::Surface_point& p) {
     return std::max(0., p.point.x() + p.point.z() * p.point.y());
@@ -320,7 +320,7 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
     CHECK(fit.components_without_weight == 0);
     const Eigen::MatrixXd targets = RL::assemble_component_loads(
         space, [&](const RL::Surface_point& p) { return Eigen::Vector3d(w(p) * far_target(p)); }, 4,
-        RL::Cubature(space));
+        RL::Triangle_cubature(space));
     for(bool is_first : {true, false}) {
       const Weight here = [&](const RL::Surface_point& p) {
         return (p.face < half) == is_first ? w(p) : 0;

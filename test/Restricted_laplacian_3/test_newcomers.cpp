@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  RL::Cubature m_cubature;
+  RL::Triangle_cubature m_cubature;
   Eigen::Vector3d m_factors;
 };
 
@@ -132,7 +132,7 @@ private:
 TEST_CASE("a_newcomers_smoother_makes_a_hierarchy", "[newcomers]") {
   const shapes::Triangles sphere = shapes::sphere(4);
   const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4));
-  const RL::Operators o = RL::assemble_operators(space, 4, RL::Cubature(space), 0.1);
+  const RL::Operators o = RL::assemble_operators(space, 4, RL::Triangle_cubature(space), 0.1);
   const RL::Sparse_matrix a = o.stiffness + o.mass;
   const Eigen::VectorXd b =
       RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.x(); });
@@ -158,7 +158,7 @@ TEST_CASE("a_newcomers_integration_gives_the_spectrum_of_another_surface", "[new
       other(ellipsoid.points, ellipsoid.faces, params::octree_depth(4));
   const RL::Operators stretched =
                           RL::assemble_operators(space, 4, Stretched_surface(space, factors)),
-                      direct = RL::assemble_operators(other, 4, RL::Cubature(other));
+                      direct = RL::assemble_operators(other, 4, RL::Triangle_cubature(other));
   // mass matrices sum to areas
   CHECK(stretched.mass.sum() == Approx(direct.mass.sum()).epsilon(1e-12));
   const Eigen::VectorXd values =

@@ -261,7 +261,7 @@ TEST_CASE("galerkin_product_equals_direct_assembly", "[operators]") {
     INFO(s.name);
     const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
     const std::vector<RL::Operators> all =
-        RL::assemble_operators(space, 0, s.depth, RL::Cubature(space));
+        RL::assemble_operators(space, 0, s.depth, RL::Triangle_cubature(space));
     for(int level = 0; level < s.depth; ++level) {
       INFO("level " << level);
       const RL::Sparse_matrix p = RL::prolongation_matrix(space, level);
@@ -456,7 +456,7 @@ TEST_CASE("stabilization_is_the_normal_derivative_in_the_cells", "[operators]") 
   for(bool is_split : {true, false}) {
     const Mesh mesh = shapes::mesh(shapes::sphere(3));
     const RL::Spline_space_3 space(mesh, params::octree_depth(3, params::split_elements(is_split)));
-    const RL::Cubature cubature(space);
+    const RL::Triangle_cubature cubature(space);
     const double c = 0.7, h = space.octree().cell_width(space.depth());
     const RL::Operators plain = RL::assemble_operators(space),
                         zero = RL::assemble_operators(space, space.depth(), cubature, 0),
@@ -478,7 +478,7 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
       INFO(s.name << (is_split ? ", split" : ", unsplit"));
       const RL::Spline_space_3 space(s.mesh,
                                      params::octree_depth(depth, params::split_elements(is_split)));
-      const RL::Cubature cubature(space);
+      const RL::Triangle_cubature cubature(space);
       const double c = 0.3;
       const std::vector<RL::Operators> all = RL::assemble_operators(space, 0, depth, cubature, c);
       for(int level = 0; level <= depth; ++level) {
@@ -520,7 +520,7 @@ TEST_CASE("stabilization_does_not_depend_on_the_unit_of_length", "[operators]") 
   options.octree_depth = 4;
   const auto assemble = [&options](const shapes::Triangles& t) {
     const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);
-    return RL::assemble_operators(space, 4, RL::Cubature(space), 0.1);
+    return RL::assemble_operators(space, 4, RL::Triangle_cubature(space), 0.1);
   };
   const RL::Operators expected = assemble(original);
   for(double scale : {1e-6, 3e5}) {
@@ -537,8 +537,9 @@ TEST_CASE("stabilization_must_be_a_non_negative_number", "[operators]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(1));
   const RL::Spline_space_3 space(mesh, params::octree_depth(2));
   for(double c : {-1e-300, -1., std::nan(""), std::numeric_limits<double>::infinity()}) {
-    CHECK_THROWS_AS(RL::assemble_operators(space, 2, RL::Cubature(space), c), RL::Parameter_error);
-    CHECK_THROWS_AS(RL::assemble_stiffness_matrix(space, 2, RL::Cubature(space), c),
+    CHECK_THROWS_AS(RL::assemble_operators(space, 2, RL::Triangle_cubature(space), c),
+                    RL::Parameter_error);
+    CHECK_THROWS_AS(RL::assemble_stiffness_matrix(space, 2, RL::Triangle_cubature(space), c),
                     RL::Parameter_error);
   }
 }
@@ -556,7 +557,7 @@ TEST_CASE("stabilization_keeps_constants_where_the_surface_lies_in_walls", "[ope
     CHECK(incomplete > 0);
     const double c = 0.1;
     for(int level : {4, 3, 2}) {
-      const RL::Operators o = RL::assemble_operators(space, level, RL::Cubature(space), c);
+      const RL::Operators o = RL::assemble_operators(space, level, RL::Triangle_cubature(space), c);
       const Eigen::VectorXd ones = Eigen::VectorXd::Ones(o.stiffness.cols());
       CHECK((o.stiffness * ones).cwiseAbs().maxCoeff() <= 1e-13);
       CHECK(ones.dot(o.mass * ones) == Approx(space.surface().area()));

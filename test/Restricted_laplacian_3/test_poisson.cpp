@@ -287,7 +287,8 @@ TEST_CASE("matrices_of_all_levels_at_once_make_the_same_solver", "[poisson]") {
     const RL::Spline_space_3 space(mesh,
                                    params::octree_depth(4, params::paper_space(is_paper_space)));
     const double c = 0.01, alpha = 0.5;
-    const RL::Operators operators = RL::assemble_operators(space, 4, RL::Cubature(space), c);
+    const RL::Operators operators =
+        RL::assemble_operators(space, 4, RL::Triangle_cubature(space), c);
     const auto np = params::normal_stabilization(c, params::relative_tolerance(1e-10));
     const RL::Poisson_solver direct = RL::make_poisson_solver(space, alpha, np),
                              galerkin = RL::make_poisson_solver(space, operators, alpha, np);
@@ -438,7 +439,7 @@ TEMPLATE_TEST_CASE("a_cycle_preconditions_solvers_of_eigen", "[poisson]", RL::Pa
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const RL::Spline_space_3 space(mesh, params::octree_depth(4));
   const RL::Operators operators =
-      RL::assemble_operators(space, space.depth(), RL::Cubature(space), 1e-3);
+      RL::assemble_operators(space, space.depth(), RL::Triangle_cubature(space), 1e-3);
   const double alpha = 3;
   const Sparse_matrix a = operators.stiffness + alpha * operators.mass;
   const Eigen::VectorXd b =

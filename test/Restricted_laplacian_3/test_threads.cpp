@@ -60,7 +60,7 @@ struct Assembled {
     options.split_elements = is_split;
     options.is_parallel = is_parallel;
     space = std::make_unique<RL::Spline_space_3>(RL::read_surface(mesh), options);
-    const RL::Cubature cubature(*space);
+    const RL::Triangle_cubature cubature(*space);
     operators = RL::assemble_operators(*space, 0, depth, cubature);
     stabilized = RL::assemble_operators(*space, 0, depth, cubature, 0.1);
     internal::Elliptic_operator elliptic;

@@ -37,7 +37,7 @@ inline RL::Spline_space_options space_options(int depth, bool is_split, int thre
 
 /// \param stabilization dimensionless, 0 for the system of the paper
 inline RL::Operators operators(const RL::Spline_space_3& space, double stabilization) {
-  return RL::assemble_operators(space, space.depth(), RL::Cubature(space), stabilization);
+  return RL::assemble_operators(space, space.depth(), RL::Triangle_cubature(space), stabilization);
 }
 
 /// the stabilization that the package has unless told otherwise
@@ -91,7 +91,7 @@ inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System
   Coarse_levels result;
   if(space.is_paper_space())
     return result;
-  const RL::Cubature cubature(space);
+  const RL::Triangle_cubature cubature(space);
   const double h = space.octree().cell_width(space.depth());
   RL::internal::Elliptic_operator elliptic;
   elliptic.reaction = factors.mass / (h * h);

@@ -18,8 +18,8 @@ What it returns depends on what takes it:
 | `CGAL::Restricted_laplacian_3::assemble_component_loads()`, `CGAL::Restricted_laplacian_3::fit_function()` | numbers, `std::array`s of numbers, vectors of Eigen whose size is known at compile time, 3D vectors or points of \cgal |
 | `CGAL::Restricted_laplacian_3::assemble_gradient_loads()`, `CGAL::Restricted_laplacian_3::integrate_gradient_field()` | 3D vectors of \cgal, `std::array`s of them, matrices of Eigen of three rows whose number of columns is known at compile time |
 
-With `CGAL::Restricted_laplacian_3::Cubature` integrals are exact up to rounding if the function is a
-polynomial of degree at most 6 on each triangle; models below, whose degree is lower, take fewer
+With `CGAL::Restricted_laplacian_3::Triangle_cubature` integrals are exact up to rounding if the function
+is a polynomial of degree at most 6 on each triangle; models below, whose degree is lower, take fewer
 nodes. The functions that take a mesh also take a property map in place of a function object.
 
 \cgalRefines `CopyConstructible`

@@ -19,7 +19,7 @@ The functions that assemble matrices and right-hand sides take a model as argume
 `CGAL::Restricted_laplacian_3::Surface_integration_view`. If the space uses several threads, they call
 its member from several threads at once.
 
-\cgalHasModel `CGAL::Restricted_laplacian_3::Cubature`
+\cgalHasModel `CGAL::Restricted_laplacian_3::Triangle_cubature`
 \cgalHasModel `CGAL::Restricted_laplacian_3::Point_cubature`
 \cgalHasModel `CGAL::Restricted_laplacian_3::Monte_carlo`
 \cgalHasModel `CGAL::Restricted_laplacian_3::Weighted_integration`

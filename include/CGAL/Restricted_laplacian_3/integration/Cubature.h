@@ -21,11 +21,11 @@ namespace Restricted_laplacian_3 {
 /// matrices, is applied to the fragments.
 ///
 /// \cgalModels `SurfaceIntegration_3`
-class Cubature {
+class Triangle_cubature {
 public:
   /// \param space must outlive this object
   /// \throws Input_error the surface is a point set: take `Point_cubature`
-  explicit Cubature(const Spline_space_3& space);
+  explicit Triangle_cubature(const Spline_space_3& space);
 
   /// the nodes of the smallest rule that is exact up to `degree`, at most 12
   void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
@@ -59,8 +59,8 @@ private:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// What functions integrate by that are given no integration: `Cubature`, or `Point_cubature` if
-/// the surface is given by points.
+/// What functions integrate by that are given no integration: `Triangle_cubature`, or
+/// `Point_cubature` if the surface is given by points.
 class Default_integration {
 public:
   /// \param space must outlive this object
@@ -70,7 +70,7 @@ public:
   operator Surface_integration_view() const;
 
 private:
-  std::variant<Cubature, Point_cubature> m_model;
+  std::variant<Triangle_cubature, Point_cubature> m_model;
 };
 
 } // namespace Restricted_laplacian_3

@@ -16,13 +16,13 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Cubature::Cubature(const Spline_space_3& space)
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangle_cubature::Triangle_cubature(const Spline_space_3& space)
   : m_octree(&space.octree()) {
-  space.surface().require_triangles("Cubature");
+  space.surface().require_triangles("Triangle_cubature");
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Cubature::add_nodes(std::size_t sheet, int degree,
-                                                            Integration_nodes& nodes) const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Triangle_cubature::add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const {
   const Triangulated_surface_3& surface = m_octree->surface();
   const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
   const std::vector<Triangle_quadrature_node>& rule = triangle_quadrature(degree);
@@ -40,8 +40,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Cubature::add_nodes(std::size_t sheet, i
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-Cubature::add_moments(std::size_t sheet, const internal::Face_weight* weight,
-                      internal::Sheet_integrals& integrals) const {
+Triangle_cubature::add_moments(std::size_t sheet, const internal::Face_weight* weight,
+                               internal::Sheet_integrals& integrals) const {
   const Triangulated_surface_3& surface = m_octree->surface();
   const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
   for(std::uint32_t face : m_octree->faces(sheet)) {
@@ -78,8 +78,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_cubature::add_nodes(std::size_t sh
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Default_integration::Default_integration(const Spline_space_3& space)
   : m_model(space.surface().is_point_set()
-                ? std::variant<Cubature, Point_cubature>(Point_cubature(space))
-                : std::variant<Cubature, Point_cubature>(Cubature(space))) {}
+                ? std::variant<Triangle_cubature, Point_cubature>(Point_cubature(space))
+                : std::variant<Triangle_cubature, Point_cubature>(Triangle_cubature(space))) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Default_integration::operator Surface_integration_view() const {
   return std::visit([](const auto& model) { return Surface_integration_view(model); }, m_model);

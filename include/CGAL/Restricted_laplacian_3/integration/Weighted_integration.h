@@ -18,9 +18,9 @@ namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Integration over the surface with a weight: \f$\int w f\f$ in place of \f$\int f\f$, by the
-/// nodes of another integration. The mass matrix becomes \f$\int w\, b_i b_j\f$. With `Cubature`
-/// it is exact up to rounding if \f$w\f$ is constant on each triangle; a linear \f$w\f$ makes the
-/// integrand one degree higher than the rule.
+/// nodes of another integration. The mass matrix becomes \f$\int w\, b_i b_j\f$. With
+/// `Triangle_cubature` it is exact up to rounding if \f$w\f$ is constant on each triangle; a linear
+/// \f$w\f$ makes the integrand one degree higher than the rule.
 ///
 /// \cgalModels `SurfaceIntegration_3`
 template <class Weight> class Weighted_integration {
