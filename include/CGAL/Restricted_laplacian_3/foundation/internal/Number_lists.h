@@ -17,6 +17,33 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
+/// Puts values, one for each of the numbers 0 .. `count` - 1, in order by the keys of the numbers,
+/// 0 .. `size` - 1; those of the same key keep their order. Numbers with the key `size` are left
+/// out. Linear in `size` and `count`.
+/// \param key_of number &rarr; key; called twice for each
+/// \param value_of number &rarr; value
+/// \param first receives the position at which the values of each key begin, and the end of the last
+template <class KeyOf, class ValueOf, class Value>
+void group_by_key(std::size_t size, std::size_t count, KeyOf&& key_of, ValueOf&& value_of,
+                  std::vector<std::size_t>& first, std::vector<Value>& values) {
+  // While values are put in place, entry `i + 1` is the end of those of key `i` as far as they are
+  // there: at first their begin.
+  first.assign(size + 2, 0);
+  for(std::size_t number = 0; number < count; ++number) {
+    const std::size_t key = key_of(number);
+    if(key < size)
+      ++first[key + 2];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  values.resize(first.back());
+  for(std::size_t number = 0; number < count; ++number) {
+    const std::size_t key = key_of(number);
+    if(key < size)
+      values[first[key + 1]++] = value_of(number);
+  }
+  first.pop_back();
+}
+
 /// A list of numbers for each of the numbers 0 .. size - 1, all in one array.
 class Number_lists {
 public:
@@ -51,23 +78,9 @@ public:
   template <class KeyOf>
   static Number_lists by_key(std::size_t size, std::size_t count, KeyOf&& key_of) {
     Number_lists result;
-    // While numbers are put into the lists, entry `i + 1` is the end of list `i` as far as it is
-    // filled: at first its begin.
-    std::vector<std::size_t>& first = result.m_first;
-    first.assign(size + 2, 0);
-    for(std::size_t number = 0; number < count; ++number) {
-      const std::size_t key = key_of(number);
-      if(key < size)
-        ++first[key + 2];
-    }
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    result.m_numbers.resize(first.back());
-    for(std::size_t number = 0; number < count; ++number) {
-      const std::size_t key = key_of(number);
-      if(key < size)
-        result.m_numbers[first[key + 1]++] = static_cast<std::uint32_t>(number);
-    }
-    first.pop_back();
+    group_by_key(
+        size, count, key_of, [](std::size_t number) { return static_cast<std::uint32_t>(number); },
+        result.m_first, result.m_numbers);
     return result;
   }
 

@@ -36,29 +36,37 @@ public:
   explicit Surface_edges(const Triangulated_surface_3& surface, Faces faces = Faces::all)
     : m_number_of_vertices(surface.number_of_vertices()) {
     const auto ends = [&surface](std::size_t side) -> Ends {
-      const auto& t = surface.triangle(side / 3);
-      const std::uint32_t a = t[side % 3], b = t[(side + 1) % 3];
+      const std::size_t face = side / 3, number = side - 3 * face;
+      const auto& t = surface.triangle(face);
+      const std::uint32_t a = t[number], b = t[number == 2 ? 0 : number + 1];
       return {(std::min)(a, b), (std::max)(a, b)};
     };
-    const Number_lists of_lower_end = Number_lists::by_key(
-        m_number_of_vertices, 3 * surface.number_of_faces(), [&](std::size_t side) {
+    // the sides of each lower end: their upper ends, and in the low bits their numbers
+    std::vector<std::size_t> first;
+    std::vector<std::uint64_t> keys;
+    group_by_key(
+        m_number_of_vertices, 3 * surface.number_of_faces(),
+        [&](std::size_t side) {
           return faces == Faces::not_degenerate && surface.is_degenerate(side / 3)
                      ? m_number_of_vertices
                      : std::size_t(ends(side)[0]);
-        });
-    m_sides.reserve(of_lower_end.numbers().size());
-    std::vector<std::array<std::uint32_t, 2>> sorted; // upper end and side
+        },
+        [&](std::size_t side) { return std::uint64_t(ends(side)[1]) << 32 | side; }, first, keys);
+    m_sides.reserve(keys.size());
+    // Most edges have two sides.
+    m_ends.reserve(keys.size() / 2 + 1);
+    m_first_sides.reserve(keys.size() / 2 + 2);
     for(std::size_t v = 0; v < m_number_of_vertices; ++v) {
-      sorted.clear();
-      for(std::uint32_t side : of_lower_end[v])
-        sorted.push_back({ends(side)[1], side});
-      std::sort(sorted.begin(), sorted.end());
-      for(std::size_t i = 0; i < sorted.size(); ++i) {
-        if(i == 0 || sorted[i][0] != sorted[i - 1][0]) {
-          m_ends.push_back({static_cast<std::uint32_t>(v), sorted[i][0]});
+      std::sort(keys.begin() + static_cast<std::ptrdiff_t>(first[v]),
+                keys.begin() + static_cast<std::ptrdiff_t>(first[v + 1]));
+      for(std::size_t i = first[v]; i < first[v + 1]; ++i) {
+        const auto upper_end = static_cast<std::uint32_t>(keys[i] >> 32),
+                   side = static_cast<std::uint32_t>(keys[i]);
+        if(i == first[v] || upper_end != keys[i - 1] >> 32) {
+          m_ends.push_back({static_cast<std::uint32_t>(v), upper_end});
           m_first_sides.push_back(m_sides.size());
         }
-        m_sides.push_back({sorted[i][1] / 3, sorted[i][1] % 3});
+        m_sides.push_back({side / 3, side % 3});
       }
     }
     m_first_sides.push_back(m_sides.size());
