@@ -16,6 +16,8 @@ class Sheet_block {
 public:
   /// \cond
   explicit Sheet_block(const double* upper_half) : m_upper_half(upper_half) {}
+  // the entries (i, j), at element_pairs[i][j]
+  const double* upper_half() const { return m_upper_half; }
   /// \endcond
 
   /// entry \f$(i, j)\f$

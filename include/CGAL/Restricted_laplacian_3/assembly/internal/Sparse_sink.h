@@ -60,21 +60,22 @@ public:
     const int* const inner = m_targets.front().matrix->innerIndexPtr();
     for(int j = 0; j < count; ++j) {
       int position = outer[sorted[j].first];
-      std::array<int, Tensor_basis_3::size> positions;
+      std::array<int, Tensor_basis_3::size> positions, pairs;
       for(int i = 0; i <= j; ++i, ++position) {
         while(inner[position] != sorted[i].first)
           ++position;
         positions[i] = position;
+        pairs[i] = element_pairs[sorted[j].second][sorted[i].second];
       }
       for(const Target& target : m_targets) {
         double* const values = target.matrix->valuePtr();
-        if(target.stiffness_factor != 0)
-          for(int i = 0; i <= j; ++i)
-            values[positions[i]] +=
-                target.stiffness_factor * stiffness(sorted[i].second, sorted[j].second);
-        if(target.mass_factor != 0)
-          for(int i = 0; i <= j; ++i)
-            values[positions[i]] += target.mass_factor * mass(sorted[i].second, sorted[j].second);
+        const auto add_times = [&](double factor, const double* entries) {
+          if(factor != 0)
+            for(int i = 0; i <= j; ++i)
+              values[positions[i]] += factor * entries[pairs[i]];
+        };
+        add_times(target.stiffness_factor, stiffness.upper_half());
+        add_times(target.mass_factor, mass.upper_half());
       }
     }
   }
