@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What compile_times.sh compares with: the example minimal_poisson.cpp without any problem to solve.
+// What compile_times.sh compares with: the example minimal_poisson.cpp without a problem to solve.
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>

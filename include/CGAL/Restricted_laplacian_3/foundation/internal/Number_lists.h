@@ -22,7 +22,7 @@ namespace internal {
 /// out. Linear in `size` and `count`.
 /// \param key_of number &rarr; key; called twice for each
 /// \param value_of number &rarr; value
-/// \param first receives the position at which the values of each key begin, and the end of the last
+/// \param first receives the positions at which the values of each key begin, and the end of all
 template <class KeyOf, class ValueOf, class Value>
 void group_by_key(std::size_t size, std::size_t count, KeyOf&& key_of, ValueOf&& value_of,
                   std::vector<std::size_t>& first, std::vector<Value>& values) {

@@ -26,8 +26,9 @@ constexpr int panel_width = 8;
 
 /// A matrix with many more rows than columns, in panels of eight columns, each stored row by row.
 /// The columns that the last panel has too many are 0. What is done with panels takes less than two
-/// thirds of the time of products of Eigen's matrices, unless the program is compiled for a processor
-/// with vector registers of 256 bits: then it takes up to a third more (benchmark `panels`).
+/// thirds of the time of products of Eigen's matrices, unless the program is compiled for a
+/// processor with vector registers of 256 bits: then it takes up to a third more (benchmark
+/// `panels`).
 template <class Number> class Column_panels {
 public:
   Column_panels() = default;
