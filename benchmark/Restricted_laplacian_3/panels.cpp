@@ -5,10 +5,11 @@
 // `multigrid_eigenpairs()` does with tall matrices, X in double, P and W in single precision:
 // - products: of all columns with those of S W and M W
 // - update: X and P become combinations of all columns
-// for panels, and for matrices of Eigen, with the columns or the rows one after the other, which get
-// all columns of S W and M W at once, and are worked on in the same chunks of rows: with P and W in
-// single precision as well, or all in double. Each is the median of nine runs, which take turns, so
-// that all share what else the machine does; what it takes is also given over the time for panels.
+// for panels, and for matrices of Eigen, with the columns or the rows one after the other, which
+// get all columns of S W and M W at once, and are worked on in the same chunks of rows: with P and
+// W in single precision as well, or all in double. Each is the median of nine runs, which take
+// turns, so that all share what else the machine does; what it takes is also given over the time
+// for panels.
 //
 // usage: panels [--threads N] [--pairs K] [--processor-time] ROWS...
 // default: one thread, 50 pairs, 9093 and 35708 rows (a bunny at depths 5 and 6)

@@ -5,10 +5,10 @@
 // - `stable_sort_by_key()`: of the elements of sheets by their centres, and of fragments of
 //   triangles by their cells, in rows as a scanner sees them or in random order, at a depth where a
 //   sphere has 50,000 cells. Sorts that are not stable break ties by the number of the value.
-// - `Symmetric_inverse`: of the blocks of a smoother, which have up to 64 unknowns, most of them 49.
-//   Of the peers only the decomposition into eigenvectors copes with singular blocks, too.
-// Each is the median of eleven runs, which take turns, so that all share what else the machine does,
-// and is also given over our own.
+// - `Symmetric_inverse`: of the blocks of a smoother, which have up to 64 unknowns, most of them
+//   49. Of the peers only the decomposition into eigenvectors copes with singular blocks, too.
+// Each is the median of eleven runs, which take turns, so that all share what else the machine
+// does, and is also given over our own.
 //
 // usage: sorts_and_inverses [--threads N]
 // default: one thread
