@@ -263,7 +263,7 @@ void run_points() {
         if(per_cell < 2)
           break;
         const Eigen::VectorXd found =
-            RL::laplace_eigenpairs(space, sphere_count, RL::Triangle_cubature(space)).eigenvalues;
+            RL::laplace_eigenpairs(space, sphere_count, RL::Default_integration(space)).eigenvalues;
         std::printf("%-10s %9zu %6d %9zu %9.1f %11.2e\n", is_random ? "random" : "regular", n,
                     depth, space.dimension(), per_cell,
                     largest_difference(found, sphere_eigenvalues()));
@@ -461,7 +461,7 @@ void run_scans() {
     else
       std::printf("%8s %8s ", "-", "-");
     const Eigen::VectorXd values =
-        RL::laplace_eigenpairs(space, count, RL::Triangle_cubature(space)).eigenvalues;
+        RL::laplace_eigenpairs(space, count, RL::Default_integration(space)).eigenvalues;
     for(Eigen::Index i = 1; i < values.size(); ++i)
       std::printf(" %.1f", values[i]);
     std::printf("\n");
