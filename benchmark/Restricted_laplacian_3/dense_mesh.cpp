@@ -34,7 +34,7 @@
 namespace {
 
 using namespace benchmarks;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Mesh = CGAL::Surface_mesh<RL::Point_3>;
 using Vertex_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
@@ -71,12 +71,11 @@ void measure_poisson(const Mesh& mesh, const Vertex_map& f, Vertex_map u, int de
                      double tolerance, int threads) {
   [[maybe_unused]] const auto limited = limit_threads(threads);
   RL::Solve_report report;
-  const auto np = params::octree_depth(depth, params::relative_tolerance(tolerance));
+  const auto np = params::octree_depth(depth).relative_tolerance(tolerance);
   const double seconds = median_seconds([&] {
-    report = threads > 1
-                 ? RL::solve_poisson(mesh, f, u,
-                                     params::concurrency_tag(CGAL::Parallel_if_available_tag(), np))
-                 : RL::solve_poisson(mesh, f, u, np);
+    report = threads > 1 ? RL::solve_poisson(mesh, f, u,
+                                             np.concurrency_tag(CGAL::Parallel_if_available_tag()))
+                         : RL::solve_poisson(mesh, f, u, np);
   });
   char remark[128];
   std::snprintf(remark, sizeof remark,

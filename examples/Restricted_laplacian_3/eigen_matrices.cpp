@@ -19,7 +19,7 @@
 #include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 // Solves Laplacian u = f, with f and u at the vertices. Rows are a range of points, or triangles.
 Eigen::VectorXd solve(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
