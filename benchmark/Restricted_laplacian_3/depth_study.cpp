@@ -186,7 +186,7 @@ private:
     return result;
   }
 
-  /// computes a vector in a process of its own, so that its memory is gone and threads are not there
+  /// computes a vector in a process of its own, whose memory and threads are gone then
   template <class Compute> static Eigen::VectorXd in_vector(Compute&& compute) {
     double mib = 0;
     const std::vector<double> values = in_child_process<double>(3600, mib, [&] {
