@@ -44,7 +44,7 @@ namespace {
 
 using namespace benchmarks;
 namespace po = boost::program_options;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Mesh = CGAL::Surface_mesh<RL::Point_3>;
 
 struct Options {
@@ -153,13 +153,12 @@ private:
     const auto limited = limit_threads(threads);
     (void)limited;
     const auto u = m_mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
-    const auto np = params::octree_depth(depth, params::relative_tolerance(tolerance));
+    const auto np = params::octree_depth(depth).relative_tolerance(tolerance);
     Stopwatch watch;
     const RL::Solve_report report =
-        threads > 1
-            ? RL::solve_poisson(m_mesh, z_coordinate, u,
-                                params::concurrency_tag(CGAL::Parallel_if_available_tag(), np))
-            : RL::solve_poisson(m_mesh, z_coordinate, u, np);
+        threads > 1 ? RL::solve_poisson(m_mesh, z_coordinate, u,
+                                        np.concurrency_tag(CGAL::Parallel_if_available_tag()))
+                    : RL::solve_poisson(m_mesh, z_coordinate, u, np);
     Solution result;
     result.first.seconds = watch.lap();
     result.first.iterations = report.iterations;

@@ -20,7 +20,7 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(mesh, 50, CGAL::parameters::octree_depth(5));
+      RL::laplace_spectrum(mesh, 50, RL::parameters::octree_depth(5));
 
   // how much heat stays where it is: a row for each vertex, a column for each time
   const Eigen::VectorXd times = RL::heat_kernel_times(spectrum, 5);

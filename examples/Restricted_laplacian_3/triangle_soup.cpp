@@ -15,7 +15,7 @@
 #include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
 int main() {
@@ -36,7 +36,7 @@ int main() {
   // Sides of triangles that lie along each other, up to a distance, are joined on request. The
   // surface is now a star of three squares; its first eigenvalue above 0 is pi^2 / 4, twice. Across
   // the common edge one of the two eigenfunctions has a kink, which splines only come near to.
-  const auto joined = params::octree_depth(5, params::joining_tolerance(1e-9));
+  const auto joined = params::octree_depth(5).joining_tolerance(1e-9);
   const RL::Laplace_spectrum star = RL::laplace_spectrum(points, triangles, 3, joined);
   std::cout << "joined:   " << star.eigenvalues.transpose() << '\n';
 
