@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
@@ -18,7 +19,7 @@ namespace params = RL::parameters;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Values = std::array<double, 3>;
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Mesh mesh;
   if(argc != 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "usage: minimal_gradient_field MESH\n";
@@ -54,4 +55,7 @@ int main(int argc, char* argv[]) {
                  converged
              ? 0
              : 1;
+} catch(const std::exception& e) {
+  std::cerr << "minimal_gradient_field: " << e.what() << '\n';
+  return 1;
 }

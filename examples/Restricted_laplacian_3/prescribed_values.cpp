@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
@@ -29,7 +30,7 @@ double largest_difference(const Mesh& mesh, const Mesh::Property_map<Vertex, dou
   return result;
 }
 
-int main() {
+int main() try {
   Mesh mesh;
   CGAL::make_grid(
       20, 20, mesh, [](std::size_t i, std::size_t j) { return Point(i / 10. - 1, j / 10. - 1, 0); },
@@ -76,4 +77,7 @@ int main() {
       on_the_left = std::max(on_the_left, std::abs(u[v] - mesh.point(v).x() * mesh.point(v).y()));
   std::cout << "weights, largest difference where they are large: " << on_the_left << '\n';
   return 0;
+} catch(const std::exception& e) {
+  std::cerr << "prescribed_values: " << e.what() << '\n';
+  return 1;
 }

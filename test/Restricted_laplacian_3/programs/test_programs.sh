@@ -1234,9 +1234,9 @@ test_short_programs() {
   check "minimal_points prints eigenvalues and a range" [ "$(wc -l < out)" -eq 2 ]
   check "the second of which is 2" is_near "$(sed -n '1s/.*: [^ ]* \([^ ]*\) .*/\1/p' out)" 2 0.05
   fails "usage" minimal_points
-  succeeds steps sphere.off
-  check "steps prints something" [ -s out ]
-  fails "usage" steps
+  succeeds laplacian_steps sphere.off
+  check "laplacian_steps prints something" [ -s out ]
+  fails "usage" laplacian_steps
 }
 
 # The programs that show how to extend the package.

@@ -11,6 +11,7 @@
 #include <CGAL/property_map.h>
 
 #include <array>
+#include <exception>
 #include <iostream>
 #include <vector>
 
@@ -18,7 +19,7 @@ namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = RL::parameters;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-int main() {
+int main() try {
   const std::vector<Point> points = {{0, 0, 0},  {0, 0, 1},   // the common edge
                                      {1, 0, 0},  {1, 0, 1},   // first square
                                      {0, 1, 0},  {0, 1, 1},   // second square
@@ -47,4 +48,7 @@ int main() {
       RL::solve_poisson(points, triangles, f, CGAL::make_property_map(u), joined);
   std::cout << "u at the ends of the squares: " << u[2] << ' ' << u[4] << ' ' << u[8] << '\n';
   return report.converged ? 0 : 1;
+} catch(const std::exception& e) {
+  std::cerr << "laplacian_of_soup: " << e.what() << '\n';
+  return 1;
 }
