@@ -103,7 +103,7 @@ all_matches("${doc}/PackageDescription.txt" "\\\\cgalParamNBegin\\{([a-z_]+)\\}"
 all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/foundation/parameters.h"
   "\nCGAL_RESTRICTED_LAPLACIAN_3_PARAMETER\\(([a-z_]+)\\)" in_sources)
 require_same("named parameters" IN_MANUAL ${in_manual}
-  IN_SOURCES ${in_sources} vertex_point_map number_of_iterations vertex_is_constrained_map
+  IN_SOURCES ${in_sources} vertex_point_map geom_traits number_of_iterations vertex_is_constrained_map
   vertex_normal_map callback point_map normal_map)
 
 # their defaults, as far as comments in the headers have the form "- `name`: ...; default value"
