@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_LOCATION_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/properties.h>
@@ -214,11 +215,8 @@ template <class FaceGraph, class VertexMap>
 Linear_surface_function<Vector_3> vertex_vector_field(const FaceGraph& tm, VertexMap map) {
   std::vector<Vector_3> values;
   values.reserve(num_vertices(tm));
-  for(auto v : vertices(tm)) {
-    const auto value = get(map, v);
-    values.emplace_back(CGAL::to_double(value.x()), CGAL::to_double(value.y()),
-                        CGAL::to_double(value.z()));
-  }
+  for(auto v : vertices(tm))
+    values.push_back(internal::with_coordinates_of<Vector_3>(get(map, v)));
   return Linear_surface_function<Vector_3>(std::move(values));
 }
 

@@ -190,7 +190,7 @@ auto gradients_of_values(const Triangulated_surface_3& surface, const Values& va
 /// \param tm the mesh whose vertices the map knows
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key; its values are
 /// numbers, `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors of \cgal
-/// \param np `vertex_point_map`, as in `Spline_space_3`
+/// \param np `vertex_point_map` and `geom_traits`, as in `read_surface()`
 /// \return a `Face_function` with values `Eigen::Matrix<double, 3, K>`
 /// \throws Input_error one of its derived classes names the face or vertex that cannot be used
 template <class FaceGraph, class VertexMap,
@@ -210,10 +210,13 @@ auto vertex_gradients(const FaceGraph& tm, VertexMap map,
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
 /// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`
+/// \param np `geom_traits`, as in `read_surface()`
 template <class PointRange, class TriangleRange, class IndexMap,
+          class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0>
-auto vertex_gradients(const PointRange& points, const TriangleRange& triangles, IndexMap map) {
-  const Triangulated_surface_3 surface = read_surface(points, triangles);
+auto vertex_gradients(const PointRange& points, const TriangleRange& triangles, IndexMap map,
+                      const NamedParameters& np = parameters::default_values()) {
+  const Triangulated_surface_3 surface = read_surface(points, triangles, np);
   std::vector<std::decay_t<typename boost::property_traits<IndexMap>::value_type>> values;
   for(std::size_t i = 0; i < surface.number_of_vertices(); ++i)
     values.push_back(get(map, i));
