@@ -1224,6 +1224,9 @@ test_short_programs() {
   fails "usage" minimal_stitching
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh" [ "$status" -eq 1 ]
+  succeeds eigen_matrices
+  check "eigen_matrices comes near to the solution" \
+    is_below "$(awk '/error of u/ { print $NF }' out)" 1e-4
   succeeds generic_meshes sphere.off
   check "generic_meshes uses at least two types" [ "$(grep -c "u is between" out)" -ge 2 ]
   check "and finds the same solution with all" \
