@@ -8,9 +8,11 @@
 #include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -144,7 +146,9 @@ public:
 
   /// the value at a location: the mean of those at the three vertices with the barycentric
   /// coordinates as weights
+  /// \pre there is a value for each of the three vertices
   T operator()(const Surface_point& p) const {
+    CGAL_precondition((std::max)({p.vertices[0], p.vertices[1], p.vertices[2]}) < m_values.size());
     return m_values[p.vertices[0]] * p.barycentric[0] + m_values[p.vertices[1]] * p.barycentric[1] +
            m_values[p.vertices[2]] * p.barycentric[2];
   }

@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/function_components.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -36,7 +37,11 @@ public:
   explicit Face_function(std::vector<T> values) : m_values(std::move(values)) {}
 
   /// the value of the face of a location
-  const T& operator()(const Surface_point& p) const { return m_values[p.face]; }
+  /// \pre there is a value for that face
+  const T& operator()(const Surface_point& p) const {
+    CGAL_precondition(p.face < m_values.size());
+    return m_values[p.face];
+  }
   /// constant on each triangle
   int degree() const { return 0; }
   /// the values, one for each face
@@ -61,7 +66,9 @@ public:
 
   /// the value at a location: the mean of those at the three corners with the barycentric
   /// coordinates as weights
+  /// \pre there are values for that face
   T operator()(const Surface_point& p) const {
+    CGAL_precondition(3 * p.face + 3 <= m_values.size());
     const T* const corners = m_values.data() + 3 * p.face;
     return corners[0] * p.barycentric[0] + corners[1] * p.barycentric[1] +
            corners[2] * p.barycentric[2];
