@@ -11,7 +11,11 @@
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -23,6 +27,41 @@ using Vertex = Mesh::Vertex_index;
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
+/// A point without members, as users have them, and what knows its coordinates. They are stored in
+/// another order, and in another unit, so that nothing else can read them.
+struct Plain_point {
+  std::array<float, 3> zyx;
+};
+
+struct Plain_traits {
+  template <int I> struct Compute {
+    double scale;
+    double operator()(const Plain_point& p) const { return scale * p.zyx[I]; }
+  };
+  using Compute_x_3 = Compute<2>;
+  using Compute_y_3 = Compute<1>;
+  using Compute_z_3 = Compute<0>;
+  Compute_x_3 compute_x_3_object() const { return {unit}; }
+  Compute_y_3 compute_y_3_object() const { return {unit}; }
+  Compute_z_3 compute_z_3_object() const { return {unit}; }
+
+  explicit Plain_traits(double unit) : unit(unit) {}
+  double unit;
+};
+
+/// powers of two leave all digits as they are
+Plain_point plain(const RL::Point_3& p, double unit) {
+  return {{static_cast<float>(p.z() / unit), static_cast<float>(p.y() / unit),
+           static_cast<float>(p.x() / unit)}};
+}
+
+std::vector<RL::Point_3> points_of(const RL::Triangulated_surface_3& surface) {
+  std::vector<RL::Point_3> points;
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    points.push_back(surface.point(v));
+  return points;
+}
+
 } // namespace
 
 TEMPLATE_TEST_CASE("solution_does_not_depend_on_the_mesh_type", "[mesh_types]",
@@ -33,6 +72,55 @@ TEMPLATE_TEST_CASE("solution_does_not_depend_on_the_mesh_type", "[mesh_types]",
                    CGAL::Polyhedron_3<CGAL::Simple_cartesian<float>>, CGAL::Polyhedron_3<Epick>,
                    (CGAL::Polyhedron_3<Epeck, CGAL::Polyhedron_items_with_id_3>)) {
   check_mesh_type(converted<TestType>(shapes::mesh(surface())));
+}
+
+TEST_CASE("traits_read_points_of_any_type", "[mesh_types]") {
+  const double unit = 0.125;
+  const Plain_traits traits(unit);
+  const shapes::Triangles t = surface();
+  const Mesh mesh = shapes::mesh(t);
+  std::vector<Plain_point> plain_points;
+  for(const RL::Point_3& p : t.points)
+    plain_points.push_back(plain(p, unit));
+
+  const auto map =
+      boost::make_function_property_map<Vertex>([&](Vertex v) { return plain_points[v.idx()]; });
+  const RL::Triangulated_surface_3 of_mesh =
+      RL::read_surface(mesh, params::vertex_point_map(map).geom_traits(traits));
+  CHECK((points_of(of_mesh) == t.points));
+  const auto np = params::octree_depth(3).relative_tolerance(1e-6);
+  CHECK(relative_difference(solution(mesh, np.vertex_point_map(map).geom_traits(traits)),
+                            expected_solution()) == 0);
+
+  const RL::Triangulated_surface_3 of_soup =
+      RL::read_surface(plain_points, t.faces, params::geom_traits(traits));
+  CHECK((points_of(of_soup) == t.points));
+  const RL::Spline_space_3 space(plain_points, t.faces,
+                                 params::octree_depth(3).geom_traits(traits));
+  CHECK((points_of(space.surface()) == t.points));
+
+  // normals are vectors of the traits, too
+  std::vector<Plain_point> plain_normals;
+  for(std::size_t f = 0; f < t.points.size(); ++f)
+    plain_normals.push_back(plain(CGAL::ORIGIN + of_mesh.normal(f), unit));
+  const RL::Triangulated_surface_3 of_points = RL::read_point_set(
+      plain_points, params::normal_map(CGAL::make_property_map(plain_normals)).geom_traits(traits));
+  CHECK((points_of(of_points) == t.points));
+  for(std::size_t i = 0; i < t.points.size(); ++i)
+    REQUIRE((of_points.normal(i) - of_mesh.normal(i)).squared_length() < 1e-12);
+}
+
+TEST_CASE("a_kernel_serves_as_traits", "[mesh_types]") {
+  const shapes::Mesh mesh = shapes::mesh(surface());
+  const auto check = [&](const auto& other, const auto& kernel) {
+    CHECK((points_of(RL::read_surface(other, params::geom_traits(kernel))) ==
+           points_of(RL::read_surface(other))));
+  };
+  check(mesh, CGAL::Simple_cartesian<double>());
+  check(converted<CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>>(mesh),
+        CGAL::Simple_cartesian<float>());
+  check(converted<CGAL::Surface_mesh<Epick::Point_3>>(mesh), Epick());
+  check(converted<CGAL::Surface_mesh<Epeck::Point_3>>(mesh), Epeck());
 }
 
 TEST_CASE("removed_vertices_and_faces_do_not_count", "[mesh_types]") {

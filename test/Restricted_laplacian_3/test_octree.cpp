@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
+#include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/exceptions.h>
@@ -341,6 +342,10 @@ TEST_CASE("violated_preconditions_throw_in_debug_builds", "[octree]") {
   CHECK_THROWS_AS(surface.triangle(t.faces.size()), Exception);
   CHECK_THROWS_AS(surface.normal(t.faces.size()), Exception);
   CHECK_THROWS_AS(surface.area(t.faces.size()), Exception);
+  const RL::Surface_point p = surface.surface_point({t.faces.size() - 1, {1, 0, 0}});
+  CHECK_THROWS_AS(RL::Linear_surface_function<double>({1., 2., 3.})(p), Exception);
+  CHECK_THROWS_AS(RL::Face_function<double>({1., 2., 3.})(p), Exception);
+  CHECK_THROWS_AS(RL::Corner_vector_field<double>({1., 2., 3.})(p), Exception);
   const RL::Surface_seams seams(surface, 0, -1);
   CHECK_THROWS_AS(seams.seam(0, 3), Exception);
 #endif

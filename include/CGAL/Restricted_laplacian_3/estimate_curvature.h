@@ -8,10 +8,10 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <cstddef>
@@ -92,11 +92,10 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
   const auto estimated = [&] {
     if constexpr(is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
       const auto map = parameters::get_parameter(np, internal_np::vertex_normal_map);
+      const auto traits = geom_traits_of(np);
       std::vector<Vector_3> normals;
       source.for_each_vertex([&](std::size_t i, const auto& v) {
-        const auto n = value_at(map, v);
-        const Vector_3 normal(CGAL::to_double(n.x()), CGAL::to_double(n.y()),
-                              CGAL::to_double(n.z()));
+        const Vector_3 normal = with_coordinates_of<Vector_3>(value_at(map, v), traits);
         if(!std::isfinite(normal.squared_length()))
           throw Invalid_vertex_error(i, "has a normal that is not finite");
         normals.push_back(unit_or_zero(normal));

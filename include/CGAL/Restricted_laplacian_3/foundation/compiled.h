@@ -4,6 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_COMPILED_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_COMPILED_H
 
+#include <CGAL/license/Restricted_laplacian_3.h>
+
 // The package is used as headers only, or compiled once. `Foo.h` declares, `Foo_impl.h` defines
 // what depends on no type of the caller; `Foo.h` includes it at its end, unless the macro
 // `CGAL_RESTRICTED_LAPLACIAN_3_COMPILED` says that the program is linked with the library, whose

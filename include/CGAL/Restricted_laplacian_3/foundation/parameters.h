@@ -65,6 +65,7 @@
 // The list of those of CGAL that the package takes: type and value of the tag, name.
 #define CGAL_RESTRICTED_LAPLACIAN_3_CGAL_PARAMETERS(PARAMETER)                                     \
   PARAMETER(vertex_point_t, vertex_point, vertex_point_map)                                        \
+  PARAMETER(geom_traits_t, geom_traits, geom_traits)                                               \
   PARAMETER(vertex_normal_map_t, vertex_normal_map, vertex_normal_map)                             \
   PARAMETER(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)             \
   PARAMETER(point_t, point_map, point_map)                                                         \

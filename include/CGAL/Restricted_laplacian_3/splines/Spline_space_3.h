@@ -103,6 +103,7 @@ public:
   ///   operators, which needs TBB; `CGAL::Parallel_if_available_tag()` to do so if the program is
   ///   linked with TBB; default `CGAL::Sequential_tag()`. The results are the same.
   /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
+  /// - `geom_traits`: a model of `RestrictedLaplacianTraits_3`, see `read_surface()`
   /// - for points, in its place, all named parameters of `read_point_set()`: `point_map`,
   ///   `normal_map`, `area_map`, `number_of_neighbors`
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
@@ -125,7 +126,7 @@ public:
             internal::Require_no_named_parameters<TriangleRange> = 0>
   Spline_space_3(const PointRange& points, const TriangleRange& triangles,
                  const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(read_surface(points, triangles), spline_space_options(np)) {}
+    : Spline_space_3(read_surface(points, triangles, np), spline_space_options(np)) {}
 
   /// the spaces of a surface given as points and triangles, which need not be a manifold, or as
   /// oriented points

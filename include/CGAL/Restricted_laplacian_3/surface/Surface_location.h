@@ -5,11 +5,14 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_LOCATION_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -143,7 +146,9 @@ public:
 
   /// the value at a location: the mean of those at the three vertices with the barycentric
   /// coordinates as weights
+  /// \pre there is a value for each of the three vertices
   T operator()(const Surface_point& p) const {
+    CGAL_precondition((std::max)({p.vertices[0], p.vertices[1], p.vertices[2]}) < m_values.size());
     return m_values[p.vertices[0]] * p.barycentric[0] + m_values[p.vertices[1]] * p.barycentric[1] +
            m_values[p.vertices[2]] * p.barycentric[2];
   }
@@ -214,11 +219,8 @@ template <class FaceGraph, class VertexMap>
 Linear_surface_function<Vector_3> vertex_vector_field(const FaceGraph& tm, VertexMap map) {
   std::vector<Vector_3> values;
   values.reserve(num_vertices(tm));
-  for(auto v : vertices(tm)) {
-    const auto value = get(map, v);
-    values.emplace_back(CGAL::to_double(value.x()), CGAL::to_double(value.y()),
-                        CGAL::to_double(value.z()));
-  }
+  for(auto v : vertices(tm))
+    values.push_back(internal::with_coordinates_of<Vector_3>(get(map, v)));
   return Linear_surface_function<Vector_3>(std::move(values));
 }
 

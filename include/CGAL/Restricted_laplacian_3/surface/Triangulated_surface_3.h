@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 
 #include <CGAL/assertions.h>
 
@@ -177,8 +178,12 @@ private:
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \param tm a mesh of triangles
-/// \param np `vertex_point_map`: a model of `ReadablePropertyMap` with a 3D point of any \cgal
-/// kernel as value; default `get_const_property_map(CGAL::vertex_point, tm)`
+/// \param np optional named parameters:
+/// - `vertex_point_map`: a model of `ReadablePropertyMap` with a 3D point as value; default
+///   `get_const_property_map(CGAL::vertex_point, tm)`
+/// - `geom_traits`: a model of `RestrictedLaplacianTraits_3` that knows the coordinates of these
+///   points; not needed for points that have members `x()`, `y()` and `z()`, as those of all \cgal
+///   kernels
 /// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
 /// `Triangulated_surface_3` throws
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
@@ -189,14 +194,14 @@ Triangulated_surface_3 read_surface(const FaceGraph& tm,
   auto point_map =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                    get_const_property_map(CGAL::vertex_point, tm));
+  const auto traits = internal::geom_traits_of(np);
   auto index_map = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), tm);
 
   std::vector<Point_3> points;
   points.reserve(num_vertices(tm));
   for(Vertex v : vertices(tm)) {
     put(index_map, v, static_cast<std::uint32_t>(points.size()));
-    const auto& p = get(point_map, v);
-    points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    points.push_back(internal::with_coordinates_of<Point_3>(get(point_map, v), traits));
   }
 
   std::vector<Triangulated_surface_3::Triangle> triangles;
@@ -213,16 +218,20 @@ Triangulated_surface_3 read_surface(const FaceGraph& tm,
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// Reads a triangle soup: a surface that need not be a manifold.
-/// \param points a range of 3D points of any \cgal kernel
+/// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`, each of any integer type
+/// \param np `geom_traits`: as above
 /// \throws Invalid_face_error if a face is not a triangle or names a point that does not exist, and
 /// what the constructor of `Triangulated_surface_3` throws
 template <class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<TriangleRange> = 0>
-Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRange& triangles) {
+Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRange& triangles,
+                                    const NamedParameters& np = parameters::default_values()) {
+  const auto traits = internal::geom_traits_of(np);
   std::vector<Point_3> own_points;
   for(const auto& p : points)
-    own_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    own_points.push_back(internal::with_coordinates_of<Point_3>(p, traits));
   std::vector<Triangulated_surface_3::Triangle> own_triangles;
   for(const auto& triangle : triangles) {
     if(std::distance(std::begin(triangle), std::end(triangle)) != 3)

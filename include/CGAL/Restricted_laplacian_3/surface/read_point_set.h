@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 
 #include <CGAL/property_map.h>
@@ -114,9 +115,11 @@ auto normal_map_of(const PointRange& points, const NamedParameters& np) {
 /// \param points the points, or things that property maps know points and normals of
 /// \param np optional named parameters; the keys of property maps are the elements of the range, or
 /// their positions, counted from 0, if a map does not take elements:
-/// - `point_map`: a model of `ReadablePropertyMap` with a 3D point of any \cgal kernel as value;
-///   default `CGAL::Identity_property_map`, or that of the `CGAL::Point_set_3`
-/// - `normal_map`: a model of `ReadablePropertyMap` with a 3D vector of any \cgal kernel as value,
+/// - `point_map`: a model of `ReadablePropertyMap` with a 3D point as value; default
+///   `CGAL::Identity_property_map`, or that of the `CGAL::Point_set_3`
+/// - `geom_traits`: a model of `RestrictedLaplacianTraits_3` that knows the coordinates of points
+///   and normals, see `read_surface()`
+/// - `normal_map`: a model of `ReadablePropertyMap` with a 3D vector as value,
 ///   of any length but 0; required, unless the range is a `CGAL::Point_set_3` that has normals.
 ///   Which side they point to does not matter, except for `estimate_point_areas()` and
 ///   `split_elements(true)`, which need them to be oriented alike.
@@ -137,15 +140,16 @@ Triangulated_surface_3 read_point_set(const PointRange& points,
   const auto normal_map = internal::normal_map_of(points, np);
   constexpr bool has_areas = internal::is_given_v<NamedParameters, internal_np::area_map_t>;
   const auto area_map = parameters::get_parameter(np, internal_np::area_map);
+  const auto traits = internal::geom_traits_of(np);
 
   std::vector<Point_3> own_points;
   std::vector<Vector_3> normals;
   std::vector<double> areas;
   internal::for_each_point_key(points, [&](const auto& key) {
-    const auto& p = internal::value_at(point_map, key);
-    const auto& n = internal::value_at(normal_map, key);
-    own_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    normals.emplace_back(CGAL::to_double(n.x()), CGAL::to_double(n.y()), CGAL::to_double(n.z()));
+    own_points.push_back(
+        internal::with_coordinates_of<Point_3>(internal::value_at(point_map, key), traits));
+    normals.push_back(
+        internal::with_coordinates_of<Vector_3>(internal::value_at(normal_map, key), traits));
     if constexpr(has_areas)
       areas.push_back(CGAL::to_double(internal::value_at(area_map, key)));
   });

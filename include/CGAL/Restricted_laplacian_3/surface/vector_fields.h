@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/function_components.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -36,7 +37,11 @@ public:
   explicit Face_function(std::vector<T> values) : m_values(std::move(values)) {}
 
   /// the value of the face of a location
-  const T& operator()(const Surface_point& p) const { return m_values[p.face]; }
+  /// \pre there is a value for that face
+  const T& operator()(const Surface_point& p) const {
+    CGAL_precondition(p.face < m_values.size());
+    return m_values[p.face];
+  }
   /// constant on each triangle
   int degree() const { return 0; }
   /// the values, one for each face
@@ -61,7 +66,9 @@ public:
 
   /// the value at a location: the mean of those at the three corners with the barycentric
   /// coordinates as weights
+  /// \pre there are values for that face
   T operator()(const Surface_point& p) const {
+    CGAL_precondition(3 * p.face + 3 <= m_values.size());
     const T* const corners = m_values.data() + 3 * p.face;
     return corners[0] * p.barycentric[0] + corners[1] * p.barycentric[1] +
            corners[2] * p.barycentric[2];
@@ -190,7 +197,7 @@ auto gradients_of_values(const Triangulated_surface_3& surface, const Values& va
 /// \param tm the mesh whose vertices the map knows
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key; its values are
 /// numbers, `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors of \cgal
-/// \param np `vertex_point_map`, as in `Spline_space_3`
+/// \param np `vertex_point_map` and `geom_traits`, as in `read_surface()`
 /// \return a `Face_function` with values `Eigen::Matrix<double, 3, K>`
 /// \throws Input_error one of its derived classes names the face or vertex that cannot be used
 template <class FaceGraph, class VertexMap,
@@ -210,10 +217,13 @@ auto vertex_gradients(const FaceGraph& tm, VertexMap map,
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
 /// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`
+/// \param np `geom_traits`, as in `read_surface()`
 template <class PointRange, class TriangleRange, class IndexMap,
+          class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0>
-auto vertex_gradients(const PointRange& points, const TriangleRange& triangles, IndexMap map) {
-  const Triangulated_surface_3 surface = read_surface(points, triangles);
+auto vertex_gradients(const PointRange& points, const TriangleRange& triangles, IndexMap map,
+                      const NamedParameters& np = parameters::default_values()) {
+  const Triangulated_surface_3 surface = read_surface(points, triangles, np);
   std::vector<std::decay_t<typename boost::property_traits<IndexMap>::value_type>> values;
   for(std::size_t i = 0; i < surface.number_of_vertices(); ++i)
     values.push_back(get(map, i));

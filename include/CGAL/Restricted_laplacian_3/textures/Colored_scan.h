@@ -107,7 +107,7 @@ public:
   /// - `pose`: a `Scan_pose`, see above; default the identity
   /// - `viewpoint`: a `Point_3` in coordinates of the scan; default the origin
   /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
-  /// - `point_map`, `normal_map`: as in `read_point_set()`
+  /// - `point_map`, `normal_map`, `geom_traits`: as in `read_point_set()`
   /// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads, with the same result;
   ///   default `CGAL::Sequential_tag()`
   /// \throws Input_error as above, and what `read_surface()` or `read_point_set()` throw
@@ -132,7 +132,7 @@ public:
             std::enable_if_t<!std::is_same_v<PointRange, Triangulated_surface_3>, int> = 0>
   Colored_scan(const PointRange& points, const TriangleRange& triangles, const IndexMap& color_map,
                const NamedParameters& np = parameters::default_values())
-    : Colored_scan(read_surface(points, triangles), colors_of_indices(points, color_map),
+    : Colored_scan(read_surface(points, triangles, np), colors_of_indices(points, color_map),
                    pose_of(np), viewpoint_of(np), internal::is_parallel(np)) {}
 
   /// in coordinates of the world

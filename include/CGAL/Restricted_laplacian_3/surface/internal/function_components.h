@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_FUNCTION_COMPONENTS_H
 
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 
 #include <CGAL/number_utils.h>
@@ -80,9 +81,7 @@ struct Function_components<Value,
 template <class Value>
 struct Function_components<Value, std::void_t<decltype(std::declval<const Value&>().cartesian(2))>>
   : Components<3> {
-  static Vector read(const Value& value) {
-    return {CGAL::to_double(value.x()), CGAL::to_double(value.y()), CGAL::to_double(value.z())};
-  }
+  static Vector read(const Value& value) { return with_coordinates_of<Vector>(value); }
   static Value make(const Vector& components) {
     return Value(components[0], components[1], components[2]);
   }
@@ -102,9 +101,7 @@ template <int K> struct Channels {
 /// the columns of a matrix. Values are 3D vectors of a kernel of \cgal, `std::array`s of them, or
 /// matrices of Eigen of three rows and a fixed number of columns.
 template <class Value, class = void> struct Vector_field_channels : Channels<1> {
-  static Vector read(const Value& value) {
-    return {CGAL::to_double(value.x()), CGAL::to_double(value.y()), CGAL::to_double(value.z())};
-  }
+  static Vector read(const Value& value) { return with_coordinates_of<Vector>(value); }
 };
 
 template <class Value, std::size_t K>
