@@ -54,8 +54,10 @@ check_dependencies() {
 }
 
 unit_tests() {
-  OPENBLAS_NUM_THREADS=1 "$build/test/$name/test_restricted_laplacian_3" "~[slow]" | tee "$output"
-  details=", $(tail -n 2 "$output" | tr -s '\n=' ' ' | sed 's/[()]//g; s/ *$//; s/All tests passed //')"
+  OPENBLAS_NUM_THREADS=1 "$build/test/$name/test_restricted_laplacian_3" "~[slow]" >"$output" ||
+    { cat "$output"; return 1; }
+  details=", $(sed -n 's/^All tests passed (\(.*\))$/\1/p' "$output")"
+  details+=", $(grep -c 'SKIPPED: ' "$output" || true) of them skipped"
 }
 
 # It has to say what it says with the CGAL of the system, as the manual shows.
@@ -67,7 +69,7 @@ program() {
 }
 
 report "configuration" cmake -S . -B "$build" "-DCGAL_DIR=$cgal" -DCMAKE_BUILD_TYPE=Release \
-  -DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O1 -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
+  -DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O0 -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
   -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF "-DRESTRICTED_LAPLACIAN_3_CGAL_6_DIR=$cgal"
 report "headers include what package_info says" check_dependencies
 report "compilation of library and unit tests" \
