@@ -44,7 +44,7 @@ report() {
 # Which headers of the named CGAL belong to which package says a line in each of them.
 check_dependencies() {
   local found
-  found=$("${CXX:-c++}" -std=c++17 -M -Iinclude "-isystem$cgal/include" \
+  found=$("${CXX:-c++}" -std=c++17 -DCGAL_USE_GMPXX=1 -M -Iinclude "-isystem$cgal/include" \
     -isystem /usr/include/eigen3 include/CGAL/$name.h |
     tr ' ' '\n' | grep "^$cgal/include/CGAL/" | sort -u |
     xargs sed -n 's|.*[$]URL: .*/blob/[^/]*/\([^/]*\)/include/.*|\1|p')
