@@ -33,7 +33,7 @@
 // usage: accuracy_per_second [OPTION]...
 
 #include "sphere.h"
-#include "support/boomer_amg.h"
+#include "support/linear_solvers.h"
 #include "support/measure.h"
 #include "support/package.h"
 
@@ -42,13 +42,7 @@
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
-#include <CGAL/Real_timer.h>
-
 #include <Eigen/Dense>
-#ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
-#include <Eigen/CholmodSupport>
-#endif
-
 #include <HYPRE.h>
 #include <boost/program_options.hpp>
 
@@ -207,30 +201,14 @@ std::vector<Shape> shapes() {
 }
 
 // One way to the solution: what it takes, and what it gives.
-struct Run {
-  double assembly_seconds, setup_seconds, solve_seconds, error;
+struct Run : Solver_run {
+  double assembly_seconds, error;
   std::size_t unknowns;
-  bool converged;
 };
 
 struct Result {
   std::string method;
   double seconds, error;
-};
-
-class Stopwatch {
-public:
-  Stopwatch() { m_timer.start(); }
-  // since the last lap
-  double lap() {
-    const double end = m_timer.time(), seconds = end - m_begin;
-    m_begin = end;
-    return seconds;
-  }
-
-private:
-  CGAL::Real_timer m_timer;
-  double m_begin = 0;
 };
 
 // All runs on one shape.
@@ -346,7 +324,7 @@ Run restricted_poisson(const Options& o, const Shape& shape,
   return run;
 }
 
-// `solve(a, b, u, run)` fills in the times of setup and solution
+// `solve(a, b, u)` returns the times of setup and solution
 template <class Solve>
 Run cotangent_poisson(const Shape& shape, const RL::Triangulated_surface_3& surface,
                       Solve&& solve) {
@@ -361,37 +339,9 @@ Run cotangent_poisson(const Shape& shape, const RL::Triangulated_surface_3& surf
   b.array() -= b.mean();
   run.unknowns = surface.number_of_vertices();
   run.assembly_seconds = watch.lap();
-  solve(both.stiffness, b, u, run);
+  static_cast<Solver_run&>(run) = solve(both.stiffness, b, u);
   run.error = relative_error(surface, u.data(), shape);
   return run;
-}
-
-#ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
-void solve_by_cholmod(RL::Sparse_matrix a, const Eigen::VectorXd& b, Eigen::VectorXd& u, Run& run) {
-  Stopwatch watch;
-  a.coeffRef(0, 0) *= 2;
-  Eigen::CholmodSupernodalLLT<RL::Sparse_matrix> cholesky;
-  cholesky.cholmod().print = 0;
-  cholesky.cholmod().nmethods = 1;
-  cholesky.cholmod().method[0].ordering = CHOLMOD_AMD;
-  cholesky.compute(a);
-  run.setup_seconds = watch.lap();
-  u = cholesky.solve(b);
-  run.solve_seconds = watch.lap();
-  run.converged = cholesky.info() == Eigen::Success;
-}
-#endif
-
-void solve_by_amg(const RL::Sparse_matrix& a, const Eigen::VectorXd& b, double tolerance,
-                  Eigen::VectorXd& u, Run& run) {
-  constexpr int maximum_iterations = 500;
-  Stopwatch watch;
-  Boomer_amg amg(MPI_COMM_WORLD, 0, static_cast<int>(a.rows()), a.outerIndexPtr(),
-                 a.innerIndexPtr(), a.valuePtr());
-  amg.setup(boomer_amg_configuration("amg2_pcg"));
-  run.setup_seconds = watch.lap();
-  run.converged = amg.solve(b.data(), u.data(), tolerance, maximum_iterations) < maximum_iterations;
-  run.solve_seconds = watch.lap();
 }
 
 std::string label(const char* format, double x) {
@@ -426,10 +376,9 @@ void compare_poisson(const Options& o, const Shape& shape) {
 #endif
     for(double tolerance : o.tolerances) {
       table.add("cot_amg", label("%.0e", tolerance), faces, [&] {
-        return cotangent_poisson(shape, surface,
-                                 [&](const auto& a, const auto& b, auto& u, Run& run) {
-                                   solve_by_amg(a, b, tolerance, u, run);
-                                 });
+        return cotangent_poisson(shape, surface, [&](const auto& a, const auto& b, auto& u) {
+          return solve_by_amg(a, b, tolerance, u);
+        });
       });
       for(int depth : depths_for(surface, o.depths))
         for(bool has_function : {true, false})

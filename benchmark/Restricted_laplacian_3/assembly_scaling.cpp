@@ -16,6 +16,7 @@
 // usage: assembly_scaling [MESH]
 
 #include "sphere.h"
+#include "support/measure.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 
@@ -101,6 +102,7 @@ int main(int argc, char* argv[]) {
     std::fprintf(stderr, "cannot read %s\n", path.c_str());
     return 1;
   }
+  benchmarks::print_header(argc, argv);
   std::printf("# %-7s %9s %5s %7s %9s %9s %10s %8s %8s %8s %9s %10s\n", "surface", "triangles",
               "depth", "threads", "fragments", "unknowns", "entries", "space_s", "S_s", "all_s",
               "Mfragm/s", "us/unknown");

@@ -63,7 +63,7 @@
 
 namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using namespace benchmarks;
 
 namespace {

@@ -59,7 +59,7 @@
 namespace {
 
 using namespace benchmarks;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 struct Options {
   int pairs = 100;

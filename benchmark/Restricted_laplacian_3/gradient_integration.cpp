@@ -60,7 +60,7 @@
 
 namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using namespace benchmarks;
 
 namespace {
@@ -160,17 +160,16 @@ void integrate(const Options& o, Colored_mesh& m, Row row, const std::string& me
 
 void run(const Options& o, Colored_mesh& m, const std::string& space, int depth) {
   const bool is_paper = space == "paper";
-  // The number of iterations is a parameter of CGAL, which comes last.
   const auto all = [&](const auto& np) {
-    return params::octree_depth(
-        depth, params::paper_space(
-                   is_paper, params::target_values(
-                                 m.color_map(),
-                                 params::concurrency_tag(CGAL::Parallel_if_available_tag(), np))));
+    return np.concurrency_tag(CGAL::Parallel_if_available_tag())
+        .target_values(m.color_map())
+        .paper_space(is_paper)
+        .octree_depth(depth);
   };
   const auto cycles = [&](int number) {
-    return params::cycle(RL::Cycle::W, params::stand_alone_multigrid(
-                                           true, all(params::number_of_iterations(number))));
+    return all(params::number_of_iterations(number))
+        .stand_alone_multigrid(true)
+        .cycle(RL::Cycle::W);
   };
   Row row;
   row.depth = depth;
@@ -186,8 +185,7 @@ void run(const Options& o, Colored_mesh& m, const std::string& space, int depth)
     char name[32];
     std::snprintf(name, sizeof name, "details_%.0e", tolerance);
     integrate(o, m, row, name,
-              params::vertex_details(
-                  true, params::relative_tolerance(tolerance, all(params::default_values()))));
+              all(params::default_values()).relative_tolerance(tolerance).vertex_details(true));
   }
 }
 

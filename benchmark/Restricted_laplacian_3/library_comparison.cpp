@@ -52,7 +52,7 @@
 namespace {
 
 using namespace benchmarks;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Mesh = CGAL::Surface_mesh<RL::Point_3>;
 using Matrix = Eigen::SparseMatrix<double>;
 

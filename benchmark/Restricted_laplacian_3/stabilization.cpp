@@ -25,8 +25,8 @@
 
 namespace {
 
-namespace params = CGAL::parameters;
 using namespace benchmarks;
+namespace params = RL::parameters;
 
 constexpr double factors[] = {0, 1e-4, 3e-4, 1e-3, 1e-2};
 
@@ -54,8 +54,7 @@ void errors_on_the_sphere(const RL::Triangulated_surface_3& surface, int depth) 
     Eigen::VectorXd eta;
     const RL::Solve_report report =
         RL::make_poisson_solver(
-            space, 0,
-            params::normal_stabilization(c, params::relative_tolerance(c > 0 ? 1e-9 : 1e-7)))
+            space, 0, params::normal_stabilization(c).relative_tolerance(c > 0 ? 1e-9 : 1e-7))
             .solve(eigenvalue * load, eta);
     const double l2 = eta.dot(pure.mass * eta) - 2 * eta.dot(load) + norm,
                  h1 = eta.dot(pure.stiffness * eta) / eigenvalue - 2 * eta.dot(load) + norm;
@@ -72,10 +71,10 @@ void iterations(const char* name, const RL::Triangulated_surface_3& surface, int
       RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.x(); });
   std::printf("%-18s %5d %8zu", name, depth, space.dimension());
   for(double c : factors) {
-    const auto np = params::normal_stabilization(
-        c, params::relative_tolerance(1e-8,
-                                      params::concurrency_tag(CGAL::Parallel_if_available_tag(),
-                                                              params::number_of_iterations(150))));
+    const auto np = params::normal_stabilization(c)
+                        .relative_tolerance(1e-8)
+                        .concurrency_tag(CGAL::Parallel_if_available_tag())
+                        .number_of_iterations(150);
     Eigen::VectorXd eta;
     const RL::Solve_report report = RL::make_poisson_solver(space, 0, np).solve(load, eta);
     std::printf(report.converged ? " %7d" : "   >%4d", report.iterations);
@@ -84,12 +83,39 @@ void iterations(const char* name, const RL::Triangulated_surface_3& surface, int
   std::printf("\n");
 }
 
+void tolerances(const char* name, const RL::Triangulated_surface_3& surface, int depth) {
+  const RL::Spline_space_3 space(surface, space_options(depth, true, 2));
+  const RL::Operators pure = operators(space, 0);
+  const Eigen::VectorXd load =
+      RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.x(); });
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(load.size());
+  const double area = ones.dot(pure.mass * ones);
+  RL::Solve_report report;
+  const auto solution = [&](double tolerance) {
+    Eigen::VectorXd eta;
+    report = poisson_solver(space, default_stabilization(), 2, tolerance).solve(load, eta);
+    return Eigen::VectorXd(eta.array() - ones.dot(pure.mass * eta) / area);
+  };
+  const Eigen::VectorXd converged = solution(1e-11);
+  for(const double tolerance : {1e-2, 5e-3, 1e-3, 1e-4, 1e-5, 1e-6}) {
+    const Eigen::VectorXd difference = solution(tolerance) - converged;
+    const auto relative = [&](const RL::Sparse_matrix& a) {
+      return std::sqrt(difference.dot(a * difference) / converged.dot(a * converged));
+    };
+    std::printf("%-18s %5d %8zu %9.0e %10.2e %10.2e %6d %10.2e\n", name, depth, space.dimension(),
+                tolerance, relative(pure.mass), relative(pure.stiffness), report.iterations,
+                report.relative_residual);
+    std::fflush(stdout);
+  }
+}
+
 } // namespace
 
 int main(int argc, char* argv[]) {
   std::vector<std::string> meshes(argv + 1, argv + argc);
   if(meshes.empty())
     meshes = {"bunny_closed_70k", "armadillo", "fandisk_32k", "pulley_28k", "cow_5k8"};
+  print_header(argc, argv);
   std::printf(
       "# sphere of 131,072 triangles\n# depth unknowns   factor   L2 error   H1 error  iter\n");
   const RL::Triangulated_surface_3 surface = sphere(7);
@@ -103,4 +129,10 @@ int main(int argc, char* argv[]) {
     if(const auto mesh = find_mesh(name))
       for(int depth = 5; depth <= 8; ++depth)
         iterations(name.c_str(), *mesh, depth);
+  std::printf(
+      "\n\n# difference from the solution to 1e-11\n# %-16s %5s %8s %9s %10s %10s %6s %10s\n",
+      "mesh", "depth", "unknowns", "tolerance", "L2", "H1", "iter", "residual");
+  for(const std::string& name : meshes)
+    if(const auto mesh = find_mesh(name))
+      tolerances(name.c_str(), *mesh, 6);
 }

@@ -18,6 +18,7 @@
 //        thin_features --gaps
 // --values also prints the eigenvalues
 
+#include "support/measure.h"
 #include "support/spectra.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -250,6 +251,7 @@ void run_gaps() {
 
 int main(int argc, char* argv[]) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
+  print_header(argc, argv);
   if(!arguments.empty() && arguments[0] == "--gaps") {
     run_gaps();
     return 0;

@@ -4,7 +4,7 @@
 """Checks links: check_links.py FOLDER_OF_HTML_OR_MARKDOWN_FILE...
 
 Each link of a folder must lead to a file in that folder, and to an anchor that exists; pages load
-nothing from elsewhere. Links of a Markdown file must lead to a file, or to one of its own headings,
+nothing from elsewhere. Links of a Markdown file must lead to a file, or to a heading of such a file,
 and so must paths in backquotes that begin with a folder beside it. External links are printed, not
 fetched.
 """
@@ -103,9 +103,18 @@ def heading_anchor(heading):
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
 
 
+def text_of_markdown(path):
+    """what is not code"""
+    return re.sub(r"^```.*?^```", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
+
+
+def anchors_of_markdown(path):
+    return {heading_anchor(heading)
+            for heading in re.findall(r"^#+ (.*)$", text_of_markdown(path), re.M)}
+
+
 def check_markdown(path, report):
-    text = re.sub(r"^```.*?^```", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
-    anchors = {heading_anchor(heading) for heading in re.findall(r"^#+ (.*)$", text, re.M)}
+    text = text_of_markdown(path)
     prose = re.sub(r"`[^`\n]*`", "", text)
     links = re.findall(r"\]\(\s*<?([^)\s>]+)", prose)
     links += re.findall(r"^\[[^\]]+\]:\s*<?([^\s>]+)", prose, re.M)
@@ -119,9 +128,12 @@ def check_markdown(path, report):
         parts = urllib.parse.urlsplit(link)
         if parts.scheme in EXTERNAL:
             report.external.add(link)
-        elif parts.path and not (path.parent / urllib.parse.unquote(parts.path)).exists():
+            continue
+        target = path.parent / urllib.parse.unquote(parts.path) if parts.path else path
+        if not target.exists():
             report.complain(path, link, "no such file")
-        elif parts.fragment and not parts.path and parts.fragment not in anchors:
+        elif (parts.fragment and target.suffix == ".md"
+              and parts.fragment not in anchors_of_markdown(target)):
             report.complain(path, link, "no such heading")
 
 

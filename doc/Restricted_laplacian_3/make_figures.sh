@@ -103,7 +103,7 @@ draw points_1 laplace_spectrum "$data/points_3/kitten.xyz" --count 6 --eigenfunc
 draw points_4 laplace_spectrum "$data/points_3/kitten.xyz" --count 6 --eigenfunction 4
 side_by_side points 400 points_{1,4}.png
 
-# three squares on one edge, the soup of the example triangle_soup
+# three squares on one edge, the soup of the example laplacian_of_soup
 printf '%s\n' "OFF" "8 6 0" "0 0 0" "0 0 1" "1 0 0" "1 0 1" "0 1 0" "0 1 1" "-1 0 0" "-1 0 1" \
   "3 0 2 3" "3 0 3 1" "3 0 4 5" "3 0 5 1" "3 0 6 7" "3 0 7 1" >star.off
 for i in 1 2 3 4 5 6; do

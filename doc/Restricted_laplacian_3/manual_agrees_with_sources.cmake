@@ -98,13 +98,13 @@ foreach(page IN LISTS pages)
 endforeach()
 require_same("shown outputs" IN_MANUAL ${in_manual} IN_SOURCES ${files})
 
-# named parameters; the manual also describes those of CGAL that the package uses
+# named parameters: a name, or for those of CGAL type and value of the tag, and the name
 all_matches("${doc}/PackageDescription.txt" "\\\\cgalParamNBegin\\{([a-z_]+)\\}" in_manual)
 all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/foundation/parameters.h"
-  "\nCGAL_RESTRICTED_LAPLACIAN_3_PARAMETER\\(([a-z_]+)\\)" in_sources)
-require_same("named parameters" IN_MANUAL ${in_manual}
-  IN_SOURCES ${in_sources} vertex_point_map geom_traits number_of_iterations vertex_is_constrained_map
-  vertex_normal_map callback point_map normal_map)
+  "PARAMETER\\(([a-z_ ,]+)\\)" in_sources)
+list(TRANSFORM in_sources REPLACE ".*, " "")
+list(REMOVE_DUPLICATES in_sources)
+require_same("named parameters" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
 
 # their defaults, as far as comments in the headers have the form "- `name`: ...; default value"
 file(READ "${doc}/PackageDescription.txt" manual)

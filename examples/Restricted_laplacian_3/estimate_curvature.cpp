@@ -24,7 +24,7 @@
 #include <vector>
 
 using namespace examples;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 const Help help = {"estimate_curvature MESH [OPTION]...", std::string(R"(
 Estimates the mean curvature H and the Gaussian curvature K of a surface at its vertices.
@@ -103,16 +103,14 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
   const double h = space.octree().cell_width(space.depth());
   const double stabilization =
       o.stabilization < 0 ? RL::default_curvature_stabilization : o.stabilization;
-  const auto np = params::curvature_method(
-      method(o), params::relative_tolerance(
-                     o.tolerance, params::normal_stabilization(
-                                      stabilization,
-                                      params::concurrency_tag(CGAL::Parallel_if_available_tag()))));
+  const auto np = params::curvature_method(method(o))
+                      .relative_tolerance(o.tolerance)
+                      .normal_stabilization(stabilization)
+                      .concurrency_tag(CGAL::Parallel_if_available_tag());
   const RL::Curvature_field field = assemble_with(space, o, [&](const auto& integration) {
-    return o.smoothing < 0
-               ? RL::estimate_curvature(space, integration, np)
-               : RL::estimate_curvature(space, integration,
-                                        params::smoothing_weight(o.smoothing * h * h, np));
+    return o.smoothing < 0 ? RL::estimate_curvature(space, integration, np)
+                           : RL::estimate_curvature(space, integration,
+                                                    np.smoothing_weight(o.smoothing * h * h));
   });
   const std::vector<RL::Surface_curvature> curvatures = field.at_vertices();
 

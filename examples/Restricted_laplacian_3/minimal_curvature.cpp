@@ -9,13 +9,14 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Mesh mesh;
   if(argc != 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "usage: minimal_curvature MESH\n";
@@ -38,4 +39,7 @@ int main(int argc, char* argv[]) {
   std::cout << "normals are fitted with a root mean square error of "
             << report.root_mean_square_error() << '\n';
   return report.converged ? 0 : 1;
+} catch(const std::exception& e) {
+  std::cerr << "minimal_curvature: " << e.what() << '\n';
+  return 1;
 }

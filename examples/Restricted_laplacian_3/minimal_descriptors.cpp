@@ -8,19 +8,20 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <exception>
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Mesh mesh;
   if(argc != 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "usage: minimal_descriptors MESH\n";
     return 1;
   }
   const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(mesh, 50, CGAL::parameters::octree_depth(5));
+      RL::laplace_spectrum(mesh, 50, RL::parameters::octree_depth(5));
 
   // how much heat stays where it is: a row for each vertex, a column for each time
   const Eigen::VectorXd times = RL::heat_kernel_times(spectrum, 5);
@@ -38,4 +39,7 @@ int main(int argc, char* argv[]) {
   // eigenvalues times area
   std::cout << "ShapeDNA: " << RL::shape_dna(spectrum).head(5).transpose() << " ...\n";
   return spectrum.report.converged ? 0 : 1;
+} catch(const std::exception& e) {
+  std::cerr << "minimal_descriptors: " << e.what() << '\n';
+  return 1;
 }

@@ -11,14 +11,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Values = std::array<double, 3>;
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Mesh mesh;
   if(argc != 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "usage: minimal_gradient_field MESH\n";
@@ -45,14 +46,16 @@ int main(int argc, char* argv[]) {
     return report.converged;
   };
   const double weight = 1e-3 / RL::read_surface(mesh).area();
-  const auto np =
-      params::octree_depth(5, params::target_values(known, params::screening_weight(weight)));
+  const auto np = params::octree_depth(5).target_values(known).screening_weight(weight);
   const bool converged = print("splines", RL::integrate_gradient_field(mesh, gradients, found, np));
 
   // and with what is smaller than the cells of the splines
-  return print("with details", RL::integrate_gradient_field(mesh, gradients, found,
-                                                            params::vertex_details(true, np))) &&
+  return print("with details",
+               RL::integrate_gradient_field(mesh, gradients, found, np.vertex_details(true))) &&
                  converged
              ? 0
              : 1;
+} catch(const std::exception& e) {
+  std::cerr << "minimal_gradient_field: " << e.what() << '\n';
+  return 1;
 }

@@ -9,12 +9,13 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 using Point_set = CGAL::Point_set_3<CGAL::Simple_cartesian<double>::Point_3>;
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Point_set points;
   if(argc != 2 || !CGAL::IO::read_point_set(argv[1], points) || !points.has_normal_map()) {
     std::cerr << "usage: minimal_points POINTS_WITH_NORMALS\n";
@@ -33,4 +34,7 @@ int main(int argc, char* argv[]) {
   const auto [low, high] = std::minmax_element(u.begin(), u.end());
   std::cout << "u is between " << *low << " and " << *high << '\n';
   return report.converged && spectrum.report.converged ? 0 : 1;
+} catch(const std::exception& e) {
+  std::cerr << "minimal_points: " << e.what() << '\n';
+  return 1;
 }

@@ -8,12 +8,13 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Mesh mesh;
   if(argc != 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "usage: minimal_poisson MESH\n";
@@ -28,4 +29,7 @@ int main(int argc, char* argv[]) {
   const auto [low, high] = std::minmax_element(u.begin(), u.end());
   std::cout << "u is between " << *low << " and " << *high << '\n';
   return report.converged ? 0 : 1;
+} catch(const std::exception& e) {
+  std::cerr << "minimal_poisson: " << e.what() << '\n';
+  return 1;
 }

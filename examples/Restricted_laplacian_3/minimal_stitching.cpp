@@ -9,15 +9,16 @@
 
 #include <array>
 #include <cmath>
+#include <exception>
 #include <iostream>
 #include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Color = std::array<double, 3>;
 
-int main(int argc, char* argv[]) {
+int main(int argc, char* argv[]) try {
   Mesh mesh;
   if(argc != 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "usage: minimal_stitching MESH\n";
@@ -50,4 +51,7 @@ int main(int argc, char* argv[]) {
             << report.jump_after << " after; without a scan: " << 100 * report.uncovered_area
             << " % of the area\n";
   return report.converged ? 0 : 1;
+} catch(const std::exception& e) {
+  std::cerr << "minimal_stitching: " << e.what() << '\n';
+  return 1;
 }

@@ -13,10 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
@@ -29,7 +30,7 @@ double largest_difference(const Mesh& mesh, const Mesh::Property_map<Vertex, dou
   return result;
 }
 
-int main() {
+int main() try {
   Mesh mesh;
   CGAL::make_grid(
       20, 20, mesh, [](std::size_t i, std::size_t j) { return Point(i / 10. - 1, j / 10. - 1, 0); },
@@ -41,7 +42,7 @@ int main() {
   const auto saddle = [](const RL::Surface_point& p) {
     return p.point.x() * p.point.x() - p.point.y() * p.point.y();
   };
-  RL::solve_poisson(mesh, zero, u, params::octree_depth(4, params::boundary_values(saddle)));
+  RL::solve_poisson(mesh, zero, u, params::octree_depth(4).boundary_values(saddle));
   std::cout << "boundary values, largest error: "
             << largest_difference(mesh, u,
                                   [](const Point& p) { return p.x() * p.x() - p.y() * p.y(); })
@@ -57,11 +58,9 @@ int main() {
       value[v] = p.x();
     }
   }
-  // parameters of CGAL come last in a chain
   RL::solve_poisson(
       mesh, zero, u,
-      params::octree_depth(
-          4, params::constraint_values(value, params::vertex_is_constrained_map(is_fixed))));
+      params::octree_depth(4).constraint_values(value).vertex_is_constrained_map(is_fixed));
   for(Vertex v : mesh.vertices())
     if(is_fixed[v])
       std::cout << "fixed vertex: wanted " << value[v] << ", got " << u[v] << '\n';
@@ -78,4 +77,7 @@ int main() {
       on_the_left = std::max(on_the_left, std::abs(u[v] - mesh.point(v).x() * mesh.point(v).y()));
   std::cout << "weights, largest difference where they are large: " << on_the_left << '\n';
   return 0;
+} catch(const std::exception& e) {
+  std::cerr << "prescribed_values: " << e.what() << '\n';
+  return 1;
 }

@@ -20,7 +20,7 @@
 
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace PMP = CGAL::Polygon_mesh_processing;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 

@@ -32,7 +32,7 @@
 #include <vector>
 
 using namespace examples;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 const Help help = {"solve_poisson MESH [OPTION]...", std::string(R"(
 Solves Laplacian u = f on a surface, or with --alpha A the screened problem
@@ -154,18 +154,17 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
     value -= mean;
   const double stabilization =
       o.stabilization < 0 ? RL::default_normal_stabilization(space) : o.stabilization;
-  const auto parameters = params::relative_tolerance(
-      o.tolerance, params::cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W,
-                                 params::smoother(o.smoother == "patch" ? RL::Smoother_type::patch
-                                                                        : RL::Smoother_type::point,
-                                                  params::normal_stabilization(stabilization))));
+  const auto parameters =
+      params::relative_tolerance(o.tolerance)
+          .cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W)
+          .smoother(o.smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point)
+          .normal_stabilization(stabilization);
   Eigen::VectorXd load;
   const RL::Poisson_solver solver = assemble_with(space, o, [&](const auto& integration) {
     load = RL::assemble_load(space, RL::Linear_surface_function<double>(f), space.depth(),
                              integration);
-    return RL::make_poisson_solver(
-        space, o.alpha / surface.area(), integration,
-        params::concurrency_tag(CGAL::Parallel_if_available_tag(), parameters));
+    return RL::make_poisson_solver(space, o.alpha / surface.area(), integration,
+                                   parameters.concurrency_tag(CGAL::Parallel_if_available_tag()));
   });
   const double assembly_seconds = timer.time() - space_seconds - solver.setup_seconds();
 

@@ -20,7 +20,7 @@
 #include <stdexcept>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Sparse_matrix = Eigen::SparseMatrix<double>;

@@ -25,7 +25,7 @@
 namespace mesh_types {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 /// An ellipsoid without symmetry between the axes. Its coordinates are multiples of 2^-20, which
 /// are numbers of single precision too, so that all kernels hold the same surface.
@@ -82,7 +82,7 @@ std::vector<double> solution(const FaceGraph& tm, const NamedParameters& np) {
 }
 
 template <class FaceGraph> std::vector<double> solution(const FaceGraph& tm) {
-  return solution(tm, params::octree_depth(3, params::relative_tolerance(1e-6)));
+  return solution(tm, params::octree_depth(3).relative_tolerance(1e-6));
 }
 
 /// the solution on a `Surface_mesh` of double precision

@@ -20,7 +20,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 using Vertex_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
@@ -132,14 +132,13 @@ TEST_CASE("parameters_outside_their_domain_are_named", "[input]") {
           "octree_depth");
   for(double tolerance : {0., -1., 1., not_a_number})
     CHECK(refused_parameter([&] {
-            RL::solve_poisson(mesh, z, u,
-                              params::octree_depth(2, params::relative_tolerance(tolerance)));
+            RL::solve_poisson(mesh, z, u, params::octree_depth(2).relative_tolerance(tolerance));
           }) == "relative_tolerance");
   CHECK(refused_parameter([&] {
-          RL::solve_poisson(mesh, z, u, params::octree_depth(2, params::smoothing_steps(0)));
+          RL::solve_poisson(mesh, z, u, params::octree_depth(2).smoothing_steps(0));
         }) == "smoothing_steps");
   CHECK(refused_parameter([&] {
-          RL::solve_poisson(mesh, z, u, params::octree_depth(2, params::number_of_iterations(-1)));
+          RL::solve_poisson(mesh, z, u, params::octree_depth(2).number_of_iterations(-1));
         }) == "number_of_iterations");
   for(double alpha : {0., -1., not_a_number, infinity})
     CHECK(refused_parameter([&] {
@@ -191,8 +190,7 @@ TEST_CASE("non_convergence_is_reported", "[input]") {
   Mesh mesh = shapes::mesh(shapes::sphere(3));
   Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
   const RL::Solve_report report = RL::solve_poisson(
-      mesh, z, u,
-      params::octree_depth(4, params::relative_tolerance(1e-9, params::number_of_iterations(1))));
+      mesh, z, u, params::octree_depth(4).relative_tolerance(1e-9).number_of_iterations(1));
   CHECK_FALSE(report.converged);
   CHECK(report.iterations == 1);
   CHECK(report.relative_residual > 1e-9);
@@ -256,7 +254,7 @@ TEST_CASE("scale_and_place_do_not_matter", "[input]") {
     Mesh mesh = shapes::mesh(t);
     Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
     const RL::Solve_report report =
-        RL::solve_poisson(mesh, z, u, params::octree_depth(3, params::relative_tolerance(1e-4)));
+        RL::solve_poisson(mesh, z, u, params::octree_depth(3).relative_tolerance(1e-4));
     CHECK(report.converged);
     // Laplacian u = z on a sphere of radius r: u = -r^2 z / 2
     for(Mesh::Vertex_index v : mesh.vertices())

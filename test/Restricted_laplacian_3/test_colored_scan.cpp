@@ -30,7 +30,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using RL::Point_3;
 using RL::Rgb_color;
 using RL::Vector_3;
@@ -298,7 +298,7 @@ TEST_CASE("pose_and_viewpoint_of_named_parameters_are_those_of_the_constructor",
   const shapes::Triangles t = scan_plane(4);
   const std::vector<Rgb_color> colors = linear_colors(t.points);
   const RL::Scan_pose pose = RL::scan_pose({0, 0, 2.5, 1, 2.5, 0, 0, -2, 0, 2.5, 0, 3, 0, 0, 0, 1});
-  const auto np = params::pose(pose, params::viewpoint(Point_3(1, 2, 3)));
+  const auto np = params::pose(pose).viewpoint(Point_3(1, 2, 3));
   const RL::Colored_scan soup(t.points, t.faces, CGAL::make_property_map(colors), np);
   shapes::Mesh mesh = shapes::mesh(t);
   auto map = mesh.add_property_map<shapes::Mesh::Vertex_index, Rgb_color>("v:rgb").first;

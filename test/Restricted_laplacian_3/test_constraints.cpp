@@ -19,7 +19,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 using shapes::Triangles;
 
@@ -103,7 +103,7 @@ TEST_CASE("boundary_values_through_named_parameters", "[constraints]") {
     g[v] = 1 + 2 * mesh.point(v).x() - mesh.point(v).y() + mesh.point(v).z();
   const auto zero = [](const RL::Surface_point&) { return 0.; };
   const RL::Solve_report report =
-      RL::solve_poisson(mesh, zero, u, params::octree_depth(4, params::boundary_values(g)));
+      RL::solve_poisson(mesh, zero, u, params::octree_depth(4).boundary_values(g));
   CHECK(report.converged);
   CHECK(report.relative_residual <= 1e-6);
   for(Mesh::Vertex_index v : mesh.vertices())
@@ -113,15 +113,14 @@ TEST_CASE("boundary_values_through_named_parameters", "[constraints]") {
   RL::solve_screened_poisson(mesh,
                              boost::make_function_property_map<Mesh::Vertex_index>(
                                  [&](Mesh::Vertex_index v) { return 10 * g[v]; }),
-                             10., u, params::octree_depth(4, params::boundary_values(g)));
+                             10., u, params::octree_depth(4).boundary_values(g));
   for(Mesh::Vertex_index v : mesh.vertices())
     REQUIRE(u[v] == Approx(g[v]).margin(1e-5));
 
   Mesh closed = shapes::mesh(shapes::sphere(2));
   auto w = closed.add_property_map<Mesh::Vertex_index, double>("v:w").first;
-  CHECK_THROWS_AS(
-      RL::solve_poisson(closed, zero, w, params::octree_depth(3, params::boundary_values(zero))),
-      RL::Parameter_error);
+  CHECK_THROWS_AS(RL::solve_poisson(closed, zero, w, params::octree_depth(3).boundary_values(zero)),
+                  RL::Parameter_error);
 }
 
 TEST_CASE("components_without_boundary_keep_their_mean", "[constraints]") {
@@ -132,9 +131,8 @@ TEST_CASE("components_without_boundary_keep_their_mean", "[constraints]") {
   const auto f = [&](const RL::Surface_point& p) { return on_sphere(p) ? p.point.z() : 0.; };
   const auto g = [](const RL::Surface_point&) { return 7.; };
   std::vector<double> u(t.points.size());
-  const RL::Solve_report report =
-      RL::solve_poisson(t.points, t.faces, f, CGAL::make_property_map(u),
-                        params::octree_depth(5, params::boundary_values(g)));
+  const RL::Solve_report report = RL::solve_poisson(
+      t.points, t.faces, f, CGAL::make_property_map(u), params::octree_depth(5).boundary_values(g));
   CHECK(report.converged);
   for(std::size_t i = 0; i < u.size(); ++i)
     REQUIRE(u[i] ==
@@ -156,12 +154,12 @@ TEST_CASE("values_at_vertices_are_held", "[constraints]") {
   const auto zero = [](const RL::Surface_point&) { return 0.; };
   double last_miss = 1;
   for(double weight : {1e1, 1e2, 1e4}) {
-    const RL::Solve_report report = RL::solve_poisson(
-        mesh, zero, u,
-        params::octree_depth(
-            3, params::constraint_values(
-                   value, params::constraint_weight(
-                              weight, params::vertex_is_constrained_map(is_constrained)))));
+    const RL::Solve_report report =
+        RL::solve_poisson(mesh, zero, u,
+                          params::octree_depth(3)
+                              .constraint_values(value)
+                              .constraint_weight(weight)
+                              .vertex_is_constrained_map(is_constrained));
     CHECK(report.converged);
     const double miss = std::abs(u[north] - 3);
     CHECK(miss <= 0.5 * last_miss);
@@ -187,7 +185,7 @@ TEST_CASE("values_at_vertices_are_held", "[constraints]") {
 
 TEST_CASE("weights_pull_the_solution", "[constraints]") {
   const Triangles sphere = shapes::sphere(4);
-  const auto np = params::octree_depth(4, params::relative_tolerance(1e-5));
+  const auto np = params::octree_depth(4).relative_tolerance(1e-5);
   std::vector<double> by_number(sphere.points.size()), by_map = by_number, pulled = by_number;
   const auto f = [](const RL::Surface_point& p) { return 8 * p.point.z(); };
   RL::solve_screened_poisson(sphere.points, sphere.faces, f, 2., CGAL::make_property_map(by_number),

@@ -31,7 +31,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 
 RL::Spline_space_3 contract_space(const shapes::Triangles& t, int depth) {
@@ -254,7 +254,7 @@ TEST_CASE("screening_by_a_function_keeps_the_mean_as_a_number_does", "[contracts
     Mesh copy = mesh;
     auto map = copy.add_property_map<Mesh::Vertex_index, double>("u").first;
     const RL::Solve_report report = RL::solve_screened_poisson(
-        copy, f, weight, map, params::octree_depth(4, params::relative_tolerance(1e-8)));
+        copy, f, weight, map, params::octree_depth(4).relative_tolerance(1e-8));
     CHECK(report.converged);
     for(const auto v : vertices(copy))
       u[v.idx()] = map[v];

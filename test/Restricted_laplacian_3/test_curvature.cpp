@@ -23,7 +23,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using RL::Curvature_method;
 using shapes::Mesh;
 
@@ -82,7 +82,7 @@ std::vector<RL::Surface_curvature> curvatures(const shapes::Triangles& t,
 
 std::vector<RL::Surface_curvature> curvatures(const shapes::Triangles& t, int depth,
                                               Curvature_method method = Curvature_method::normals) {
-  return curvatures(t, params::octree_depth(depth, params::curvature_method(method)));
+  return curvatures(t, params::octree_depth(depth).curvature_method(method));
 }
 
 /// largest |value(i) - expected(i)|
@@ -266,13 +266,12 @@ TEST_CASE("curvature_on_meshes_with_given_normals", "[curvature]") {
   RL::estimate_curvature(mesh, c, params::octree_depth(3));
   for(Mesh::Vertex_index v : vertices(mesh))
     CHECK(c[v].mean == Approx(1).epsilon(0.05));
-  RL::estimate_curvature(mesh, c, params::octree_depth(3, params::vertex_normal_map(n)));
+  RL::estimate_curvature(mesh, c, params::octree_depth(3).vertex_normal_map(n));
   for(Mesh::Vertex_index v : vertices(mesh))
     CHECK(c[v].mean == Approx(-1).epsilon(0.1));
   n[*vertices(mesh).begin()] = RL::Vector_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
-  CHECK_THROWS_AS(
-      RL::estimate_curvature(mesh, c, params::octree_depth(3, params::vertex_normal_map(n))),
-      RL::Invalid_vertex_error);
+  CHECK_THROWS_AS(RL::estimate_curvature(mesh, c, params::octree_depth(3).vertex_normal_map(n)),
+                  RL::Invalid_vertex_error);
 }
 
 TEST_CASE("curvature_of_several_components_and_bad_faces", "[curvature]") {

@@ -30,7 +30,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 constexpr double descriptor_pi = 3.14159265358979323846;
 

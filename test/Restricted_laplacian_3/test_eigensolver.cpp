@@ -30,7 +30,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 
 struct Level_matrices {
@@ -128,11 +128,10 @@ TEST_CASE("multigrid_eigenpairs_do_not_miss_copies_of_a_multiple_eigenvalue",
 TEST_CASE("multigrid_eigenpairs_do_not_depend_on_threads_or_scale", "[eigensolver]") {
   const shapes::Triangles box = shapes::box(1, 0.7, 0.4, 6, 1);
   const auto spectrum = [](const shapes::Triangles& t, bool is_parallel) {
-    const auto np = params::octree_depth(4, params::eigensolver(RL::Eigensolver::multigrid));
+    const auto np = params::octree_depth(4).eigensolver(RL::Eigensolver::multigrid);
 #ifdef CGAL_LINKED_WITH_TBB
     if(is_parallel)
-      return RL::laplace_spectrum(shapes::mesh(t), 20,
-                                  params::concurrency_tag(CGAL::Parallel_tag(), np));
+      return RL::laplace_spectrum(shapes::mesh(t), 20, np.concurrency_tag(CGAL::Parallel_tag()));
 #endif
     static_cast<void>(is_parallel);
     return RL::laplace_spectrum(shapes::mesh(t), 20, np);
@@ -179,7 +178,7 @@ TEST_CASE("eigensolvers_report_progress_and_can_be_canceled", "[eigensolver]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   for(RL::Eigensolver solver : {RL::Eigensolver::multigrid, RL::Eigensolver::shift_invert}) {
     std::vector<double> parts;
-    const auto np = params::octree_depth(4, params::eigensolver(solver));
+    const auto np = params::octree_depth(4).eigensolver(solver);
     RL::laplace_spectrum(mesh, 20, np.callback([&parts](double part) {
       parts.push_back(part);
       return true;
@@ -201,8 +200,7 @@ TEST_CASE("eigensolvers_report_progress_and_can_be_canceled", "[eigensolver]") {
 TEST_CASE("eigensolver_is_chosen_by_size_or_parameter", "[eigensolver]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const auto uses_multigrid = [&mesh](int depth, auto np) {
-    const RL::Laplace_spectrum spectrum =
-        RL::laplace_spectrum(mesh, 3, params::octree_depth(depth, np));
+    const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(mesh, 3, np.octree_depth(depth));
     CHECK(spectrum.report.converged);
     CHECK(spectrum.eigenvalues[1] == Approx(2).epsilon(1e-2));
     return spectrum.pairs.regularization == 0;
@@ -214,7 +212,7 @@ TEST_CASE("eigensolver_is_chosen_by_size_or_parameter", "[eigensolver]") {
   CHECK_FALSE(uses_multigrid(5, params::eigensolver(RL::Eigensolver::shift_invert)));
   CHECK_FALSE(uses_multigrid(5, params::paper_space(true)));
   CHECK_THROWS_AS(
-      uses_multigrid(4, params::paper_space(true, params::eigensolver(RL::Eigensolver::multigrid))),
+      uses_multigrid(4, params::paper_space(true).eigensolver(RL::Eigensolver::multigrid)),
       RL::Parameter_error);
 }
 

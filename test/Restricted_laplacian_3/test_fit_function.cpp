@@ -23,7 +23,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 
 RL::Spline_space_3 fitting_space(const shapes::Triangles& t, int depth) {
@@ -134,7 +134,7 @@ TEST_CASE("smoothing_leads_from_the_function_to_its_mean", "[fit]") {
   const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
   const auto amplitude = [&](double w, int steps) {
     const RL::Function_fit fit =
-        RL::fit_function(space, x, params::smoothing_weight(w, params::refinement_steps(steps)));
+        RL::fit_function(space, x, params::smoothing_weight(w).refinement_steps(steps));
     CHECK(fit.converged);
     const Eigen::VectorXd centered = fit.coefficients.col(0).array() - 3;
     return std::sqrt(centered.dot(mass * centered) / (space.surface().area() / 3));

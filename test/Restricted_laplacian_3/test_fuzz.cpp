@@ -22,7 +22,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 class Fuzzer {
 public:

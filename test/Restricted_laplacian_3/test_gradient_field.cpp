@@ -29,7 +29,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 using Jacobian = Eigen::Matrix3d;
 constexpr double field_nan = std::numeric_limits<double>::quiet_NaN();
@@ -92,8 +92,7 @@ Eigen::RowVector3d weighted_mean(const RL::Spline_space_3& space,
 /// with little stabilisation and a small tolerance
 constexpr double small_stabilization = 1e-8;
 template <class Parameters> auto exact(double tolerance, const Parameters& np) {
-  return params::relative_tolerance(tolerance,
-                                    params::normal_stabilization(small_stabilization, np));
+  return np.normal_stabilization(small_stabilization).relative_tolerance(tolerance);
 }
 
 } // namespace
@@ -231,7 +230,7 @@ TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[
   CHECK(weighted_mean(space, expected.coefficients, [](const RL::Surface_point&) {
           return 1.;
         }).isApprox(Eigen::RowVector3d(1, 2, 3), 1e-10));
-  CHECK(RL::integrate_gradient_field(mesh, by_vertex, u, params::octree_depth(3, np)).converged);
+  CHECK(RL::integrate_gradient_field(mesh, by_vertex, u, np.octree_depth(3)).converged);
   const Eigen::MatrixXd values =
       RL::Spline_functions_3(space, expected.coefficients).values_at_vertices();
   for(const auto v : vertices(mesh))
@@ -315,7 +314,7 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
     };
     const RL::Gradient_fit fit = RL::integrate_gradient_field(
         space, quadric_field,
-        params::screening_weight(RL::function_of_degree(w, 0), params::target_values(far_target)));
+        params::screening_weight(RL::function_of_degree(w, 0)).target_values(far_target));
     CHECK(fit.converged);
     CHECK(fit.components_without_weight == 0);
     const Eigen::MatrixXd targets = RL::assemble_component_loads(
@@ -342,8 +341,9 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
       return p.face < half && p.face % 3 == 0 ? Eigen::Vector3d(quadrics(p.point))
                                               : Eigen::Vector3d::Constant(field_nan);
     };
-    const auto np = exact(1e-9, params::screening_weight(RL::function_of_degree(nowhere_else, 0),
-                                                         params::target_values(known)));
+    const auto np = exact(
+        1e-9,
+        params::screening_weight(RL::function_of_degree(nowhere_else, 0)).target_values(known));
     const RL::Gradient_fit filled = RL::integrate_gradient_field(space, quadric_field, np);
     CHECK(filled.converged);
     CHECK(filled.components_without_weight == 1);
@@ -357,8 +357,8 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
       CHECK(
           (values.row(static_cast<Eigen::Index>(v)).transpose() - quadrics(two.points[v])).norm() <
           1e-4);
-    const RL::Gradient_fit given = RL::integrate_gradient_field(
-        space, quadric_field, params::mean_value(Eigen::Vector3d(5, 6, 7), np));
+    const RL::Gradient_fit given =
+        RL::integrate_gradient_field(space, quadric_field, np.mean_value(Eigen::Vector3d(5, 6, 7)));
     CHECK((weighted_mean(space, given.coefficients, second) - Eigen::RowVector3d(5, 6, 7)).norm() <
           1e-9);
     CHECK((weighted_mean(space, given.coefficients, nowhere_else) - of_targets).norm() < 1e-6);
@@ -370,11 +370,11 @@ TEST_CASE("large_weights_give_the_targets", "[gradient]") {
   const Field nothing = [](const RL::Surface_point&) { return Jacobian(Jacobian::Zero()); };
   const auto np = params::target_values(quadric_target);
   for(double alpha : {1e4, 1e8}) {
-    const RL::Gradient_fit number = RL::integrate_gradient_field(
-        space, nothing, exact(1e-10, params::screening_weight(alpha, np)));
+    const RL::Gradient_fit number =
+        RL::integrate_gradient_field(space, nothing, exact(1e-10, np.screening_weight(alpha)));
     const Weight w = [alpha](const RL::Surface_point&) { return alpha; };
     const RL::Gradient_fit function = RL::integrate_gradient_field(
-        space, nothing, exact(1e-10, params::screening_weight(RL::function_of_degree(w, 0), np)));
+        space, nothing, exact(1e-10, np.screening_weight(RL::function_of_degree(w, 0))));
     CHECK(number.converged);
     CHECK(function.converged);
     CHECK(largest_difference(space, number.coefficients, quadrics) < 100 / alpha + 1e-4);
@@ -383,8 +383,7 @@ TEST_CASE("large_weights_give_the_targets", "[gradient]") {
   }
   // without a target, the mean pulls
   const RL::Gradient_fit flat = RL::integrate_gradient_field(
-      space, quadric_field,
-      params::screening_weight(1e8, params::mean_value(Eigen::Vector3d(1, 2, 3))));
+      space, quadric_field, params::screening_weight(1e8).mean_value(Eigen::Vector3d(1, 2, 3)));
   CHECK(largest_difference(space, flat.coefficients,
                            [](const RL::Point_3&) { return Eigen::Vector3d(1, 2, 3); }) < 1e-5);
 }
@@ -417,8 +416,7 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
     return error;
   };
   const auto gradients = RL::vertex_gradients(t.points, t.faces, g);
-  const auto np =
-      params::octree_depth(4, params::target_values(g, params::relative_tolerance(1e-9)));
+  const auto np = params::octree_depth(4).target_values(g).relative_tolerance(1e-9);
   RL::integrate_gradient_field(t.points, t.faces, gradients, u, np);
   CHECK(largest_error() > 0.1);
   const auto check = [&](const auto& with_details) {
@@ -429,14 +427,13 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
     CHECK(largest_error() < 1e-6);
     CHECK(std::isnan(result.back()[0]));
   };
-  check(params::vertex_details(true, np));
+  check(np.vertex_details(true));
   for(double alpha : {1e-12, 1., 1e6})
-    check(params::vertex_details(true, params::screening_weight(alpha, np)));
+    check(np.screening_weight(alpha).vertex_details(true));
   std::vector<double> of_faces;
   for(std::size_t i = 0; i < t.faces.size(); ++i)
     of_faces.push_back(i % 3 == 0 ? 0 : 1e-9 * static_cast<double>(i));
-  check(params::vertex_details(true,
-                               params::screening_weight(RL::Face_function<double>(of_faces), np)));
+  check(np.screening_weight(RL::Face_function<double>(of_faces)).vertex_details(true));
 }
 
 TEST_CASE("details_solve_the_cotangent_system", "[gradient]") {
@@ -490,21 +487,19 @@ TEST_CASE("gradients_on_point_sets_are_integrated", "[gradient]") {
   for(std::size_t i = 0; i < u.size(); ++i)
     CHECK(u[i] == Approx(range[i].first.x() - 2 * range[i].first.y()).margin(0.02));
   CHECK_THROWS_AS(RL::integrate_gradient_field(range, field, CGAL::make_property_map(u),
-                                               params::vertex_details(true, np)),
+                                               np.vertex_details(true)),
                   RL::Input_error);
 }
 
 TEST_CASE("gradients_are_integrated_the_same_on_any_number_of_threads", "[gradient]") {
   const shapes::Triangles t = shapes::sphere(4);
   const auto solve = [&](const auto& tag) {
-    const RL::Spline_space_3 space(t.points, t.faces,
-                                   params::octree_depth(5, params::concurrency_tag(tag)));
+    const RL::Spline_space_3 space(t.points, t.faces, params::octree_depth(5).concurrency_tag(tag));
     const Weight w = [](const RL::Surface_point& p) { return p.face % 2; };
-    return RL::integrate_gradient_field(
-        space, quadric_field,
-        params::screening_weight(
-            RL::function_of_degree(w, 0),
-            params::target_values(quadric_target, params::concurrency_tag(tag))));
+    return RL::integrate_gradient_field(space, quadric_field,
+                                        params::screening_weight(RL::function_of_degree(w, 0))
+                                            .target_values(quadric_target)
+                                            .concurrency_tag(tag));
   };
   const RL::Gradient_fit one = solve(CGAL::Sequential_tag()),
                          several = solve(CGAL::Parallel_if_available_tag());
@@ -520,14 +515,14 @@ TEST_CASE("gradients_are_integrated_at_any_scale", "[gradient]") {
     for(const RL::Point_3& p : sphere.points)
       g.push_back(value * std::exp(p.x() - 2 * p.y()));
     const auto map = CGAL::make_property_map(g);
-    CHECK(RL::integrate_gradient_field(
-              t.points, t.faces, RL::vertex_gradients(t.points, t.faces, map),
-              CGAL::make_property_map(u),
-              params::octree_depth(
-                  2, params::vertex_details(
-                         true, params::target_values(map, params::relative_tolerance(
-                                                              1e-8, params::screening_weight(
-                                                                        1e-3 / length / length))))))
+    CHECK(RL::integrate_gradient_field(t.points, t.faces,
+                                       RL::vertex_gradients(t.points, t.faces, map),
+                                       CGAL::make_property_map(u),
+                                       params::octree_depth(2)
+                                           .vertex_details(true)
+                                           .target_values(map)
+                                           .relative_tolerance(1e-8)
+                                           .screening_weight(1e-3 / length / length))
               .converged);
     double error = 0;
     for(std::size_t i = 0; i < u.size(); ++i)
@@ -570,7 +565,7 @@ TEST_CASE("bad_input_of_gradient_fields_is_refused", "[gradient]") {
   const auto solve = [&](const std::vector<RL::Point_3>& points,
                          const std::vector<std::array<int, 3>>& faces) {
     return RL::integrate_gradient_field(points, faces, one, CGAL::make_property_map(u),
-                                        params::octree_depth(3, params::vertex_details(true)));
+                                        params::octree_depth(3).vertex_details(true));
   };
   CHECK_THROWS_AS(solve({}, {}), RL::Empty_surface_error);
   CHECK_THROWS_AS(solve({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}), RL::Zero_area_error);

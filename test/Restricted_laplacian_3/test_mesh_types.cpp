@@ -88,7 +88,7 @@ TEST_CASE("traits_read_points_of_any_type", "[mesh_types]") {
   const RL::Triangulated_surface_3 of_mesh =
       RL::read_surface(mesh, params::vertex_point_map(map).geom_traits(traits));
   CHECK((points_of(of_mesh) == t.points));
-  const auto np = params::octree_depth(3, params::relative_tolerance(1e-6));
+  const auto np = params::octree_depth(3).relative_tolerance(1e-6);
   CHECK(relative_difference(solution(mesh, np.vertex_point_map(map).geom_traits(traits)),
                             expected_solution()) == 0);
 

@@ -27,7 +27,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 /// Two steps whose product is smallest on the upper three quarters of the range of eigenvalues of
 /// A, scaled to a diagonal of 1: Chebyshev's polynomial. A model of MultigridSmoother_3.

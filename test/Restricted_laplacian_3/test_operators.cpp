@@ -28,7 +28,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 
 struct Named_mesh {
@@ -354,15 +354,13 @@ TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators][slow]") {
 TEST_CASE("number_of_elements", "[operators]") {
   const Mesh sphere = shapes::mesh(shapes::sphere(5));
   const auto dimension = [&sphere](int depth) {
-    return RL::Spline_space_3(sphere, params::octree_depth(depth, params::split_elements(false)))
+    return RL::Spline_space_3(sphere, params::octree_depth(depth).split_elements(false))
         .dimension();
   };
   CHECK(dimension(3) == 816);
   CHECK(dimension(4) == 3048);
   CHECK(dimension(5) == 12024);
-  CHECK(
-      RL::Spline_space_3(sphere, params::octree_depth(3, params::paper_space(true))).dimension() ==
-      504);
+  CHECK(RL::Spline_space_3(sphere, params::octree_depth(3).paper_space(true)).dimension() == 504);
 }
 
 TEST_CASE("number_of_elements_of_the_paper_on_real_meshes", "[operators]") {
@@ -372,8 +370,8 @@ TEST_CASE("number_of_elements_of_the_paper_on_real_meshes", "[operators]") {
     const Mesh mesh = shapes::read(shared_mesh(file));
     if(mesh.is_empty())
       SKIP_TEST("no such file: " << file);
-    CHECK(RL::Spline_space_3(mesh, params::octree_depth(depth, params::paper_space(true)))
-              .dimension() == expected);
+    CHECK(RL::Spline_space_3(mesh, params::octree_depth(depth).paper_space(true)).dimension() ==
+          expected);
   }
 }
 
@@ -455,7 +453,7 @@ Eigen::MatrixXd normal_derivative_matrix(const RL::Spline_space_3& space) {
 TEST_CASE("stabilization_is_the_normal_derivative_in_the_cells", "[operators]") {
   for(bool is_split : {true, false}) {
     const Mesh mesh = shapes::mesh(shapes::sphere(3));
-    const RL::Spline_space_3 space(mesh, params::octree_depth(3, params::split_elements(is_split)));
+    const RL::Spline_space_3 space(mesh, params::octree_depth(3).split_elements(is_split));
     const RL::Triangle_cubature cubature(space);
     const double c = 0.7, h = space.octree().cell_width(space.depth());
     const RL::Operators plain = RL::assemble_operators(space),
@@ -476,8 +474,7 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
   for(const Named_mesh& s : surfaces())
     for(bool is_split : {true, false}) {
       INFO(s.name << (is_split ? ", split" : ", unsplit"));
-      const RL::Spline_space_3 space(s.mesh,
-                                     params::octree_depth(depth, params::split_elements(is_split)));
+      const RL::Spline_space_3 space(s.mesh, params::octree_depth(depth).split_elements(is_split));
       const RL::Triangle_cubature cubature(space);
       const double c = 0.3;
       const std::vector<RL::Operators> all = RL::assemble_operators(space, 0, depth, cubature, c);
@@ -549,7 +546,7 @@ TEST_CASE("stabilization_keeps_constants_where_the_surface_lies_in_walls", "[ope
   // of the domain cube has sides in walls at cube_scale 8 / 6
   for(const auto& soup : {shapes::rectangle(1, 0.7), shapes::box(1, 1, 1, 4, 1)}) {
     const Mesh mesh = shapes::mesh(soup);
-    const RL::Spline_space_3 space(mesh, params::octree_depth(4, params::cube_scale(8. / 6)));
+    const RL::Spline_space_3 space(mesh, params::octree_depth(4).cube_scale(8. / 6));
     std::size_t incomplete = 0;
     for(std::size_t sheet = 0; sheet < space.number_of_sheets(4); ++sheet)
       incomplete += !space.octree().meets_element(4, sheet, 0, 0, 1) ||

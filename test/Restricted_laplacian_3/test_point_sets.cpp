@@ -35,7 +35,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Oriented_point;
 using shapes::Oriented_points;
 using Point_map = CGAL::First_of_pair_property_map<Oriented_point>;
@@ -225,7 +225,7 @@ TEST_CASE("point_sets_of_all_types_are_the_same", "[points]") {
                                         .point_map(CGAL::make_property_map(bare_points))
                                         .normal_map(CGAL::make_property_map(bare_normals))));
   // without areas they are estimated
-  const RL::Spline_space_3 space(set, params::octree_depth(2, params::number_of_neighbors(12)));
+  const RL::Spline_space_3 space(set, params::octree_depth(2).number_of_neighbors(12));
   CHECK_FALSE(space.is_split());
   CHECK(space.surface().area() == sum_of(areas_of_points(points, 12)));
   CHECK(space.surface().area() != sum_of(areas_of_points(points, 5)));
@@ -315,11 +315,10 @@ TEST_CASE("poisson_problems_on_points", "[points]") {
   for(std::size_t i : {std::size_t(0), points.size() - 1})
     is_pole[Point_set::Index(i)] = true;
   const auto zero = [](const RL::Surface_point&) { return 0.; };
-  CHECK(
-      RL::solve_poisson(
-          set, zero, u,
-          params::octree_depth(3, params::constraint_values(f)).vertex_is_constrained_map(is_pole))
-          .converged);
+  CHECK(RL::solve_poisson(
+            set, zero, u,
+            params::octree_depth(3).constraint_values(f).vertex_is_constrained_map(is_pole))
+            .converged);
   for(std::size_t i : {std::size_t(0), points.size() - 1})
     CHECK(of_set(i) == Approx(points[i].first.z()).epsilon(1e-2));
   // weights in place of a number
@@ -568,9 +567,8 @@ TEST_CASE("fits_and_curvature_of_points", "[points]") {
   for(RL::Curvature_method method :
       {RL::Curvature_method::normals, RL::Curvature_method::face_normals}) {
     std::vector<RL::Surface_curvature> curvatures(points.size());
-    CHECK(RL::estimate_curvature(
-              points, CGAL::make_property_map(curvatures),
-              maps_of_pairs(params::octree_depth(4, params::curvature_method(method))))
+    CHECK(RL::estimate_curvature(points, CGAL::make_property_map(curvatures),
+                                 maps_of_pairs(params::octree_depth(4).curvature_method(method)))
               .converged);
     std::vector<double> errors;
     for(std::size_t i = 0; i < points.size(); ++i) {

@@ -27,7 +27,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 
 /// A spherical harmonic of degree 6, in a frame that is that of no symmetry of the grid, as a
@@ -97,7 +97,7 @@ TEST_CASE("screened_poisson_on_the_sphere", "[poisson]") {
   const double alpha = 3;
   const RL::Solve_report report = RL::solve_screened_poisson(
       mesh, [](const RL::Surface_point& p) { return 1 + harmonic(p.point); }, alpha, u,
-      params::octree_depth(4, params::relative_tolerance(1e-5)));
+      params::octree_depth(4).relative_tolerance(1e-5));
   CHECK(report.converged);
   // alpha u - Laplacian u = f, also for the constant part
   for(Mesh::Vertex_index v : mesh.vertices())
@@ -113,7 +113,7 @@ TEST_CASE("solution_has_mean_zero_and_the_sign_of_the_laplacian", "[poisson]") {
   for(Mesh::Vertex_index v : mesh.vertices())
     f[v] = 5 + mesh.point(v).z(); // the 5 has to be removed
   const RL::Solve_report report =
-      RL::solve_poisson(mesh, f, u, params::octree_depth(4, params::relative_tolerance(1e-5)));
+      RL::solve_poisson(mesh, f, u, params::octree_depth(4).relative_tolerance(1e-5));
   CHECK(report.converged);
   for(Mesh::Vertex_index v : mesh.vertices())
     REQUIRE(u[v] == Approx(-mesh.point(v).z() / 2).margin(1e-3)); // Laplacian z = -2 z
@@ -134,11 +134,11 @@ TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
   for(RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W})
     for(bool alone : {false, true})
       for(int steps : {1, 2, 3}) {
-        const RL::Poisson_solver solver = RL::make_poisson_solver(
-            space, operators, 0,
-            params::cycle(cycle, params::stand_alone_multigrid(
-                                     alone, params::smoothing_steps(
-                                                steps, params::relative_tolerance(5e-3)))));
+        const RL::Poisson_solver solver = RL::make_poisson_solver(space, operators, 0,
+                                                                  params::cycle(cycle)
+                                                                      .stand_alone_multigrid(alone)
+                                                                      .smoothing_steps(steps)
+                                                                      .relative_tolerance(5e-3));
         CHECK(solver.kernel_dimension() == 1);
         Eigen::VectorXd x;
         const RL::Solve_report report = solver.solve(load, x);
@@ -178,8 +178,7 @@ TEST_CASE("patches_cover_all_elements_and_colors_do_not_interact", "[poisson]") 
   for(const auto& soup : {shapes::sphere(4), shapes::box(1, 1, 0.03, 9, 1)}) {
     const Mesh mesh = shapes::mesh(soup);
     for(bool is_split : {false, true}) {
-      const RL::Spline_space_3 space(mesh,
-                                     params::octree_depth(5, params::split_elements(is_split)));
+      const RL::Spline_space_3 space(mesh, params::octree_depth(5).split_elements(is_split));
       const RL::Sparse_matrix a = RL::assemble_stiffness_matrix(space);
       const RL::Smoothing_patches patches = RL::smoothing_patches(space, 5);
       CHECK(patches.number_of_patches == space.number_of_sheets(4));
@@ -250,7 +249,7 @@ TEST_CASE("iterations_where_the_surface_lies_in_walls_or_is_ragged", "[poisson]"
        std::make_pair(shapes::rectangle(1, 0.7), 12), std::make_pair(scattered, 45)}) {
     const Mesh mesh = shapes::mesh(soup);
     for(int depth : {4, 5}) {
-      const RL::Spline_space_3 space(mesh, params::octree_depth(depth, params::cube_scale(8. / 6)));
+      const RL::Spline_space_3 space(mesh, params::octree_depth(depth).cube_scale(8. / 6));
       Eigen::VectorXd x;
       const RL::Solve_report report =
           RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8))
@@ -284,12 +283,11 @@ TEST_CASE("stabilization_keeps_the_order_of_the_error", "[poisson][slow]") {
 TEST_CASE("matrices_of_all_levels_at_once_make_the_same_solver", "[poisson]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   for(bool is_paper_space : {false, true}) {
-    const RL::Spline_space_3 space(mesh,
-                                   params::octree_depth(4, params::paper_space(is_paper_space)));
+    const RL::Spline_space_3 space(mesh, params::octree_depth(4).paper_space(is_paper_space));
     const double c = 0.01, alpha = 0.5;
     const RL::Operators operators =
         RL::assemble_operators(space, 4, RL::Triangle_cubature(space), c);
-    const auto np = params::normal_stabilization(c, params::relative_tolerance(1e-10));
+    const auto np = params::normal_stabilization(c).relative_tolerance(1e-10);
     const RL::Poisson_solver direct = RL::make_poisson_solver(space, alpha, np),
                              galerkin = RL::make_poisson_solver(space, operators, alpha, np);
     CHECK((direct.upper_half() - galerkin.upper_half()).norm() <=
@@ -311,7 +309,7 @@ TEST_CASE("solution_does_not_depend_on_threads", "[poisson]") {
     auto u = copy.add_property_map<Mesh::Vertex_index, double>("v:u").first;
     RL::solve_poisson(
         copy, [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); }, u,
-        params::octree_depth(5, params::smoother(smoother, np)));
+        np.smoother(smoother).octree_depth(5));
     std::vector<double> values;
     for(Mesh::Vertex_index v : copy.vertices())
       values.push_back(u[v]);
@@ -403,8 +401,8 @@ TEST_CASE("iterations_on_the_bunny", "[poisson][slow]") {
     SKIP_TEST("no such file: bunny00.off");
   const RL::Spline_space_3 space(mesh, params::octree_depth(7));
   CHECK(space.dimension() == 139083);
-  CHECK(RL::Spline_space_3(mesh, params::octree_depth(7, params::split_elements(false)))
-            .dimension() == 138098);
+  CHECK(RL::Spline_space_3(mesh, params::octree_depth(7).split_elements(false)).dimension() ==
+        138098);
   const RL::Poisson_solver solver =
       RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8));
   Eigen::MatrixXd b(space.dimension(), 4), x;

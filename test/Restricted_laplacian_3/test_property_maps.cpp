@@ -7,12 +7,26 @@
 #include "mesh_types.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <vector>
+
+// names of this package as a later CGAL may define them
+namespace CGAL {
+namespace internal_np {
+enum cycle_t { cycle };
+enum pose_t { pose };
+enum smoother_t { smoother };
+} // namespace internal_np
+namespace parameters {
+constexpr int cycle = 1, pose = 2, smoother = 3;
+} // namespace parameters
+} // namespace CGAL
 
 namespace {
 
@@ -62,8 +76,7 @@ TEST_CASE("points_come_from_the_vertex_point_map", "[mesh_types]") {
   Mesh mesh = mesh_without_points();
   const std::vector<RL::Point_3> points = surface().points;
   const auto check = [&mesh](const auto& map) {
-    const auto np =
-        params::octree_depth(3, params::relative_tolerance(1e-6, params::vertex_point_map(map)));
+    const auto np = params::octree_depth(3).relative_tolerance(1e-6).vertex_point_map(map);
     CHECK(solution(mesh, np) == expected_solution());
   };
 
@@ -100,22 +113,58 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
     CHECK(options.smoothing_steps == 3);
     CHECK(options.stand_alone_multigrid);
   };
-  // those of CGAL after, before and between those of this package, which come in reverse order
-  using namespace params;
+  // those of CGAL first, last, and among those of this package; the last value of a name counts
   const auto w = RL::Cycle::W;
+  check(params::vertex_point_map(map)
+            .octree_depth(2)
+            .cube_scale(1.5)
+            .number_of_iterations(7)
+            .paper_space(true)
+            .relative_tolerance(1e-4)
+            .cycle(w)
+            .smoothing_steps(3)
+            .stand_alone_multigrid(true));
   const auto solver =
-      relative_tolerance(1e-4, params::cycle(w, smoothing_steps(3, stand_alone_multigrid(true))));
-  check(octree_depth(2, cube_scale(1.5, paper_space(true, solver)))
+      params::stand_alone_multigrid(true).smoothing_steps(3).cycle(w).relative_tolerance(1e-4);
+  check(solver.paper_space(true)
+            .octree_depth(2)
+            .cube_scale(1.5)
             .number_of_iterations(7)
             .vertex_point_map(map));
-  const auto space = paper_space(
-      true,
-      cube_scale(1.5, octree_depth(2, params::vertex_point_map(map).number_of_iterations(7))));
-  check(stand_alone_multigrid(
-      true, smoothing_steps(3, params::cycle(w, relative_tolerance(1e-4, space)))));
-  check(cube_scale(
-      1.5,
-      paper_space(true, octree_depth(2, solver).vertex_point_map(map)).number_of_iterations(7)));
+  check(solver.octree_depth(5)
+            .number_of_iterations(7)
+            .vertex_point_map(map)
+            .octree_depth(2)
+            .paper_space(true)
+            .cube_scale(1.5));
+  check(params::default_values()
+            .vertex_point_map(map)
+            .paper_space(true)
+            .octree_depth(2)
+            .cycle(w)
+            .smoothing_steps(3)
+            .relative_tolerance(1e-4)
+            .number_of_iterations(7)
+            .cube_scale(1.5)
+            .stand_alone_multigrid(true));
+}
+
+TEST_CASE("chains_are_named_parameters_of_cgal_and_take_them", "[mesh_types]") {
+  const Mesh mesh = mesh_without_points();
+  const std::vector<RL::Point_3> points = surface().points;
+  const Computed_point_map map{&points};
+  // a chain of CGAL alone
+  CHECK(RL::read_surface(mesh, CGAL::parameters::vertex_point_map(map)).point(17) == points[17]);
+  // a function of CGAL
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(
+      mesh, params::octree_depth(2).vertex_point_map(map).cube_scale(1.2));
+  CHECK(box.x_span() > 0);
+  // what cannot be copied, or shall not be, is passed by reference
+  int calls = 0;
+  auto callback = [&calls](double) { return ++calls > 0; };
+  const auto np = params::callback(std::ref(callback)).octree_depth(1);
+  CHECK(params::get_parameter(np, CGAL::internal_np::callback)(0.5));
+  CHECK(calls == 1);
 }
 
 TEST_CASE("types_of_parameters_may_differ_from_those_of_the_defaults", "[mesh_types]") {
@@ -123,9 +172,9 @@ TEST_CASE("types_of_parameters_may_differ_from_those_of_the_defaults", "[mesh_ty
   const auto dimension = [&mesh](const auto& np) {
     return RL::Spline_space_3(mesh, np).dimension();
   };
-  const std::size_t expected = dimension(params::octree_depth(3, params::cube_scale(2.)));
-  CHECK(dimension(params::octree_depth(std::size_t(3), params::cube_scale(2))) == expected);
-  CHECK(dimension(params::octree_depth(short(3), params::cube_scale(2.f))) == expected);
+  const std::size_t expected = dimension(params::octree_depth(3).cube_scale(2.));
+  CHECK(dimension(params::octree_depth(std::size_t(3)).cube_scale(2)) == expected);
+  CHECK(dimension(params::octree_depth(short(3)).cube_scale(2.f)) == expected);
   CHECK(RL::Spline_space_3(mesh).depth() == 6);
 }
 

@@ -25,7 +25,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Triangles;
 
 RL::Spline_space_3 space_of(const Triangles& t, int depth, bool is_split = true,
@@ -507,8 +507,7 @@ TEST_CASE("splitting_costs_no_iterations", "[sheets][slow]") {
   for(int axis = 0; axis < 3; ++axis) {
     int iterations[2];
     for(bool is_split : {false, true}) {
-      const RL::Spline_space_3 space(mesh,
-                                     params::octree_depth(5, params::split_elements(is_split)));
+      const RL::Spline_space_3 space(mesh, params::octree_depth(5).split_elements(is_split));
       const RL::Poisson_solver solver = RL::make_poisson_solver(
           space, RL::assemble_operators(space), 0, params::relative_tolerance(5e-3));
       Eigen::VectorXd eta;
@@ -524,8 +523,8 @@ TEST_CASE("splitting_costs_no_iterations", "[sheets][slow]") {
 
 TEST_CASE("space_of_the_paper_is_not_split", "[sheets]") {
   const shapes::Mesh mesh = shapes::mesh(rotor(6, 0.05));
-  const RL::Spline_space_3 space(
-      mesh, params::octree_depth(4, params::paper_space(true, params::split_elements(true))));
+  const RL::Spline_space_3 space(mesh,
+                                 params::octree_depth(4).paper_space(true).split_elements(true));
   CHECK_FALSE(space.is_split());
   CHECK(space.number_of_split_elements(4) == 0);
   CHECK(space.octree().number_of_sheets(4) == space.octree().number_of_cells(4));

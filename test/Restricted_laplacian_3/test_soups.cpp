@@ -20,7 +20,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Triangles;
 
 std::size_t number_of_components(const Triangles& t, int depth = 4) {
@@ -31,7 +31,7 @@ std::size_t number_of_components(const Triangles& t, int depth = 4) {
 
 std::size_t number_of_joined_components(const Triangles& t, double tolerance, int depth = 4) {
   return RL::Spline_space_3(t.points, t.faces,
-                            params::octree_depth(depth, params::joining_tolerance(tolerance)))
+                            params::octree_depth(depth).joining_tolerance(tolerance))
       .octree()
       .number_of_sheets(0);
 }

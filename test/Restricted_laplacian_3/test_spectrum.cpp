@@ -19,7 +19,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using shapes::Mesh;
 
 /// largest relative error of the eigenvalues l (l + 1), l = 1 .. 6, of the unit sphere

@@ -22,7 +22,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using RL::Point_3;
 using RL::Rgb_color;
 using RL::Vector_3;
@@ -358,7 +358,7 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   const std::vector<RL::Colored_scan> scans = sphere_scans(4, 6);
   shapes::Mesh mesh = shapes::mesh(t);
   auto map = mesh.add_property_map<shapes::Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
-  const auto np = params::octree_depth(3, params::linear_light(true));
+  const auto np = params::octree_depth(3).linear_light(true);
   const RL::Stitching_report a = RL::stitch_colors(mesh, scans, map, np);
   CHECK(a.converged);
   auto numbers = mesh.add_property_map<shapes::Mesh::Vertex_index, Vector_3>("v:numbers").first;
@@ -381,7 +381,7 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
         [&] { RL::stitch_colors(t.points, t.faces, scans, CGAL::make_property_map(colors), np); });
   };
   CHECK_THAT(message(params::maximum_distance(-1.)), Catch::Contains("maximum_distance"));
-  const auto chain = params::maximum_distance(-1., params::concurrency_tag(CGAL::Sequential_tag()));
+  const auto chain = params::maximum_distance(-1.).concurrency_tag(CGAL::Sequential_tag());
   CHECK_THAT(message(chain), Catch::Contains("maximum_distance"));
   CHECK_THAT(message(params::seam_weight(-1.)), Catch::Contains("seam_weight"));
   CHECK_THAT(message(params::screening_weight(0.)), Catch::Contains("screening_weight"));
@@ -398,12 +398,12 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
     return RL::stitch_colors(t.points, faces, scans, CGAL::make_property_map(colors), np);
   };
   CHECK_THAT(stitch_message([&] { report(inwards, np); }), Catch::Contains("no scan"));
-  CHECK(report(inwards, params::oriented_surface(false, np)).uncovered_vertices == 0);
+  CHECK(report(inwards, np.oriented_surface(false)).uncovered_vertices == 0);
   CHECK(a.scans[1].gains[0] != 1);
-  CHECK(report(t.faces, params::match_exposures(false, np)).scans[1].gains[0] == 1);
+  CHECK(report(t.faces, np.match_exposures(false)).scans[1].gains[0] == 1);
   const RL::Spline_space_3 space = stitch_space(t, 3);
   for(const auto source : {RL::Gradient_source::scans, RL::Gradient_source::back_projection}) {
-    report(t.faces, params::gradient_source(source, params::octree_depth(3)));
+    report(t.faces, params::gradient_source(source).octree_depth(3));
     RL::Color_stitching_options options;
     options.gradient_source = source;
     const RL::Stitched_colors expected = stitcher_of(space, scans, options).stitch();

@@ -17,7 +17,7 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 /// of `count` eigenvalues of the unit sphere the largest relative error of those of degree up to
 /// 13, and how many are nearest to each l (l + 1)

@@ -126,7 +126,7 @@ TEST_CASE("results_do_not_depend_on_the_number_of_threads", "[threads][slow]") {
 }
 
 TEST_CASE("concurrency_tag_sets_the_option", "[threads]") {
-  namespace params = CGAL::parameters;
+  namespace params = RL::parameters;
   const Mesh mesh = shapes::mesh(shapes::sphere(1));
   CHECK(!RL::Spline_space_3(mesh, params::octree_depth(2)).options().is_parallel);
   CHECK(!RL::Spline_space_3(mesh, params::concurrency_tag(CGAL::Sequential_tag()))
@@ -140,8 +140,8 @@ TEST_CASE("concurrency_tag_sets_the_option", "[threads]") {
 #else
   const bool with_tbb = false;
 #endif
-  CHECK(RL::Spline_space_3(mesh, params::octree_depth(
-                                     2, params::concurrency_tag(CGAL::Parallel_if_available_tag())))
+  CHECK(RL::Spline_space_3(
+            mesh, params::octree_depth(2).concurrency_tag(CGAL::Parallel_if_available_tag()))
             .options()
             .is_parallel == with_tbb);
 }

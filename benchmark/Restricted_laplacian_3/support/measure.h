@@ -26,15 +26,10 @@
 #include <type_traits>
 #include <vector>
 
-// The build passes both on.
-#ifndef RESTRICTED_LAPLACIAN_3_COMMIT
-#define RESTRICTED_LAPLACIAN_3_COMMIT "unknown"
-#endif
-#ifndef RESTRICTED_LAPLACIAN_3_BUILD
-#define RESTRICTED_LAPLACIAN_3_BUILD "unknown"
-#endif
-
 namespace benchmarks {
+
+// what the build generates
+extern const char built_from_commit[], built_with_flags[];
 
 /// Prints commit, machine, compiler and command as comments.
 inline void print_header(int argc, char* argv[]) {
@@ -45,9 +40,9 @@ inline void print_header(int argc, char* argv[]) {
       cpu = line.substr(line.find(':') + 2);
       break;
     }
-  std::printf("# commit: %s\n# machine: %s, %u cores\n", RESTRICTED_LAPLACIAN_3_COMMIT, cpu.c_str(),
+  std::printf("# commit: %s\n# machine: %s, %u cores\n", built_from_commit, cpu.c_str(),
               std::thread::hardware_concurrency());
-  std::printf("# compiler: gcc %s, %s\n# command:", __VERSION__, RESTRICTED_LAPLACIAN_3_BUILD);
+  std::printf("# compiler: gcc %s, %s\n# command:", __VERSION__, built_with_flags);
   for(int i = 0; i < argc; ++i) {
     const std::string argument = argv[i];
     // of the program only the name

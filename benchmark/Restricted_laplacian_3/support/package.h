@@ -118,11 +118,10 @@ inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System
 /// the default solver, with the matrices of all levels from one pass over the surface
 inline RL::Poisson_solver poisson_solver(const RL::Spline_space_3& space, double stabilization,
                                          int threads, double tolerance) {
-  namespace params = CGAL::parameters;
-  const auto np =
-      params::normal_stabilization(stabilization, params::relative_tolerance(tolerance));
+  namespace params = RL::parameters;
+  const auto np = params::normal_stabilization(stabilization).relative_tolerance(tolerance);
   return threads > 1 ? RL::make_poisson_solver(
-                           space, 0, params::concurrency_tag(CGAL::Parallel_if_available_tag(), np))
+                           space, 0, np.concurrency_tag(CGAL::Parallel_if_available_tag()))
                      : RL::make_poisson_solver(space, 0, np);
 }
 

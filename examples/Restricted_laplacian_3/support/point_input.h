@@ -57,9 +57,9 @@ inline Mesh_input read_mesh_or_points(const std::string& file,
   const Point_set points = read_points(file);
   require(!points.empty(), "'" + file + "' holds no point");
   require(points.has_normal_map(), "'" + file + "' has neither faces nor normals");
-  const auto parallel = CGAL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag());
-  return {RL::read_point_set(points, CGAL::parameters::number_of_neighbors(neighbors, parallel)),
-          false};
+  const auto np = RL::parameters::number_of_neighbors(neighbors).concurrency_tag(
+      CGAL::Parallel_if_available_tag());
+  return {RL::read_point_set(points, np), false};
 }
 
 // The same, with the depth for points if none is given.

@@ -47,7 +47,7 @@ inline RL::Triangulated_surface_3 surface_of_scan(Point_set& points, const std::
   }
   // the areas that points stand for do not matter
   return RL::read_point_set(
-      points, CGAL::parameters::area_map(CGAL::Constant_property_map<Point_set::Index, double>(1)));
+      points, RL::parameters::area_map(CGAL::Constant_property_map<Point_set::Index, double>(1)));
 }
 
 } // namespace internal

@@ -49,7 +49,7 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
                                            const Common_options& common,
                                            const Eigensolver_options& o, Summary& summary,
                                            const Progress& progress) {
-  namespace params = CGAL::parameters;
+  namespace params = RL::parameters;
   progress.show("assembling " + std::to_string(space.dimension()) + " unknowns");
   int shown = -1;
   const auto show = [&](double part) {
@@ -66,12 +66,11 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
                                           ? RL::Eigensolver::shift_invert
                                           : RL::Eigensolver::automatic;
   const RL::Laplace_spectrum spectrum = assemble_with(space, common, [&](const auto& integration) {
-    return RL::laplace_eigenpairs(
-        space, count, integration,
-        params::eigensolver(
-            eigensolver,
-            params::relative_tolerance(o.tolerance, params::normal_stabilization(stabilization)))
-            .callback(show));
+    return RL::laplace_eigenpairs(space, count, integration,
+                                  params::eigensolver(eigensolver)
+                                      .relative_tolerance(o.tolerance)
+                                      .normal_stabilization(stabilization)
+                                      .callback(show));
   });
   summary.add("assembly_seconds", spectrum.report.assembly_seconds);
   summary.add("solve_seconds", spectrum.report.solve_seconds);

@@ -1224,6 +1224,9 @@ test_short_programs() {
   fails "usage" minimal_stitching
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh" [ "$status" -eq 1 ]
+  succeeds eigen_matrices
+  check "eigen_matrices comes near to the solution" \
+    is_below "$(awk '/error of u/ { print $NF }' out)" 1e-4
   succeeds generic_meshes sphere.off
   check "generic_meshes uses at least two types" [ "$(grep -c "u is between" out)" -ge 2 ]
   check "and finds the same solution with all" \
@@ -1234,9 +1237,9 @@ test_short_programs() {
   check "minimal_points prints eigenvalues and a range" [ "$(wc -l < out)" -eq 2 ]
   check "the second of which is 2" is_near "$(sed -n '1s/.*: [^ ]* \([^ ]*\) .*/\1/p' out)" 2 0.05
   fails "usage" minimal_points
-  succeeds steps sphere.off
-  check "steps prints something" [ -s out ]
-  fails "usage" steps
+  succeeds laplacian_steps sphere.off
+  check "laplacian_steps prints something" [ -s out ]
+  fails "usage" laplacian_steps
 }
 
 # The programs that show how to extend the package.

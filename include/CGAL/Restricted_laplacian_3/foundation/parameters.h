@@ -13,99 +13,159 @@
 #include <utility>
 
 /// \file
-/// The named parameters of this package, beside those of \cgal. They are created by free
-/// functions and chained through their second argument:
-/// `CGAL::parameters::octree_depth(7, CGAL::parameters::cube_scale(1.2))`.
+/// The named parameters that this package takes, its own and some of \cgal. They chain in any
+/// order: `parameters::octree_depth(7).vertex_point_map(map).cube_scale(1.2)`.
+///
+/// \cgal makes its own out of one list, which a package outside of its tree cannot extend, and
+/// names like `cycle` may be on that list one day. So names and tags are in namespaces of this
+/// package, and a chain is a class of its own. It is derived from that of \cgal, whose functions
+/// read it; and what takes these chains takes those of \cgal.
 
-// CGAL's own parameters come out of one list that a package outside of CGAL's tree cannot extend,
-// hence a tag and two free functions for each parameter here.
-#define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(NAME)                                                \
-  namespace CGAL {                                                                                 \
-  namespace internal_np {                                                                          \
-  enum NAME##_t{NAME};                                                                             \
-  }                                                                                                \
-  namespace parameters {                                                                           \
-  template <typename T> Named_function_parameters<T, internal_np::NAME##_t> NAME(const T& value) { \
-    return Named_function_parameters<T, internal_np::NAME##_t>(value);                             \
-  }                                                                                                \
-  }                                                                                                \
-  }                                                                                                \
-  CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER(NAME)
+// The list of this package's own. A new one is a line here, and its description in the manual.
+#define CGAL_RESTRICTED_LAPLACIAN_3_OWN_PARAMETERS(PARAMETER)                                      \
+  PARAMETER(octree_depth)                                                                          \
+  PARAMETER(cube_scale)                                                                            \
+  PARAMETER(paper_space)                                                                           \
+  PARAMETER(split_elements)                                                                        \
+  PARAMETER(joining_tolerance)                                                                     \
+  PARAMETER(relative_tolerance)                                                                    \
+  PARAMETER(cycle)                                                                                 \
+  PARAMETER(smoothing_steps)                                                                       \
+  PARAMETER(stand_alone_multigrid)                                                                 \
+  PARAMETER(eigensolver)                                                                           \
+  PARAMETER(lumped_mass)                                                                           \
+  PARAMETER(boundary_values)                                                                       \
+  PARAMETER(constraint_values)                                                                     \
+  PARAMETER(constraint_weight)                                                                     \
+  PARAMETER(area_map)                                                                              \
+  PARAMETER(number_of_neighbors)                                                                   \
+  PARAMETER(smoothing_weight)                                                                      \
+  PARAMETER(refinement_steps)                                                                      \
+  PARAMETER(pose)                                                                                  \
+  PARAMETER(viewpoint)                                                                             \
+  PARAMETER(minimum_facing_cosine)                                                                 \
+  PARAMETER(minimum_normal_cosine)                                                                 \
+  PARAMETER(boundary_width)                                                                        \
+  PARAMETER(oriented_surface)                                                                      \
+  PARAMETER(gradient_source)                                                                       \
+  PARAMETER(seam_weight)                                                                           \
+  PARAMETER(quality_smoothing_steps)                                                               \
+  PARAMETER(match_exposures)                                                                       \
+  PARAMETER(linear_light)                                                                          \
+  PARAMETER(curvature_method)                                                                      \
+  PARAMETER(target_values)                                                                         \
+  PARAMETER(screening_weight)                                                                      \
+  PARAMETER(mean_value)                                                                            \
+  PARAMETER(vertex_details)                                                                        \
+  PARAMETER(normal_stabilization)                                                                  \
+  PARAMETER(smoother)                                                                              \
+  PARAMETER(maximum_distance)                                                                      \
+  CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_LATER_CGAL(PARAMETER)
 
-// A parameter that CGAL has, with the function that chains it.
-#define CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER(NAME)                                        \
-  namespace CGAL {                                                                                 \
-  namespace parameters {                                                                           \
-  template <typename T, typename NP_T, typename NP_Tag, typename NP_Base>                          \
-  Named_function_parameters<T, internal_np::NAME##_t,                                              \
-                            Named_function_parameters<NP_T, NP_Tag, NP_Base>>                      \
-  NAME(const T& value, const Named_function_parameters<NP_T, NP_Tag, NP_Base>& np) {               \
-    return Named_function_parameters<T, internal_np::NAME##_t,                                     \
-                                     Named_function_parameters<NP_T, NP_Tag, NP_Base>>(value, np); \
-  }                                                                                                \
-  }                                                                                                \
-  }
+// The list of those of CGAL that the package takes: type and value of the tag, name.
+#define CGAL_RESTRICTED_LAPLACIAN_3_CGAL_PARAMETERS(PARAMETER)                                     \
+  PARAMETER(vertex_point_t, vertex_point, vertex_point_map)                                        \
+  PARAMETER(geom_traits_t, geom_traits, geom_traits)                                               \
+  PARAMETER(vertex_normal_map_t, vertex_normal_map, vertex_normal_map)                             \
+  PARAMETER(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)             \
+  PARAMETER(point_t, point_map, point_map)                                                         \
+  PARAMETER(normal_t, normal_map, normal_map)                                                      \
+  PARAMETER(number_of_iterations_t, number_of_iterations, number_of_iterations)                    \
+  PARAMETER(callback_t, callback, callback)                                                        \
+  CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_THIS_CGAL(PARAMETER)
 
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(octree_depth)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(cube_scale)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(paper_space)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(split_elements)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(joining_tolerance)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(relative_tolerance)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(cycle)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(smoothing_steps)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(stand_alone_multigrid)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(eigensolver)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(lumped_mass)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(boundary_values)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(constraint_values)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(constraint_weight)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(area_map)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(number_of_neighbors)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(smoothing_weight)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(refinement_steps)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(pose)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(viewpoint)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(minimum_facing_cosine)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(minimum_normal_cosine)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(boundary_width)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(oriented_surface)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(gradient_source)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(seam_weight)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(quality_smoothing_steps)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(match_exposures)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(linear_light)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(curvature_method)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(target_values)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(screening_weight)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(mean_value)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(vertex_details)
-
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(normal_stabilization)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(smoother)
-
-#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(5, 6, 0)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(maximum_distance)
-#else
-CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER(maximum_distance)
-#endif
 #if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
-CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER(concurrency_tag)
+#define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_LATER_CGAL(PARAMETER) PARAMETER(concurrency_tag)
+#define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_THIS_CGAL(PARAMETER)
 #else
-CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER(concurrency_tag)
+#define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_LATER_CGAL(PARAMETER)
+#define CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_THIS_CGAL(PARAMETER)                             \
+  PARAMETER(concurrency_tag_t, concurrency_tag, concurrency_tag)
 #endif
-
-#undef CGAL_RESTRICTED_LAPLACIAN_3_PARAMETER
-#undef CGAL_RESTRICTED_LAPLACIAN_3_CHAINED_PARAMETER
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+/// tags of the parameters, by which `get_parameter()` finds them
+namespace internal_np {
+
+using CGAL::internal_np::all_default_t;
+using CGAL::internal_np::Lookup_named_param_def;
+using CGAL::internal_np::No_property;
+using CGAL::internal_np::Param_not_found;
+
+#define CGAL_RESTRICTED_LAPLACIAN_3_TAG(NAME) enum NAME##_t{NAME};
+#define CGAL_RESTRICTED_LAPLACIAN_3_CGAL_TAG(TAG, VALUE, NAME)                                     \
+  using CGAL::internal_np::TAG;                                                                    \
+  using CGAL::internal_np::VALUE;
+CGAL_RESTRICTED_LAPLACIAN_3_OWN_PARAMETERS(CGAL_RESTRICTED_LAPLACIAN_3_TAG)
+CGAL_RESTRICTED_LAPLACIAN_3_CGAL_PARAMETERS(CGAL_RESTRICTED_LAPLACIAN_3_CGAL_TAG)
+#undef CGAL_RESTRICTED_LAPLACIAN_3_TAG
+#undef CGAL_RESTRICTED_LAPLACIAN_3_CGAL_TAG
+
+} // namespace internal_np
+
+namespace parameters {
+
+using CGAL::parameters::choose_parameter;
+using CGAL::parameters::get_parameter;
+
+/// The last parameter of a chain, with those before it as its base. Values are copied; those that
+/// cannot be are kept as references.
+template <class T, class Tag, class Base = internal_np::No_property>
+struct Named_parameters : Named_function_parameters<T, Tag, Base> {
+  using Named_function_parameters<T, Tag, Base>::Named_function_parameters;
+
+#define CGAL_RESTRICTED_LAPLACIAN_3_MEMBER(TAG, NAME)                                              \
+  template <class Value>                                                                           \
+  Named_parameters<Value, internal_np::TAG, Named_parameters> NAME(const Value& value) const {     \
+    return {value, *this};                                                                         \
+  }
+#define CGAL_RESTRICTED_LAPLACIAN_3_OWN_MEMBER(NAME)                                               \
+  CGAL_RESTRICTED_LAPLACIAN_3_MEMBER(NAME##_t, NAME)
+#define CGAL_RESTRICTED_LAPLACIAN_3_CGAL_MEMBER(TAG, VALUE, NAME)                                  \
+  CGAL_RESTRICTED_LAPLACIAN_3_MEMBER(TAG, NAME)
+  CGAL_RESTRICTED_LAPLACIAN_3_OWN_PARAMETERS(CGAL_RESTRICTED_LAPLACIAN_3_OWN_MEMBER)
+  CGAL_RESTRICTED_LAPLACIAN_3_CGAL_PARAMETERS(CGAL_RESTRICTED_LAPLACIAN_3_CGAL_MEMBER)
+#undef CGAL_RESTRICTED_LAPLACIAN_3_MEMBER
+#undef CGAL_RESTRICTED_LAPLACIAN_3_OWN_MEMBER
+#undef CGAL_RESTRICTED_LAPLACIAN_3_CGAL_MEMBER
+};
+
+/// no parameters; chains may begin with it
+using Default_named_parameters = Named_parameters<bool, internal_np::all_default_t>;
+inline Default_named_parameters default_values() { return {}; }
+
+// the functions that chains begin with
+#define CGAL_RESTRICTED_LAPLACIAN_3_FUNCTION(TAG, NAME)                                            \
+  template <class Value> Named_parameters<Value, internal_np::TAG> NAME(const Value& value) {      \
+    return {value};                                                                                \
+  }
+#define CGAL_RESTRICTED_LAPLACIAN_3_OWN_FUNCTION(NAME)                                             \
+  CGAL_RESTRICTED_LAPLACIAN_3_FUNCTION(NAME##_t, NAME)
+#define CGAL_RESTRICTED_LAPLACIAN_3_CGAL_FUNCTION(TAG, VALUE, NAME)                                \
+  CGAL_RESTRICTED_LAPLACIAN_3_FUNCTION(TAG, NAME)
+CGAL_RESTRICTED_LAPLACIAN_3_OWN_PARAMETERS(CGAL_RESTRICTED_LAPLACIAN_3_OWN_FUNCTION)
+CGAL_RESTRICTED_LAPLACIAN_3_CGAL_PARAMETERS(CGAL_RESTRICTED_LAPLACIAN_3_CGAL_FUNCTION)
+#undef CGAL_RESTRICTED_LAPLACIAN_3_FUNCTION
+#undef CGAL_RESTRICTED_LAPLACIAN_3_OWN_FUNCTION
+#undef CGAL_RESTRICTED_LAPLACIAN_3_CGAL_FUNCTION
+
+} // namespace parameters
+
+#undef CGAL_RESTRICTED_LAPLACIAN_3_OWN_PARAMETERS
+#undef CGAL_RESTRICTED_LAPLACIAN_3_CGAL_PARAMETERS
+#undef CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_LATER_CGAL
+#undef CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_THIS_CGAL
+
 namespace internal {
 
 /// tells overloads apart whose last argument may be named parameters
 template <class T> struct Is_named_parameters : std::false_type {};
 template <class T, class Tag, class Base>
 struct Is_named_parameters<Named_function_parameters<T, Tag, Base>> : std::true_type {};
+template <class T, class Tag, class Base>
+struct Is_named_parameters<parameters::Named_parameters<T, Tag, Base>> : std::true_type {};
 
 /// whether a parameter is among some named parameters
 template <class NamedParameters, class Tag>

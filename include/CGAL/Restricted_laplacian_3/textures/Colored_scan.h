@@ -181,10 +181,13 @@ private:
 
   template <class Surface, class NamedParameters>
   static Triangulated_surface_3 read(const Surface& surface, const NamedParameters& np) {
-    if constexpr(internal::is_range_v<Surface>) // areas are not needed
-      return read_point_set(surface, CGAL::parameters::area_map(
-                                         CGAL::Constant_property_map<std::size_t, double>(1), np));
-    else
+    if constexpr(internal::is_range_v<Surface>) { // areas are not needed
+      using Unit_areas = CGAL::Constant_property_map<std::size_t, double>;
+      return read_point_set(
+          surface,
+          parameters::Named_parameters<Unit_areas, internal_np::area_map_t, NamedParameters>(
+              Unit_areas(1), np));
+    } else
       return read_surface(surface, np);
   }
 

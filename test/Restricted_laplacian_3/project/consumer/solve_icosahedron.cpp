@@ -6,6 +6,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 
+namespace RL = CGAL::Restricted_laplacian_3;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
@@ -17,8 +18,7 @@ int main() {
   for(const Mesh::Vertex_index v : mesh.vertices())
     f[v] = mesh.point(v).z();
 
-  const auto report =
-      CGAL::Restricted_laplacian_3::solve_poisson(mesh, f, u, CGAL::parameters::octree_depth(3));
+  const auto report = RL::solve_poisson(mesh, f, u, RL::parameters::octree_depth(3));
 
   // Laplacian u = z has, by the symmetry of the icosahedron, a solution that is odd in z and of
   // the opposite sign.

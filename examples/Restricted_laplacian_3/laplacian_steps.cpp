@@ -19,7 +19,7 @@
 #include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
@@ -62,13 +62,13 @@ void run(const Mesh& mesh) {
 int main(int argc, char* argv[]) {
   Mesh mesh;
   if(argc != 2 || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(argv[1], mesh)) {
-    std::cerr << "usage: steps MESH\n";
+    std::cerr << "usage: laplacian_steps MESH\n";
     return 1;
   }
   try {
     run(mesh);
   } catch(const std::exception& e) {
-    std::cerr << "steps: " << e.what() << '\n';
+    std::cerr << "laplacian_steps: " << e.what() << '\n';
     return 1;
   }
   return 0;

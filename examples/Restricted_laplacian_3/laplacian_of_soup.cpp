@@ -11,14 +11,15 @@
 #include <CGAL/property_map.h>
 
 #include <array>
+#include <exception>
 #include <iostream>
 #include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
-namespace params = CGAL::parameters;
+namespace params = RL::parameters;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
-int main() {
+int main() try {
   const std::vector<Point> points = {{0, 0, 0},  {0, 0, 1},   // the common edge
                                      {1, 0, 0},  {1, 0, 1},   // first square
                                      {0, 1, 0},  {0, 1, 1},   // second square
@@ -36,7 +37,7 @@ int main() {
   // Sides of triangles that lie along each other, up to a distance, are joined on request. The
   // surface is now a star of three squares; its first eigenvalue above 0 is pi^2 / 4, twice. Across
   // the common edge one of the two eigenfunctions has a kink, which splines only come near to.
-  const auto joined = params::octree_depth(5, params::joining_tolerance(1e-9));
+  const auto joined = params::octree_depth(5).joining_tolerance(1e-9);
   const RL::Laplace_spectrum star = RL::laplace_spectrum(points, triangles, 3, joined);
   std::cout << "joined:   " << star.eigenvalues.transpose() << '\n';
 
@@ -47,4 +48,7 @@ int main() {
       RL::solve_poisson(points, triangles, f, CGAL::make_property_map(u), joined);
   std::cout << "u at the ends of the squares: " << u[2] << ' ' << u[4] << ' ' << u[8] << '\n';
   return report.converged ? 0 : 1;
+} catch(const std::exception& e) {
+  std::cerr << "laplacian_of_soup: " << e.what() << '\n';
+  return 1;
 }

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Matrices of Eigen in, vectors out: a row of V is a vertex, a row of F a triangle. There is no
+// mesh data structure.
+
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+
+#include <CGAL/number_type_config.h>
+#include <CGAL/property_map.h>
+
+#include <Eigen/Core>
+
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <vector>
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = RL::parameters;
+
+// Solves Laplacian u = f, with f and u at the vertices. Rows are a range of points, or triangles.
+Eigen::VectorXd solve(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
+                      const Eigen::VectorXd& f) {
+  Eigen::VectorXd u(V.rows());
+  const RL::Solve_report report =
+      RL::solve_poisson(V.rowwise(), F.rowwise(), CGAL::make_property_map(f.data()),
+                        CGAL::make_property_map(u.data()), params::octree_depth(5));
+  if(!report.converged)
+    throw std::runtime_error("the solver did not converge");
+  return u;
+}
+
+// One implicit step of the heat flow, (M + time S) eta = load, with the matrices in sight. Their
+// rows belong to splines: vertices come in with the load, and out with the values at the end.
+Eigen::VectorXd diffuse(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
+                        const Eigen::VectorXd& f, double time) {
+  const RL::Spline_space_3 space(V.rowwise(), F.rowwise(), params::octree_depth(5));
+  const RL::Operators operators = RL::assemble_operators(space);
+  std::cout << V.rows() << " vertices; S has " << operators.stiffness.rows() << " rows\n";
+
+  const Eigen::VectorXd load =
+      RL::assemble_load(space, RL::index_function(V.rows(), CGAL::make_property_map(f.data())));
+  const RL::Poisson_solver solver = RL::make_poisson_solver(space, operators, 1 / time);
+  Eigen::VectorXd eta;
+  if(!solver.solve(load / time, eta).converged)
+    throw std::runtime_error("the solver did not converge");
+  const std::vector<double> values = RL::Spline_function_3(space, eta).values_at_vertices();
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), V.rows());
+}
+
+int main() {
+  // the unit square, each of n x n squares divided into two triangles
+  const int n = 40;
+  Eigen::MatrixXd V((n + 1) * (n + 1), 3);
+  Eigen::MatrixXi F(2 * n * n, 3);
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      V.row(i * (n + 1) + j) << double(i) / n, double(j) / n, 0;
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j) {
+      const int a = i * (n + 1) + j, b = a + n + 1;
+      F.row(2 * (i * n + j)) << a, b, b + 1;
+      F.row(2 * (i * n + j) + 1) << a, b + 1, a + 1;
+    }
+
+  // an eigenfunction: its Laplacian is -pi^2 f, and it does not change across the boundary
+  const Eigen::VectorXd f = (CGAL_PI * V.col(0).array()).cos();
+  try {
+    const Eigen::VectorXd u = solve(V, F, f);
+    std::cout << "largest error of u: " << (u + f / (CGAL_PI * CGAL_PI)).cwiseAbs().maxCoeff()
+              << '\n';
+    const Eigen::VectorXd g = diffuse(V, F, f, 0.1);
+    std::cout << "largest error after a step: "
+              << (g - f / (1 + 0.1 * CGAL_PI * CGAL_PI)).cwiseAbs().maxCoeff() << '\n';
+  } catch(const std::exception& e) {
+    std::cerr << "eigen_matrices: " << e.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
