@@ -31,14 +31,18 @@ commit=$(git describe --always --dirty --exclude='*' 2>/dev/null || echo unknown
 failed=0
 details= # for the line of the log that comes next
 
-# report TEXT COMMAND...: runs the command, and a line of the log says how it ended
+# report TEXT COMMAND...: runs the command, and a line of the log says how it ended. What cannot be
+# compiled is the end.
 report() {
   local text=$1 result=passed
   echo "=== $text"
   "${@:2}" || result=FAILED
-  [[ $result == passed ]] || failed=1
   echo "$result: $text$details" >>"$log"
   details=
+  if [[ $result == FAILED ]]; then
+    failed=1
+    [[ $text != configuration && $text != compilation* ]] || exit 1
+  fi
 }
 
 # Which headers of the named CGAL belong to which package says a line in each of them.
