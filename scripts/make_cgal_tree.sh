@@ -25,6 +25,7 @@ cgal=$(cd "$1" && pwd)
 licence=${2:-GPL-3.0-or-later}
 name=Restricted_laplacian_3
 title="Laplacian by Restricted Splines"
+prefix=cgal:rl3-
 package=$cgal/$name
 own=$root/test/$name/project/cgal_tree
 
@@ -63,6 +64,30 @@ enter() {
       END { if(!done) print ENVIRON["line"] }' "$list" >"$list.new"
     mv "$list.new" "$list"
   fi
+}
+
+# bibtex FILE: our bibliography, whose entries are paragraphs: key; authors; title; where, beginning with
+# a tag or an address
+bibtex() {
+  awk -v RS= -F'\n' -v prefix="$prefix" '
+    match($1, /\\cgalBibEntry\{[^}]*\}/) {
+      authors = $2
+      sub(/\.$/, "", authors)
+      gsub(/, and /, " and ", authors)
+      gsub(/, /, " and ", authors)
+      title = $3
+      for(i = 4; i <= NF && $i !~ /^(<|http)/; ++i)
+        title = title " " $i
+      sub(/\.$/, "", title)
+      where = ""
+      for(; i <= NF; ++i)
+        where = where (where ? " " : "") $i
+      gsub(/<[^>]*>/, "", where)
+      gsub(/&amp;/, "\\\\\\&", where)
+      print "\n@misc{" prefix substr($1, RSTART + 14, RLENGTH - 15) ","
+      print "  author = {" authors "},\n  title = {{" title "}},\n  note = {" where "}"
+      print "}"
+    }' "$1"
 }
 
 rm -rf "$package"
@@ -105,6 +130,14 @@ cmake_lists Benchmark NO_TESTING
 # CGAL's documentation system has its own layout, and checks of its own.
 cd "$package/doc/$name"
 rm -f -- *.py *.cmake *.awk *.sh *.css *.xml CMakeLists.txt spelling_words.txt
+bibliography=$cgal/Documentation/doc/biblio/cgal_manual.bib
+mkdir -p "${bibliography%/*}"
+if ! grep -qsF "{$prefix" "$bibliography"; then
+  bibtex Bibliography.txt >>"$bibliography"
+fi
+rm Bibliography.txt
+grep -rlE '\\cgal(Cite|PkgBib)\{' "$package/doc" "$package/include" |
+  xargs sed -i -E "s/(\\\\cgal(Cite|PkgBib)\{)/\\1$prefix/g"
 sed -i 's/\\cgalPkgLicense{[^}]*}/\\cgalPkgLicense{\\ref licensesGPL "GPL"}/' PackageDescription.txt
 cat >Doxyfile.in <<END
 @INCLUDE = \${CGAL_DOC_PACKAGE_DEFAULTS}

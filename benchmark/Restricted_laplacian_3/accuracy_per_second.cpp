@@ -335,8 +335,7 @@ Run cotangent_poisson(const Shape& shape, const RL::Triangulated_surface_3& surf
   Eigen::VectorXd f(n), u(n);
   for(Eigen::Index v = 0; v < n; ++v)
     f[v] = shape.laplacian(surface.point(v));
-  Eigen::VectorXd b = -(both.mass * f);
-  b.array() -= b.mean();
+  const Eigen::VectorXd b = poisson_load(both.mass, f);
   run.unknowns = surface.number_of_vertices();
   run.assembly_seconds = watch.lap();
   static_cast<Solver_run&>(run) = solve(both.stiffness, b, u);

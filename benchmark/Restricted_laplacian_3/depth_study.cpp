@@ -126,7 +126,7 @@ public:
 #endif
       if(threads == 1)
         print("cot_amg", 0, threads, [&] {
-          const Hypre_session session;
+          static const Hypre_session session; // of the process
           return cotangent(m_surface, [](const auto& a, const auto& b, auto& u) {
             return solve_by_amg(a, b, 1e-3, u);
           });
@@ -176,8 +176,7 @@ private:
     Eigen::VectorXd f(both.mass.rows());
     for(Eigen::Index v = 0; v < f.size(); ++v)
       f[v] = surface.point(static_cast<std::size_t>(v)).z();
-    Eigen::VectorXd b = -(both.mass * f);
-    b.array() -= b.mean();
+    const Eigen::VectorXd b = poisson_load(both.mass, f);
     result.first.converged = solve(both.stiffness, b, result.second).converged;
     result.first.seconds = watch.lap();
     result.first.unknowns = static_cast<std::size_t>(f.size());

@@ -34,6 +34,14 @@ private:
   double m_begin = 0;
 };
 
+/// \f$ -M (f - \bar f) \f$, with the mean over the surface, so that the sum is 0
+/// \param mass its entries sum to the area
+inline Eigen::VectorXd poisson_load(const CGAL::Restricted_laplacian_3::Sparse_matrix& mass,
+                                    const Eigen::VectorXd& f) {
+  const Eigen::VectorXd areas = mass * Eigen::VectorXd::Ones(f.size());
+  return areas * (areas.dot(f) / areas.sum()) - mass * f;
+}
+
 struct Solver_run {
   double setup_seconds, solve_seconds;
   bool converged;

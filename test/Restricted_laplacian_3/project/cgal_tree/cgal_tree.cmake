@@ -69,6 +69,34 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
+# CGAL keeps the bibliography of all packages in one file: keys have a prefix, and each that is cited is
+# there.
+file(READ "${tree}/Documentation/doc/biblio/cgal_manual.bib" bibliography)
+string(REPLACE ";" "," bibliography "${bibliography}") # no list separator
+file(READ "${ROOT}/doc/${name}/Bibliography.txt" text)
+string(REGEX MATCHALL "\\\\cgalBibEntry{[^\n]*" own_entries "${text}")
+string(CONCAT entry "\n@misc{cgal:rl3-[^\n]*,\n  author = {[^\n]+},\n  title = {{[^\n]+}},\n"
+  "  note = {[^\n]+}\n}")
+string(REGEX MATCHALL "${entry}" entries "${bibliography}")
+list(LENGTH own_entries number_of_own_entries)
+list(LENGTH entries number_of_entries)
+if(NOT number_of_entries EQUAL number_of_own_entries)
+  message(SEND_ERROR "${number_of_entries} entries in place of ${number_of_own_entries}:\n"
+    "${bibliography}")
+endif()
+file(GLOB_RECURSE files "${package}/include/*.h" "${package}/doc/*.txt" "${package}/doc/*.h")
+foreach(file IN LISTS files)
+  file(READ "${file}" text)
+  string(REGEX MATCHALL "\\\\cgal(Cite|PkgBib){[^}]*" citations "${text}")
+  foreach(citation IN LISTS citations)
+    string(REGEX REPLACE ".*{" "" key "${citation}")
+    string(FIND "${bibliography}" "@misc{${key}," position)
+    if(position EQUAL -1)
+      message(SEND_ERROR "${file}: there is no ${key} in the bibliography")
+    endif()
+  endforeach()
+endforeach()
+
 # Who defines CGAL_LICENSE_ERROR is told of the licence, in CGAL's tree and in ours.
 set(include_options "-I${package}/include" "-I${tree}/Installation/include")
 set(cgal_include_dir "")
