@@ -6,7 +6,7 @@
 #
 # usage: awk -f reproduction_agrees_with_results.awk RESULT... Reproduction.txt
 #
-# Above each table of the page a comment names it. A row is known by its first column. All numbers
+# Above each table of the page a comment names it; figures.py makes those whose name begins with paper_. A row is known by its first column. All numbers
 # in the others have to be those that the results have for it, in the same order.
 
 function complain(text) {
@@ -115,34 +115,6 @@ result == "normal_fitting" && $3 ~ /split/ && ($4 == "0" || $4 == "0.05/h^2") {
   screening_rows[row]
 }
 
-# The systems of table 2, and those of fits. Those of the paper are solved by algebraic multigrid
-# alone, the others by conjugate gradients with it.
-
-result == "solver_comparison_paper" && /^# command:/ {
-  is_mass = / --matrix mass/
-  is_paper_space = / --paper/
-  is_screened = / --screening/
-}
-result == "solver_comparison_paper" && !/^#/ && NF == 16 {
-  row = is_paper_space ? "paper's" : "default"
-  if(is_mass) {
-    row = row ", " $5
-    if($7 > 1e-3)
-      expect("fitting", row, $8)
-    expect("fitting", row, $9)
-    expect("fitting", row, $11)
-    expect("fitting", row, $12)
-  } else if($5 ~ /^ours/ || is_paper_space != ($5 ~ /_pcg$/)) {
-    sub(/_.*/, "", $1)
-    row = $1 (is_screened ? "*" : "") ", " $2 ", " row
-    if($5 == "ours")
-      expect("table2", row, $3)
-    expect("table2", row, $8)
-    expect("table2", row, $9)
-    expect("table2", row, $11)
-  }
-}
-
 # The page: what follows from the results read so far.
 
 is_page && FNR == 1 {
@@ -180,7 +152,7 @@ is_page && !/^\|/ && !/^<!--/ {
 is_page && /^\|/ {
   if(table == "")
     complain("a table without a name")
-  if(table == "text")
+  if(table ~ /^(text|paper_)/)
     next
   if(++line_of_table <= 2)
     next
@@ -236,7 +208,7 @@ function check(text, value, mantissa, exponent, unit) {
 }
 
 END {
-  split("dimensions change sphere gradients normals edges cow screening table2 fitting", tables, " ")
+  split("dimensions change sphere gradients normals edges cow screening", tables, " ")
   for(i in tables)
     if(!(tables[i] in checked))
       complain("found no table " tables[i])
