@@ -71,7 +71,7 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("pattern", po::bool_switch(&o.pattern),
       "a pattern of waves in place of the colors of MESH; always if it has none");
   add("exposure-range",
-      po::value(&o.exposure_range)->value_name("E")->default_value(o.exposure_range),
+      po::value(&o.exposure_range)->value_name("E")->default_value(o.exposure_range, "0.3"),
       "the largest exposure is 1, and 1 + E times the smallest one; they are spread evenly, in an "
       "order that depends on --seed");
   add("exposures", po::value(&o.exposures)->value_name("X,..."),
@@ -89,7 +89,7 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("seed", po::value(&o.seed)->value_name("N")->default_value(o.seed),
       "seed of everything random");
   add("quiet", po::bool_switch(&o.quiet), "print errors only");
-  add("help", "print this text");
+  add_help_options(general);
   po::options_description all(help_width), arguments;
   all.add(cameras).add(light).add(general);
   arguments.add_options()("mesh", po::value(&o.mesh))("folder", po::value(&o.folder));
@@ -174,7 +174,7 @@ int main(int argc, char* argv[]) {
     Options o;
     if(!read_options(argc, argv, o))
       return success;
-    const Progress progress(o.quiet);
+    const Progress progress(o.quiet, false);
     progress.show("reading " + o.mesh);
     const RL::Triangulated_surface_3 surface = read_mesh(o.mesh).surface;
     const std::vector<Color> colors =
@@ -182,13 +182,20 @@ int main(int argc, char* argv[]) {
     require(colors.size() == surface.number_of_vertices(), "not every vertex has a color");
     const std::vector<Lighting> lighting = lightings(o);
 
+    std::error_code error;
+    std::filesystem::create_directories(o.folder, error);
+    require(!error, "cannot make the folder '" + o.folder + "'");
+    const std::filesystem::path folder(o.folder);
+    check_output("FOLDER", (folder / "poses.conf").string());
+
     const Virtual_scanner scanner(surface, colors);
     const std::vector<Camera> cameras =
         cameras_around(surface, o.views, o.field_of_view * CGAL_PI / 180, o.resolution);
     std::vector<Virtual_scan> scans;
     std::vector<std::pair<std::string, RL::Scan_pose>> poses;
+    const auto of_scans = progress.step("taking " + std::to_string(o.views) + " scans");
     for(int i = 0; i < o.views; ++i) {
-      progress.show("scan " + std::to_string(i + 1) + " of " + std::to_string(o.views));
+      of_scans(static_cast<double>(i) / o.views);
       scans.push_back(scanner.scan(cameras[i], lighting[i], o.points, o.noise,
                                    static_cast<std::uint64_t>(o.seed + i)));
       std::ostringstream name;
@@ -197,10 +204,6 @@ int main(int argc, char* argv[]) {
     }
 
     progress.show("writing the scans");
-    std::error_code error;
-    std::filesystem::create_directories(o.folder, error);
-    require(!error, "cannot make the folder '" + o.folder + "'");
-    const std::filesystem::path folder(o.folder);
     for(std::size_t i = 0; i < scans.size(); ++i)
       write_mesh((folder / poses[i].first).string(), scans[i].surface, scans[i].colors);
     write_mesh((folder / "truth.ply").string(), surface, colors);

@@ -10,6 +10,10 @@
 #include "../examples/Restricted_laplacian_3/support/vertex_data.h"
 #include "picture.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,11 +23,16 @@ const Help help = {"draw_mesh MESH PICTURE [OPTION]...", R"(
 Draws a mesh in the colors of its vertices, or in gray if it has none.
 
 MESH is a file of one of the formats off, obj, ply, stl and ts, or points with normals, as
-the programs read them. PICTURE is a PNG file. The mesh is seen from the front, somewhat
-from above and from the right, in parallel projection.
+the programs read them. PICTURE is a PNG file (.png). The mesh is seen from the front,
+somewhat from above and from the right, in parallel projection.
+
+Values are linear in each face. Level lines are those of a spline if the program that wrote
+MESH was given --refine, which divides large faces.
 )",
                    R"(  draw_mesh u.ply u.png --isolines 20
       what a program wrote to u.ply with --output, with level lines
+  draw_mesh u.ply below.png --property value --range -0.1,0.1 --view 0,-1,0.5
+      values in colors of a given range, with a legend, seen from below
   draw_mesh gaussian.ply gaussian.png --property gaussian
       a property, in colors of its own
 )",
@@ -33,23 +42,51 @@ from above and from the right, in parallel projection.
 
 struct Options {
   std::string mesh, picture, property, up = "y";
+  std::vector<double> view, range; // empty if they are not given
   int isolines = 0, size = 1000;
+  bool no_legend = false;
 };
+
+// `number` numbers between commas
+std::vector<double> numbers(const std::string& option, const std::string& text,
+                            std::size_t number) {
+  std::vector<double> result;
+  std::istringstream list(text);
+  for(std::string word; std::getline(list, word, ',');) {
+    std::istringstream in(word);
+    double x = 0;
+    require(static_cast<bool>(in >> x) && in.eof() && std::isfinite(x),
+            "'" + word + "' in the argument of --" + option + " is not a number");
+    result.push_back(x);
+  }
+  require(result.size() == number, "the argument of --" + option + " must be " +
+                                       std::to_string(number) + " numbers between commas");
+  return result;
+}
 
 // returns false if there is nothing more to do
 bool read_options(int argc, char* argv[], Options& o) {
+  std::string view, range;
   po::options_description options("Picture", help_width), all(help_width), arguments;
   auto add = options.add_options();
   add("property", po::value(&o.property)->value_name("NAME"),
       "show the values of a vertex property of MESH, a PLY file: from blue by white (0) to red if "
-      "there are both signs, else from dark violet (smallest) to yellow; gray is no value");
+      "there are both signs, else from dark violet (smallest) to yellow; gray is no value. A "
+      "legend "
+      "tells which color is which value");
+  add("range", po::value(&range)->value_name("LOW,HIGH"),
+      "colors of --property are those of values from LOW to HIGH; by default from the smallest to "
+      "the largest value");
+  add("no-legend", po::bool_switch(&o.no_legend), "leave out the legend");
   add("isolines", po::value(&o.isolines)->value_name("N")->default_value(o.isolines),
       "draw level lines of --property, or of the property value, that divide the range of values "
       "into about N bands");
+  add("view", po::value(&view)->value_name("X,Y,Z"),
+      "see the mesh from this direction, for example 0,0,1");
   add("up", po::value(&o.up)->value_name("y|z")->default_value(o.up), "the axis that points up");
   add("size", po::value(&o.size)->value_name("N")->default_value(o.size),
-      "pixels of the longer side");
-  add("help", "print this text");
+      "pixels of the longer side, without the legend");
+  add_help_options(options);
   all.add(options);
   arguments.add_options()("mesh", po::value(&o.mesh))("picture", po::value(&o.picture));
   po::positional_options_description positional;
@@ -63,6 +100,17 @@ bool read_options(int argc, char* argv[], Options& o) {
   require_choice("up", o.up, {"y", "z"});
   require(o.size >= 100 && o.size <= 10000,
           "the argument of --size must lie between 100 and 10000");
+  if(given.count("view") > 0) {
+    o.view = numbers("view", view, 3);
+    require(std::any_of(o.view.begin(), o.view.end(), [](double x) { return x != 0; }),
+            "the argument of --view must not be 0,0,0");
+  }
+  if(given.count("range") > 0) {
+    require(!o.property.empty(), "--range needs --property");
+    o.range = numbers("range", range, 2);
+    require(o.range[0] < o.range[1], "the argument of --range must be LOW,HIGH with LOW < HIGH");
+  }
+  check_output("PICTURE", o.picture, {".png"});
   return true;
 }
 
@@ -76,12 +124,22 @@ int main(int argc, char* argv[]) {
     std::vector<double> values(number, 0.);
     if(!o.property.empty() || o.isolines > 0)
       values = read_ply_property(o.mesh, o.property.empty() ? "value" : o.property);
-    const std::vector<Color> colors = !o.property.empty() ? value_colors(values)
+    Picture_options picture;
+    picture.z_is_up = o.up == "z";
+    picture.isolines = o.isolines;
+    picture.size = o.size;
+    if(!o.view.empty())
+      picture.from = RL::Vector_3(o.view[0], o.view[1], o.view[2]);
+    const Color_scale scale =
+        o.range.empty() ? Color_scale(Value_range(values)) : Color_scale(o.range[0], o.range[1]);
+    if(!o.property.empty() && !o.no_legend)
+      picture.legend = scale;
+    const std::vector<Color> colors = !o.property.empty() ? scale.colors(values)
                                       : has_colors(o.mesh)
                                           ? read_colors(o.mesh)
                                           : std::vector<Color>(number, {0.8, 0.8, 0.8});
     require(values.size() == number && colors.size() == number, "not every vertex has a value");
-    write_picture(o.picture, surface, colors, values, {o.up == "z", o.isolines, o.size});
+    write_picture(o.picture, surface, colors, values, picture);
     return success;
   });
 }

@@ -5,7 +5,8 @@
 #define RESTRICTED_LAPLACIAN_3_TOOLS_PICTURE_H
 
 // Draws a mesh, or points, with a color per vertex into a PNG file: parallel projection, a
-// z-buffer, smooth shading except across sharp edges, and each pixel the mean of 2 x 2.
+// z-buffer, smooth shading except across sharp edges, and each pixel the mean of 2 x 2; beside it a
+// bar with the colors of values.
 
 #include "../examples/Restricted_laplacian_3/support/color_map.h"
 #include "../examples/Restricted_laplacian_3/support/program.h"
@@ -20,17 +21,22 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iomanip>
 #include <ios>
 #include <limits>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace examples {
 
 struct Picture_options {
-  bool z_is_up = false; // else y
-  int isolines = 0;     // level lines divide the range of values into about that many bands
-  int size = 1000;      // pixels of the longer side
+  bool z_is_up = false;                  // else y
+  std::optional<RL::Vector_3> from = {}; // where the viewer stands; else to the right and above
+  int isolines = 0; // level lines divide the range of values into about that many bands
+  int size = 1000;  // pixels of the longer side of what is shown
+  std::optional<Color_scale> legend = {};
 };
 
 namespace internal {
@@ -43,17 +49,22 @@ inline Vector unit(const Vector& v) {
 }
 
 // Coordinates of the picture: x to the right, y up, z towards the viewer, who stands to the right
-// of the front and somewhat above it.
+// of the front and somewhat above it, unless told otherwise.
 class View {
 public:
-  explicit View(bool z_is_up) {
+  explicit View(const Picture_options& options) {
     const Vector right(1, 0, 0);
-    const Vector up = z_is_up ? Vector(0, 0, 1) : Vector(0, 1, 0);
-    const Vector front = z_is_up ? Vector(0, -1, 0) : Vector(0, 0, 1);
+    const Vector up = options.z_is_up ? Vector(0, 0, 1) : Vector(0, 1, 0);
+    const Vector front = options.z_is_up ? Vector(0, -1, 0) : Vector(0, 0, 1);
     const double azimuth = CGAL_PI / 6, elevation = CGAL_PI / 12;
-    m_z = std::cos(elevation) * (std::cos(azimuth) * front + std::sin(azimuth) * right) +
-          std::sin(elevation) * up;
-    m_x = unit(CGAL::cross_product(up, m_z));
+    m_z = options.from
+              ? unit(*options.from)
+              : std::cos(elevation) * (std::cos(azimuth) * front + std::sin(azimuth) * right) +
+                    std::sin(elevation) * up;
+    // from straight above or below the front is at the bottom of the picture
+    constexpr double smallest_sine = 1e-6;
+    m_x = CGAL::cross_product(up, m_z);
+    m_x = m_x.squared_length() > smallest_sine * smallest_sine ? unit(m_x) : right;
     m_y = CGAL::cross_product(m_z, m_x);
   }
   Vector operator()(const Vector& v) const { return {m_x * v, m_y * v, m_z * v}; }
@@ -117,6 +128,13 @@ public:
           m_color[pixel][k] =
               brightness * paint * (u * t[0].color[k] + v * t[1].color[k] + w * t[2].color[k]);
       }
+  }
+
+  // Fills a rectangle; `color` is in linear light.
+  void fill(int left, int bottom, int right, int top, const Color& color) {
+    for(int y = std::max(bottom, 0); y < std::min(top, m_height); ++y)
+      for(int x = std::max(left, 0); x < std::min(right, m_width); ++x)
+        m_color[static_cast<std::size_t>(y) * m_width + x] = color;
   }
 
   // Writes the image, reduced by `factor` in both directions.
@@ -211,6 +229,102 @@ inline std::vector<RL::Point_3> disc(const RL::Triangulated_surface_3& surface, 
   return corners;
 }
 
+// What numbers are written with, seven rows of five dots each, from above.
+struct Glyph {
+  char character;
+  std::array<const char*, 7> rows;
+};
+constexpr int glyph_width = 5, glyph_height = 7;
+constexpr std::array<Glyph, 14> glyphs = {{
+    {'0', {" ### ", "#   #", "#  ##", "# # #", "##  #", "#   #", " ### "}},
+    {'1', {"  #  ", " ##  ", "  #  ", "  #  ", "  #  ", "  #  ", " ### "}},
+    {'2', {" ### ", "#   #", "    #", "   # ", "  #  ", " #   ", "#####"}},
+    {'3', {"#####", "   # ", "  #  ", "   # ", "    #", "#   #", " ### "}},
+    {'4', {"   # ", "  ## ", " # # ", "#  # ", "#####", "   # ", "   # "}},
+    {'5', {"#####", "#    ", "#### ", "    #", "    #", "#   #", " ### "}},
+    {'6', {"  ## ", " #   ", "#    ", "#### ", "#   #", "#   #", " ### "}},
+    {'7', {"#####", "    #", "   # ", "  #  ", " #   ", " #   ", " #   "}},
+    {'8', {" ### ", "#   #", "#   #", " ### ", "#   #", "#   #", " ### "}},
+    {'9', {" ### ", "#   #", "#   #", " ####", "    #", "   # ", " ##  "}},
+    {'-', {"     ", "     ", "     ", "#####", "     ", "     ", "     "}},
+    {'+', {"     ", "  #  ", "  #  ", "#####", "  #  ", "  #  ", "     "}},
+    {'.', {"     ", "     ", "     ", "     ", "     ", " ##  ", " ##  "}},
+    {'e', {"     ", "     ", " ### ", "#   #", "#####", "#    ", " ### "}},
+}};
+
+inline std::string number_text(double x) {
+  std::ostringstream text;
+  text << std::setprecision(4) << x;
+  return text.str();
+}
+
+// Writes a number whose lower left corner is given, with dots of `dot` pixels.
+inline void draw_number(Canvas& canvas, int left, int bottom, int dot, const std::string& text) {
+  for(const char c : text) {
+    for(const Glyph& glyph : glyphs)
+      for(int row = 0; row < glyph_height && glyph.character == c; ++row)
+        for(int column = 0; column < glyph_width; ++column) {
+          const int x = left + dot * column, y = bottom + dot * (glyph_height - 1 - row);
+          if(glyph.rows[static_cast<std::size_t>(row)][column] == '#')
+            canvas.fill(x, y, x + dot, y + dot, {0, 0, 0});
+        }
+    left += dot * (glyph_width + 1);
+  }
+}
+
+// The bar of a color scale, with its ends, and 0 if that lies between them.
+class Legend {
+public:
+  // \param size pixels of the longer side of the picture
+  Legend(const Color_scale& scale, int size)
+    : m_scale(scale), m_dot(std::max(1, size / 400)), m_bar_width(size / 40) {
+    const double low = scale.low(), high = scale.high();
+    m_marks = {low};
+    if(low < 0 && high > 0)
+      m_marks.push_back(0);
+    if(high > low)
+      m_marks.push_back(high);
+  }
+
+  int width() const {
+    std::size_t longest = 0;
+    for(const double mark : m_marks)
+      longest = std::max(longest, number_text(mark).size());
+    return 2 * m_bar_width + static_cast<int>(longest) * m_dot * (glyph_width + 1);
+  }
+
+  // draws the bar from `left` on, between two heights
+  void draw(Canvas& canvas, int left, int bottom, int top) const {
+    const int right = left + m_bar_width, text = m_dot * glyph_height, length = top - bottom;
+    canvas.fill(left - m_dot, bottom - m_dot, right + m_dot, top + m_dot, {0, 0, 0});
+    for(int y = bottom; y < top; ++y) {
+      Color color = m_scale(value_at((y - bottom + 0.5) / length));
+      for(double& component : color)
+        component = RL::srgb_to_linear(component);
+      canvas.fill(left, y, right, y + 1, color);
+    }
+    int last = std::numeric_limits<int>::min();
+    for(const double mark : m_marks) {
+      const double t = mark == m_scale.low() ? 0 : mark == m_scale.high() ? 1 : place_of(mark);
+      const int y = bottom + static_cast<int>(std::lround(t * (length - text)));
+      const bool is_end = t == 0 || t == 1;
+      // numbers do not overlap; the ends matter more
+      if(!is_end && (y < last + 2 * text || y > top - 3 * text))
+        continue;
+      draw_number(canvas, right + m_bar_width / 2, y, m_dot, number_text(mark));
+      last = y;
+    }
+  }
+
+private:
+  double value_at(double t) const { return m_scale.low() + t * (m_scale.high() - m_scale.low()); }
+  double place_of(double x) const { return (x - m_scale.low()) / (m_scale.high() - m_scale.low()); }
+
+  Color_scale m_scale;
+  int m_dot, m_bar_width; // in pixels
+  std::vector<double> m_marks;
+};
+
 } // namespace internal
 
 // Draws a surface with one color and one value for each vertex; the values serve the level lines
@@ -220,7 +334,7 @@ inline void write_picture(const std::string& file, const RL::Triangulated_surfac
                           const Picture_options& options) {
   using internal::Vector;
   constexpr int samples = 2; // along each side of a pixel
-  const internal::View view(options.z_is_up);
+  const internal::View view(options);
   const double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> low = {infinity, infinity}, high = {-infinity, -infinity};
   std::vector<Vector> positions(surface.number_of_vertices());
@@ -238,7 +352,11 @@ inline void write_picture(const std::string& file, const RL::Triangulated_surfac
     const double length = std::ceil(scale * (high[axis] - low[axis]) / samples);
     return samples * (static_cast<int>(length) + 2 * margin);
   };
-  internal::Canvas canvas(side(0), side(1));
+  std::optional<internal::Legend> legend;
+  if(options.legend)
+    legend.emplace(*options.legend, samples * options.size);
+  const int width = side(0), height = side(1);
+  internal::Canvas canvas(width + (legend ? samples * (legend->width() / samples) : 0), height);
   const Vector origin(low[0], low[1], 0);
   const Vector offset(samples * margin, samples * margin, 0);
 
@@ -269,6 +387,8 @@ inline void write_picture(const std::string& file, const RL::Triangulated_surfac
     for(std::size_t i = 2; i < corners.size(); ++i)
       canvas.draw({corners[0], corners[i - 1], corners[i]}, 0); // a disc has one value
   }
+  if(legend)
+    legend->draw(canvas, width, height / 4, height - height / 4);
   canvas.write(file, samples);
 }
 

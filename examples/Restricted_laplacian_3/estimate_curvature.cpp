@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -70,7 +71,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       .add(point_options(o, o))
       .add(solver_options(o, "default 0.01"))
       .add(colors)
-      .add(output_options(o, "vertex, mean, gaussian", "the properties mean and gaussian"))
+      .add(spline_output_options(o, "vertex, mean, gaussian", "the properties mean and gaussian"))
       .add(general_options(o));
 
   if(!parse_command_line(argc, argv, help, all, o, given))
@@ -91,15 +92,26 @@ RL::Curvature_method method(const Options& o) {
                                       : RL::Curvature_method::coordinates;
 }
 
+// a row for each point: mean and Gaussian curvature
+Eigen::MatrixXd table(const std::vector<RL::Surface_curvature>& curvatures) {
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(curvatures.size()), 2);
+  Eigen::Index row = 0;
+  for(const RL::Surface_curvature& c : curvatures)
+    result.row(row++) << c.mean, c.gaussian;
+  return result;
+}
+
 Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
                  const Progress& progress) {
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
+  const auto owned_space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  const RL::Spline_space_3& space = *owned_space;
   const double space_seconds = timer.time();
 
-  progress.show("fitting by " + std::to_string(space.dimension()) + " unknowns");
+  const auto of_fit =
+      progress.step("fitting by " + std::to_string(space.dimension()) + " unknowns");
   const double h = space.octree().cell_width(space.depth());
   const double stabilization =
       o.stabilization < 0 ? RL::default_curvature_stabilization : o.stabilization;
@@ -108,27 +120,38 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
                       .normal_stabilization(stabilization)
                       .concurrency_tag(CGAL::Parallel_if_available_tag());
   const RL::Curvature_field field = assemble_with(space, o, [&](const auto& integration) {
-    return o.smoothing < 0 ? RL::estimate_curvature(space, integration, np)
-                           : RL::estimate_curvature(space, integration,
-                                                    np.smoothing_weight(o.smoothing * h * h));
+    return o.smoothing < 0
+               ? RL::estimate_curvature(space, integration, np.callback(of_fit))
+               : RL::estimate_curvature(space, integration,
+                                        np.smoothing_weight(o.smoothing * h * h).callback(of_fit));
   });
-  const std::vector<RL::Surface_curvature> curvatures = field.at_vertices();
-
   const RL::Fit_report& report = field.report();
-  add_space(summary, space);
+  add_space(summary, space, "each component is fitted on its own");
   add_solve(summary, report, space_seconds, report.assembly_seconds);
   if(!report.root_mean_square_errors.empty())
-    summary.add("rms_error_of_normals", report.root_mean_square_error());
+    summary.add_detail("rms_error_of_normals", report.root_mean_square_error());
 
   Outcome result;
   result.names = {"mean", "gaussian"};
-  result.values.resize(static_cast<Eigen::Index>(curvatures.size()), 2);
-  std::vector<double> shown;
-  for(const RL::Surface_curvature& c : curvatures) {
-    result.values.row(static_cast<Eigen::Index>(shown.size())) << c.mean, c.gaussian;
-    shown.push_back(o.show == "mean" ? c.mean : c.gaussian);
+  result.values = table(field.at_vertices());
+  for(Eigen::Index k = 0; k < 2; ++k) {
+    const Value_range range(result.values.col(k));
+    const std::string& name = result.names[static_cast<std::size_t>(k)];
+    if(k == 0 || o.method != "coordinates") {
+      summary.add(name + "_minimum", range.low);
+      summary.add(name + "_maximum", range.high);
+    }
   }
-  result.colors = clipped_colors(shown, o.clip / 100);
+  const Eigen::Index shown = o.show == "mean" ? 0 : 1;
+  const auto column = result.values.col(shown);
+  const Color_scale scale = clipped_scale({column.begin(), column.end()}, o.clip / 100);
+  result.paint = [scale, shown](const Eigen::MatrixXd& values) {
+    return scale.colors(values.col(shown));
+  };
+  result.cell_width = h;
+  result.values_at = [owned_space, field](const std::vector<RL::Surface_location>& locations) {
+    return table(field.at_locations(locations));
+  };
   if(!report.converged)
     result.failure = ": the residual is " + std::to_string(report.relative_residual);
   return result;

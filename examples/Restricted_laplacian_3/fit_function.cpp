@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -75,8 +76,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       .add(integration_options(o))
       .add(point_options(o, o))
       .add(solver_options(o, "by default it is chosen for each function: small for smooth ones"))
-      .add(output_options(o, "vertex and, for each function, fit_NAME",
-                          "a property fit_NAME for each function"))
+      .add(spline_output_options(o, "vertex and, for each function, fit_NAME",
+                                 "a property fit_NAME for each function"))
       .add(general_options(o));
 
   if(!parse_command_line(argc, argv, help, all, o, given))
@@ -141,18 +142,22 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 // Three functions take hardly longer together than one of them; others are fitted one by one.
 template <class Integration>
 RL::Function_fit fit_all(const RL::Spline_space_3& space, const Integration& integration,
-                         const RL::Function_fit_options& options, const Functions& functions) {
+                         const RL::Function_fit_options& options, const Functions& functions,
+                         const Progress& progress) {
   RL::Function_fitter fitter(space, integration, options);
   const auto& values = functions.values;
+  const std::string by = " by " + std::to_string(space.dimension()) + " unknowns";
   if(values.size() == 3) {
     std::vector<RL::Vector_3> vectors;
     for(std::size_t v = 0; v < values[0].size(); ++v)
       vectors.emplace_back(values[0][v], values[1][v], values[2][v]);
-    return fitter.fit(RL::Linear_surface_function<RL::Vector_3>(std::move(vectors)));
+    return fitter.fit(RL::Linear_surface_function<RL::Vector_3>(std::move(vectors)),
+                      progress.step("fitting" + by));
   }
   RL::Function_fit result;
-  for(const std::vector<double>& function : values)
-    append(result, fitter.fit(RL::Linear_surface_function<double>(function)));
+  for(std::size_t k = 0; k < values.size(); ++k)
+    append(result, fitter.fit(RL::Linear_surface_function<double>(values[k]),
+                              progress.step("fitting " + functions.names[k] + by)));
   return result;
 }
 
@@ -177,10 +182,10 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
+  const auto owned_space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  const RL::Spline_space_3& space = *owned_space;
   const double space_seconds = timer.time();
 
-  progress.show("fitting by " + std::to_string(space.dimension()) + " unknowns");
   const double h = space.octree().cell_width(space.depth());
   RL::Function_fit_options options;
   options.smoothing_weight = o.smoothing * h * h;
@@ -190,13 +195,13 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   if(o.stabilization >= 0)
     options.normal_stabilization = o.stabilization;
   const RL::Function_fit fit = assemble_with(space, o, [&](const auto& integration) {
-    return fit_all(space, integration, options, functions);
+    return fit_all(space, integration, options, functions, progress);
   });
 
-  add_space(summary, space);
+  add_space(summary, space, "each component is fitted on its own");
   add_solve(summary, fit, space_seconds, fit.assembly_seconds);
   for(std::size_t k = 0; k < functions.names.size(); ++k)
-    summary.add("stabilization_" + functions.names[k], fit.normal_stabilizations[k]);
+    summary.add_detail("stabilization_" + functions.names[k], fit.normal_stabilizations[k]);
   summary.add("rms_error", fit.root_mean_square_error());
 
   Outcome result;
@@ -204,7 +209,8 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   for(const std::string& name : functions.names)
     result.names.push_back("fit_" + name);
   result.values = RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
-  result.colors = colors(o, result.values);
+  result.paint = [&o](const Eigen::MatrixXd& u) { return colors(o, u); };
+  result.set_splines(owned_space, fit.coefficients);
   if(!fit.converged)
     result.failure = ": the residual is " + std::to_string(fit.relative_residual);
   return result;

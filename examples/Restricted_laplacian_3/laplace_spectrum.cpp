@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -72,7 +73,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       .add(space_options(o))
       .add(integration_options(o))
       .add(point_options(o, o))
-      .add(output_options(o, "index, eigenvalue", "the property value, the eigenfunction"))
+      .add(spline_output_options(o, "index, eigenvalue", "the property value, the eigenfunction"))
       .add(general_options(o));
 
   if(!parse_command_line(argc, argv, help, all, o, given))
@@ -80,6 +81,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(o.count > 0, "the argument of --count must be positive");
   require_choice("operator", o.operator_name, {"restricted", "cotangent"});
   require_choice("mass", o.mass, {"lumped", "full"});
+  require(o.refine == 0 || o.operator_name == "restricted", "--refine needs --operator restricted");
   require(given["mass"].defaulted() || o.operator_name == "cotangent",
           "--mass needs --operator cotangent");
   check_eigensolver_options(o, given, o.space.paper_space);
@@ -90,26 +92,29 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   return true;
 }
 
-// Each of these two returns the eigenvalues that were found, and sets `u` to the eigenfunction that
-// the options ask for, at the vertices.
+// Each of these two returns the eigenvalues that were found, and sets `result` to the eigenfunction
+// that the options ask for.
 RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const Options& o,
-                                std::vector<double>& u, Summary& summary,
-                                const Progress& progress) {
+                                Outcome& result, Summary& summary, const Progress& progress) {
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
-  add_space(summary, space);
-  summary.add("setup_seconds", timer.time());
+  const auto space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  add_spectral_space(summary, *space);
+  summary.add_detail("setup_seconds", timer.time());
 
-  RL::Eigenpairs pairs = solve_spectrum(space, o.count, o, o, summary, progress).pairs;
-  if(o.eigenfunction < pairs.values.size())
-    u = RL::Spline_function_3(space, pairs.vectors.col(o.eigenfunction)).values_at_vertices();
+  RL::Eigenpairs pairs = solve_spectrum(*space, o.count, o, o, summary, progress).pairs;
+  if(o.eigenfunction < pairs.values.size()) {
+    const Eigen::VectorXd u = pairs.vectors.col(o.eigenfunction);
+    result = outcome(RL::Spline_function_3(*space, u).values_at_vertices());
+    result.set_splines(space, u);
+  }
   return pairs;
 }
 
 RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const Options& o,
-                               std::vector<double>& u, Summary& summary, const Progress& progress) {
+                               Outcome& result, Summary& summary, const Progress& progress) {
+  require(!surface.is_point_set(), "--operator cotangent needs a mesh with triangles, not points");
   summary.add("dimension", surface.number_of_vertices());
   CGAL::Real_timer timer;
   timer.start();
@@ -117,18 +122,22 @@ RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const 
   const RL::Operators operators = RL::cotangent_operators(surface, o.mass == "lumped");
   const double assembly_seconds = timer.time();
 
-  progress.show("computing eigenvalues of " + std::to_string(operators.stiffness.rows()) +
-                " unknowns");
-  RL::Eigenpairs pairs = RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count);
-  summary.add("assembly_seconds", assembly_seconds);
-  summary.add("solve_seconds", timer.time() - assembly_seconds);
-  summary.add("iterations", pairs.iterations);
-  summary.add("relative_residual", pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
+  RL::Eigenpairs_options options;
+  options.callback = progress.step("computing eigenvalues of " +
+                                   std::to_string(operators.stiffness.rows()) + " unknowns");
+  RL::Eigenpairs pairs =
+      RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count, options);
+  summary.add_detail("assembly_seconds", assembly_seconds);
+  summary.add_detail("solve_seconds", timer.time() - assembly_seconds);
+  summary.add_detail("iterations", pairs.iterations);
+  summary.add_detail("relative_residual", pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
+  std::vector<double> u(surface.number_of_vertices(), std::nan(""));
   if(o.eigenfunction < pairs.values.size())
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       if(!surface.is_degenerate(f))
         for(const std::uint32_t vertex : surface.triangle(f))
           u[vertex] = pairs.vectors(vertex, o.eigenfunction);
+  result = outcome(u);
   return pairs;
 }
 
@@ -144,12 +153,12 @@ void print_eigenvalues(std::ostream& out, const Eigen::VectorXd& values) {
 
 Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
               const Progress& progress) {
-  std::vector<double> u(surface.number_of_vertices(), std::nan(""));
+  // no eigenfunction, unless it is found
+  Outcome result = outcome(std::vector<double>(surface.number_of_vertices(), std::nan("")));
   const RL::Eigenpairs pairs = o.operator_name == "restricted"
-                                   ? solve_restricted(surface, o, u, summary, progress)
-                                   : solve_cotangent(surface, o, u, summary, progress);
+                                   ? solve_restricted(surface, o, result, summary, progress)
+                                   : solve_cotangent(surface, o, result, summary, progress);
   const Eigen::VectorXd eigenvalues = pairs.values;
-  Outcome result = outcome(u);
   result.write_table = [=](const std::string& file, const Summary& lines) {
     write_csv(file, lines, "index", {"eigenvalue"}, eigenvalues);
   };

@@ -26,9 +26,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
+#include <memory>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace examples;
@@ -81,7 +81,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       .add(integration_options(o))
       .add(point_options(o, o))
       .add(solver)
-      .add(output_options(o, "vertex, value", "the property value"))
+      .add(spline_output_options(o, "vertex, value", "the property value"))
       .add(general_options(o));
 
   if(!parse_command_line(argc, argv, help, all, o, given))
@@ -126,29 +126,35 @@ std::vector<double> right_hand_side(const RL::Triangulated_surface_3& surface, c
 // face of positive area are not on the surface, and f may be anything there.
 double surface_mean(const RL::Triangulated_surface_3& surface, const std::vector<double>& f) {
   double sum = 0;
-  for(std::size_t i = 0; i < surface.number_of_faces(); ++i) {
-    if(surface.is_degenerate(i))
-      continue;
-    for(const std::uint32_t vertex : surface.triangle(i)) {
-      if(!std::isfinite(f[vertex]))
+  for(std::size_t i = 0; i < surface.number_of_faces(); ++i)
+    if(!surface.is_degenerate(i))
+      for(const std::uint32_t vertex : surface.triangle(i))
+        sum += surface.area(i) * f[vertex] / 3;
+  return sum / surface.area();
+}
+
+void check_right_hand_side(const RL::Triangulated_surface_3& surface,
+                           const std::vector<double>& f) {
+  for(std::size_t i = 0; i < surface.number_of_faces(); ++i)
+    for(const std::uint32_t vertex : surface.triangle(i))
+      if(!surface.is_degenerate(i) && !std::isfinite(f[vertex]))
         throw Error("the right-hand side is not a finite number at vertex " +
                     std::to_string(vertex));
-      sum += surface.area(i) * f[vertex] / 3;
-    }
-  }
-  return sum / surface.area();
 }
 
 Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
               const Progress& progress) {
   std::vector<double> f = right_hand_side(surface, o);
+  check_right_hand_side(surface, f);
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
+  const auto owned_space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  const RL::Spline_space_3& space = *owned_space;
   const double space_seconds = timer.time();
 
-  progress.show("assembling " + std::to_string(space.dimension()) + " unknowns");
+  const auto of_setup =
+      progress.step("assembling " + std::to_string(space.dimension()) + " unknowns");
   const double mean = surface_mean(surface, f);
   for(double& value : f)
     value -= mean;
@@ -163,24 +169,32 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
   const RL::Poisson_solver solver = assemble_with(space, o, [&](const auto& integration) {
     load = RL::assemble_load(space, RL::Linear_surface_function<double>(f), space.depth(),
                              integration);
-    return RL::make_poisson_solver(space, o.alpha / surface.area(), integration,
-                                   parameters.concurrency_tag(CGAL::Parallel_if_available_tag()));
+    return RL::make_poisson_solver(
+        space, o.alpha / surface.area(), integration,
+        parameters.concurrency_tag(CGAL::Parallel_if_available_tag()).callback(of_setup));
   });
   const double assembly_seconds = timer.time() - space_seconds - solver.setup_seconds();
 
   // The Laplacian is minus the stiffness matrix.
-  progress.show("solving");
   if(o.alpha == 0)
     load = -load;
   Eigen::VectorXd coefficients;
-  const RL::Solve_report report = solver.solve(load, coefficients);
+  const RL::Solve_report report =
+      solver.solve(load, coefficients, o.tolerance, progress.step("solving"));
 
-  add_space(summary, space);
+  add_space(summary, space,
+            o.alpha == 0 ? "on each component f and u have mean 0"
+                         : "components do not influence each other");
   if(o.alpha == 0 && !space.is_paper_space())
-    summary.add("kernel_dimension", solver.kernel_dimension());
+    summary.add_detail("kernel_dimension", solver.kernel_dimension());
   add_solve(summary, report, space_seconds, assembly_seconds);
-  Outcome result =
-      outcome(RL::Spline_function_3(space, std::move(coefficients)).values_at_vertices());
+  const std::vector<double> u = RL::Spline_function_3(space, coefficients).values_at_vertices();
+  const Value_range range(u);
+  summary.add("minimum", range.low);
+  summary.add("maximum", range.high);
+  summary.add("mean", surface_mean(surface, u));
+  Outcome result = outcome(u);
+  result.set_splines(owned_space, coefficients);
   if(!report.converged)
     result.failure = ": " + std::to_string(report.iterations) +
                      " iterations left the relative residual above the tolerance";

@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <iostream>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -117,8 +118,8 @@ bool read_options(int argc, char* argv[], Options& o) {
       .add(eigensolver_options(o))
       .add(space_options(o))
       .add(integration_options(o))
-      .add(output_options(o, "vertex and those of the descriptor, or index, shape_dna",
-                          "the property value, one column of the descriptor"))
+      .add(spline_output_options(o, "vertex and those of the descriptor, or index, shape_dna",
+                                 "the property value, one column of the descriptor"))
       .add(general_options(o));
 
   po::variables_map given;
@@ -148,23 +149,27 @@ bool read_options(int argc, char* argv[], Options& o) {
   return true;
 }
 
+struct Spectrum : RL::Laplace_spectrum {
+  std::shared_ptr<const RL::Spline_space_3> space;
+};
+
 // The spectrum of a surface, with eigenfunctions at the vertices if the descriptor needs them.
-RL::Laplace_spectrum spectrum_of(const RL::Triangulated_surface_3& surface, const Options& o,
-                                 Summary& summary, const Progress& progress) {
+Spectrum spectrum_of(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
+                     const Progress& progress) {
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
-  add_space(summary, space);
-  const double setup_seconds = timer.time();
-
-  summary.add("setup_seconds", setup_seconds);
-  RL::Laplace_spectrum spectrum = solve_spectrum(space, o.count, o, o, summary, progress);
+  Spectrum spectrum;
+  spectrum.space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  add_spectral_space(summary, *spectrum.space);
+  summary.add_detail("setup_seconds", timer.time());
+  static_cast<RL::Laplace_spectrum&>(spectrum) =
+      solve_spectrum(*spectrum.space, o.count, o, o, summary, progress);
 
   progress.show("evaluating eigenfunctions");
   if(o.is_of_vertices())
     spectrum.vertex_values =
-        RL::Spline_functions_3(space, spectrum.pairs.vectors).values_at_vertices();
+        RL::Spline_functions_3(*spectrum.space, spectrum.pairs.vectors).values_at_vertices();
 
   summary.add("zero_eigenvalues", RL::number_of_zero_eigenvalues(spectrum));
   return spectrum;
@@ -222,13 +227,34 @@ Descriptor embedding(const RL::Laplace_spectrum& spectrum, const Options& o) {
   return d;
 }
 
+Descriptor descriptor_of(const RL::Laplace_spectrum& spectrum, const Options& o) {
+  return o.descriptor == "hks"   ? heat_kernel_signature(spectrum, o)
+         : o.descriptor == "wks" ? wave_kernel_signature(spectrum, o)
+                                 : embedding(spectrum, o);
+}
+
+// a column of the descriptor at locations, some at a time
+Eigen::MatrixXd column_at(Spectrum spectrum, const std::vector<RL::Surface_location>& locations,
+                          const Options& o, Eigen::Index column) {
+  constexpr std::size_t block = 4096;
+  const RL::Spline_functions_3 functions(*spectrum.space, spectrum.pairs.vectors);
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(locations.size()), 1);
+  for(std::size_t first = 0; first < locations.size(); first += block) {
+    const std::size_t number = std::min(block, locations.size() - first);
+    const auto begin = locations.begin() + static_cast<std::ptrdiff_t>(first);
+    spectrum.vertex_values = functions.values_at_locations(
+        std::vector<RL::Surface_location>(begin, begin + static_cast<std::ptrdiff_t>(number)));
+    values.middleRows(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(number)) =
+        descriptor_of(spectrum, o).values.col(column);
+  }
+  return values;
+}
+
 // the descriptor of all vertices
-Outcome describe_vertices(const RL::Laplace_spectrum& spectrum, const Options& o, Summary& summary,
+Outcome describe_vertices(const Spectrum& spectrum, const Options& o, Summary& summary,
                           const Progress& progress) {
   progress.show("computing the descriptor");
-  const Descriptor d = o.descriptor == "hks"   ? heat_kernel_signature(spectrum, o)
-                       : o.descriptor == "wks" ? wave_kernel_signature(spectrum, o)
-                                               : embedding(spectrum, o);
+  const Descriptor d = descriptor_of(spectrum, o);
   const Eigen::Index column = o.is_column_given  ? o.column
                               : o.is_signature() ? d.values.cols() / 2
                                                  : 0;
@@ -243,6 +269,10 @@ Outcome describe_vertices(const RL::Laplace_spectrum& spectrum, const Options& o
   summary.add("largest_value", range.high);
 
   Outcome result = outcome(values);
+  result.cell_width = spectrum.space->octree().cell_width(spectrum.space->depth());
+  result.values_at = [spectrum, &o, column](const std::vector<RL::Surface_location>& locations) {
+    return column_at(spectrum, locations, o, column);
+  };
   result.write_table = [d](const std::string& file, const Summary& lines) {
     write_csv(file, lines, "vertex", d.columns, d.values);
   };
@@ -266,7 +296,7 @@ Outcome describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, b
     progress.show("reading " + o.other_mesh);
     const Mesh_input other = read_mesh(o.other_mesh);
     Summary of_other(other);
-    const RL::Laplace_spectrum other_spectrum = spectrum_of(other.surface, o, of_other, progress);
+    const Spectrum other_spectrum = spectrum_of(other.surface, o, of_other, progress);
     const Eigen::VectorXd other_dna = shape_dna(other_spectrum, o);
     const Eigen::Index number = std::min(dna.size(), other_dna.size());
     summary.add("distance", RL::shape_dna_distance(dna.head(number), other_dna.head(number)));
@@ -281,7 +311,7 @@ Outcome describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, b
 
 Outcome describe(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
                  const Progress& progress) {
-  const RL::Laplace_spectrum spectrum = spectrum_of(surface, o, summary, progress);
+  const Spectrum spectrum = spectrum_of(surface, o, summary, progress);
   summary.add("descriptor", o.descriptor);
   bool converged = spectrum.pairs.converged;
   Outcome result = o.is_of_vertices() ? describe_vertices(spectrum, o, summary, progress)

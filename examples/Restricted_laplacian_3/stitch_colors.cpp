@@ -188,8 +188,8 @@ void print_scans(std::ostream& out, const Options& o, const std::vector<RL::Scan
 }
 
 void add_stitching(Summary& summary, const RL::Stitched_colors& stitched, double space_seconds) {
-  summary.add("back_projection_seconds", stitched.back_projection_seconds);
-  summary.add("choice_seconds", stitched.choice_seconds);
+  summary.add_detail("back_projection_seconds", stitched.back_projection_seconds);
+  summary.add_detail("choice_seconds", stitched.choice_seconds);
   add_solve(summary, stitched, space_seconds, stitched.assembly_seconds);
   summary.add("uncovered_area", stitched.uncovered_area);
   summary.add("uncovered_vertices", stitched.uncovered_vertices);
@@ -221,7 +221,7 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
   progress.show("building the spline space");
   const RL::Spline_space_3 space(surface, o.space);
   const double space_seconds = timer.time();
-  add_space(summary, space);
+  add_space(summary, space, "each component is stitched on its own");
 
   RL::Color_stitcher stitcher(space, stitching_options(o, surface.area()));
   add_scans(stitcher, o, poses, progress);
@@ -231,14 +231,13 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
       o.method == "nearest" ? stitcher.nearest_colors() : stitcher.chosen_colors();
   Outcome result;
   if(o.method == "gradients") {
-    progress.show("stitching with " + std::to_string(space.dimension()) + " unknowns");
-    RL::Stitched_colors stitched = stitcher.stitch();
+    RL::Stitched_colors stitched = stitcher.stitch(
+        progress.step("stitching with " + std::to_string(space.dimension()) + " unknowns"));
     found.colors = std::move(stitched.colors);
     add_stitching(summary, stitched, space_seconds);
     if(!stitched.converged)
       result.failure = ": the residual is " + std::to_string(stitched.relative_residual);
   }
-  summary.add("seconds", timer.time());
   if(!truth.empty())
     add_error(summary, surface, found, truth);
 
@@ -251,7 +250,7 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
   for(std::size_t v = 0; v < found.colors.size(); ++v)
     for(std::size_t k = 0; k < 3; ++k)
       table(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) = found.colors[v][k];
-  result.colors = std::move(found.colors);
+  result.paint = [colors = std::move(found.colors)](const Eigen::MatrixXd&) { return colors; };
   result.write_table = [table](const std::string& file, const Summary& lines) {
     write_csv(file, lines, "vertex", {"red", "green", "blue"}, table);
   };

@@ -74,45 +74,60 @@ struct Value_range {
   }
 };
 
-// Diverging colors, white for 0, that are full at the magnitude `largest`.
-template <typename Range>
-std::vector<Color> diverging_value_colors(const Range& values, double largest) {
-  std::vector<Color> colors;
-  for(const double x : values)
-    colors.push_back(
-        color_at(diverging_colors, largest > 0 ? 0.5 + 0.5 * x / largest : 0.5 + 0 * x));
-  return colors;
-}
+// Which colors show which values: diverging ones, white for 0, if there are values of both signs,
+// or only zeros; else sequential ones from the smallest to the largest value.
+class Color_scale {
+public:
+  Color_scale(double low, double high) : m_low(low), m_high(high) {
+    // differences this small, relative to the values, are rounding: paint a constant evenly
+    constexpr double constant_tolerance = 1e-9;
+    m_largest = std::max(std::abs(low), std::abs(high));
+    m_is_diverging = m_largest == 0 || (low < 0 && high > 0);
+    m_width = std::max(high - low, constant_tolerance * m_largest);
+  }
+  explicit Color_scale(const Value_range& range) : Color_scale(range.low, range.high) {}
 
-// Diverging colors if there are values of both signs, or only zeros; else sequential ones from the
-// smallest to the largest value.
+  double low() const { return m_low; }
+  double high() const { return m_high; }
+
+  // of the nearer end beyond the range; gray if it is not a number
+  Color operator()(double value) const {
+    const double x = std::clamp(value, m_low, m_high);
+    if(m_is_diverging)
+      return color_at(diverging_colors, m_largest > 0 ? 0.5 + 0.5 * x / m_largest : 0.5 + 0 * x);
+    return color_at(sequential_colors, (x - m_low) / m_width);
+  }
+
+  template <typename Range> std::vector<Color> colors(const Range& values) const {
+    std::vector<Color> result;
+    for(const double x : values)
+      result.push_back((*this)(x));
+    return result;
+  }
+
+private:
+  double m_low, m_high, m_largest, m_width;
+  bool m_is_diverging;
+};
+
+// of the scale from the smallest to the largest value
 template <typename Range> std::vector<Color> value_colors(const Range& values) {
-  // differences this small, relative to the values, are rounding: paint a constant evenly
-  constexpr double constant_tolerance = 1e-9;
-  const Value_range range(values);
-  const double largest = std::max(std::abs(range.low), std::abs(range.high));
-  if(largest == 0 || (range.low < 0 && range.high > 0))
-    return diverging_value_colors(values, largest);
-  const double width = std::max(range.high - range.low, constant_tolerance * largest);
-  std::vector<Color> colors;
-  for(const double x : values)
-    colors.push_back(color_at(sequential_colors, (x - range.low) / width));
-  return colors;
+  return Color_scale(Value_range(values)).colors(values);
 }
 
 // Diverging colors that are full at the magnitude that a fraction of the values is below:
 // curvatures have a few values that are much larger than all others.
-inline std::vector<Color> clipped_colors(const std::vector<double>& values, double fraction) {
+inline Color_scale clipped_scale(const std::vector<double>& values, double fraction) {
   std::vector<double> magnitudes;
   for(const double x : values)
     if(std::isfinite(x))
       magnitudes.push_back(std::abs(x));
   if(magnitudes.empty())
-    return diverging_value_colors(values, 0);
+    return {0, 0};
   const auto nth = magnitudes.begin() + static_cast<std::ptrdiff_t>(
                                             fraction * static_cast<double>(magnitudes.size() - 1));
   std::nth_element(magnitudes.begin(), nth, magnitudes.end());
-  return diverging_value_colors(values, *nth);
+  return {-*nth, *nth};
 }
 
 } // namespace examples

@@ -9,6 +9,9 @@
 #include "program.h"
 
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/version.h>
+
+#include <CGAL/version.h>
 
 #include <boost/program_options.hpp>
 
@@ -35,7 +38,8 @@ struct Common_options {
   long long seed = 0;
   int threads = 0; // all
   std::string csv, output;
-  bool quiet = false;
+  int refine = 0; // the mesh of output as it is
+  bool quiet = false, verbose = false, progress = false;
 };
 
 // What --help prints around the options.
@@ -97,8 +101,29 @@ inline po::options_description output_options(Common_options& o, const std::stri
   add("csv", po::value(&o.csv)->value_name("FILE"),
       ("write a CSV table with the columns " + table).c_str());
   add("output", po::value(&o.output)->value_name("FILE"),
-      ("write the mesh as binary PLY, with colors and, at its vertices, " + properties).c_str());
+      ("write the mesh with colors: as binary PLY (.ply) with, at its vertices, " + properties +
+       "; or as OBJ (.obj), without these")
+          .c_str());
   return description;
+}
+
+// The same for programs whose result is known between the vertices, too.
+inline po::options_description spline_output_options(Common_options& o, const std::string& table,
+                                                     const std::string& properties) {
+  po::options_description description = output_options(o, table, properties);
+  auto add = description.add_options();
+  add("refine", po::value(&o.refine)->value_name("N"),
+      "divide the faces of the mesh of --output until no side is longer than 1/N of the width of a "
+      "cell of the octree, and evaluate the splines at all of its vertices: what it shows does not "
+      "depend on the faces of MESH then");
+  return description;
+}
+
+// what every program has
+inline void add_help_options(po::options_description& description) {
+  auto add = description.add_options();
+  add("help", "print this text");
+  add("version", "print the versions of the package and of CGAL");
 }
 
 inline po::options_description general_options(Common_options& o) {
@@ -108,7 +133,10 @@ inline po::options_description general_options(Common_options& o) {
       "number of threads, at most; by default all processors are used. The result does not "
       "depend on it");
   add("quiet", po::bool_switch(&o.quiet), "print errors only");
-  add("help", "print this text");
+  add("verbose", po::bool_switch(&o.verbose), "print all that --csv writes above the table");
+  add("progress", po::bool_switch(&o.progress),
+      "show what is done, and how many seconds are left, also if the error stream is no terminal");
+  add_help_options(description);
   return description;
 }
 
@@ -147,7 +175,8 @@ left out of all integrals.
 )";
 
 // Reads a command line. Arguments without a name fill the options of `arguments`, which --help does
-// not list, in the order of `positional`. Returns false if --help was given, and prints it.
+// not list, in the order of `positional`. Returns false if --help or --version was given, and
+// prints it.
 inline bool parse_arguments(int argc, char* argv[], const Help& help,
                             const po::options_description& visible,
                             const po::options_description& arguments,
@@ -166,6 +195,12 @@ inline bool parse_arguments(int argc, char* argv[], const Help& help,
               << visible << "\nExamples:\n"
               << help.examples << "\nExit status:\n"
               << help.exit_status;
+    return false;
+  }
+  if(given.count("version")) {
+    std::cout << help.usage.substr(0, help.usage.find(' ')) << " ("
+              << "Restricted_laplacian_3 " << CGAL_RESTRICTED_LAPLACIAN_3_VERSION << ", CGAL "
+              << CGAL_VERSION_STR << ")\n";
     return false;
   }
   po::notify(given);
@@ -210,6 +245,12 @@ inline bool parse_command_line(int argc, char* argv[], const Help& help,
   if(given.count("assembly"))
     check_integration_options(o, given);
   require_positive(given, "threads", o.threads);
+  require(given.count("refine") == 0 || (o.refine >= 1 && o.refine <= 64),
+          "the argument of --refine must lie between 1 and 64");
+  require(given.count("refine") == 0 || !o.output.empty(), "--refine needs --output");
+  check_output("--csv", o.csv);
+  check_output("--output", o.output, {".ply", ".obj"});
+  require(o.csv.empty() || o.csv != o.output, "--csv and --output name the same file");
   return true;
 }
 

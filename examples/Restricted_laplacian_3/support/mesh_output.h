@@ -21,13 +21,19 @@
 
 namespace examples {
 
+namespace internal {
+
+inline int color_byte(double component) {
+  return static_cast<int>(std::lround(255 * std::clamp(component, 0., 1.)));
+}
+
 // Writes a binary PLY file of a surface with a color and some named values for each vertex: columns
 // of a matrix; of points without faces, but with their normals. CGAL's writers of properties take
 // manifold meshes, or points, and this surface may be neither. Like them it is for machines that
 // store the lowest byte of a number first.
-inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3& surface,
-                       const std::vector<Color>& colors, const std::vector<std::string>& names = {},
-                       const Eigen::MatrixXd& values = {}) {
+inline void write_ply(const std::string& file, const RL::Triangulated_surface_3& surface,
+                      const std::vector<Color>& colors, const std::vector<std::string>& names,
+                      const Eigen::MatrixXd& values) {
   write_file(file, [&](std::ostream& out) {
     const bool has_faces = !surface.is_point_set();
     out << "ply\nformat binary_little_endian 1.0\n"
@@ -50,7 +56,7 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
       for(int axis = 0; axis < 3; ++axis)
         write(surface.point(v)[axis]);
       for(const double component : colors[v])
-        write(static_cast<std::uint8_t>(std::lround(255 * std::clamp(component, 0., 1.))));
+        write(static_cast<std::uint8_t>(color_byte(component)));
       for(std::size_t k = 0; k < names.size(); ++k)
         write(values(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)));
       for(int axis = 0; axis < 3 && !has_faces; ++axis)
@@ -62,6 +68,40 @@ inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3
         write(vertex);
     }
   });
+}
+
+// Writes an OBJ file; colors are three numbers behind the coordinates, as most programs read them.
+inline void write_obj(const std::string& file, const RL::Triangulated_surface_3& surface,
+                      const std::vector<Color>& colors) {
+  write_file(file, [&](std::ostream& out) {
+    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
+      out << 'v';
+      for(int axis = 0; axis < 3; ++axis)
+        out << ' ' << surface.point(v)[axis];
+      for(const double component : colors[v])
+        out << ' ' << color_byte(component) / 255.;
+      out << '\n';
+    }
+    for(std::size_t f = 0; f < surface.number_of_faces() && !surface.is_point_set(); ++f) {
+      out << 'f';
+      for(const std::uint32_t vertex : surface.triangle(f))
+        out << ' ' << vertex + std::size_t(1);
+      out << '\n';
+    }
+  });
+}
+
+} // namespace internal
+
+// Writes a surface with a color for each vertex, and into PLY files also named values, columns of a
+// matrix. The end of the name of the file tells the format, see check_output().
+inline void write_mesh(const std::string& file, const RL::Triangulated_surface_3& surface,
+                       const std::vector<Color>& colors, const std::vector<std::string>& names = {},
+                       const Eigen::MatrixXd& values = {}) {
+  if(extension(file) == ".obj")
+    internal::write_obj(file, surface, colors);
+  else
+    internal::write_ply(file, surface, colors, names, values);
 }
 
 } // namespace examples

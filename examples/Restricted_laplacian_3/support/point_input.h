@@ -48,10 +48,10 @@ normals, and stands for a surface without any mesh. Normals must be oriented ali
 // A mesh, or a set of points.
 inline Mesh_input read_mesh_or_points(const std::string& file,
                                       int neighbors = RL::default_number_of_neighbors) {
-  const std::string extension = internal::extension(file);
-  if(extension != ".xyz") {
+  const std::string format = extension(file);
+  if(format != ".xyz") {
     internal::Polygon_soup soup = internal::read_soup(file);
-    if(extension != ".ply" || !soup.polygons.empty())
+    if(format != ".ply" || !soup.polygons.empty())
       return internal::mesh_of(std::move(soup), file);
   }
   const Point_set points = read_points(file);

@@ -7,24 +7,30 @@
 // What every example program shares: how it fails, how it writes
 // files, and how it shows that it is alive.
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+
+#include <CGAL/Real_timer.h>
 #include <CGAL/assertions_behaviour.h>
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <initializer_list>
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <map>
+#include <memory>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
-
-namespace CGAL::Restricted_laplacian_3 {} // namespace CGAL::Restricted_laplacian_3
 
 namespace examples {
 
@@ -50,6 +56,29 @@ inline void print_error(const std::string& program, std::string message) {
   std::cerr << program << ": " << message << std::endl;
 }
 
+// What an error in a parameter of the library says to users of a program: they know its option.
+inline std::string message_of(const RL::Parameter_error& e) {
+  static const std::map<std::string, std::string> options = {
+      {"alpha", "alpha"},
+      {"cube_scale", "cube-scale"},
+      {"eigensolver", "eigensolver"},
+      {"joining_tolerance", "join"},
+      {"k", "count"},
+      {"maximum_distance", "maximum-distance"},
+      {"normal_stabilization", "stabilization"},
+      {"number_of_neighbors", "neighbors"},
+      {"number_of_samples", "samples"},
+      {"octree_depth", "depth"},
+      {"refinement_steps", "refinements"},
+      {"relative_tolerance", "tolerance"},
+      {"screening_weight", "alpha"},
+      {"smoothing_weight", "smoothing"}};
+  const auto option = options.find(e.parameter());
+  const std::string message = e.what();
+  return option == options.end() ? message
+                                 : "--" + option->second + message.substr(e.parameter().size());
+}
+
 // Runs the body of a program, a functor that returns the exit status. Whatever the body throws
 // becomes one line on the standard error stream and a non-zero exit status.
 template <typename Body> int run_program(const std::string& program, Body body) {
@@ -63,6 +92,8 @@ template <typename Body> int run_program(const std::string& program, Body body) 
     return status;
   } catch(const std::bad_alloc&) {
     print_error(program, "not enough memory");
+  } catch(const RL::Parameter_error& e) {
+    print_error(program, message_of(e));
   } catch(const std::exception& e) {
     print_error(program, e.what());
   }
@@ -83,22 +114,86 @@ inline void write_file(const std::string& file, const std::function<void(std::os
   require(out.good(), "cannot write '" + file + "'");
 }
 
-// Shows on the standard error stream which step a program is busy with, if that is a terminal.
+// the end of the name of a file, in small letters
+inline std::string extension(const std::string& file) {
+  std::string result = std::filesystem::path(file).extension().string();
+  for(char& c : result)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+// Throws unless a file can be written, and has one of some formats, any if there are none: before
+// the work, of which nothing could be written. What is in the file stays.
+// \param argument the option or argument that names it, for the message
+inline void check_output(const std::string& argument, const std::string& file,
+                         std::initializer_list<const char*> formats = {}) {
+  if(file.empty())
+    return;
+  const std::string of_argument = "'" + file + "' of " + argument;
+  std::string list;
+  bool is_known = formats.size() == 0;
+  for(const char* format : formats) {
+    is_known = is_known || extension(file) == format;
+    list += (list.empty() ? "" : " or ") + std::string(format);
+  }
+  require(is_known, of_argument + " has no format that can be written: " + list);
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  const bool is_new = !std::filesystem::exists(status);
+  // pipes and devices would notice
+  if(!is_new && !std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status))
+    return;
+  const bool is_open = std::ofstream(file, std::ios::binary | std::ios::app).good();
+  if(is_new)
+    std::filesystem::remove(file, ignored);
+  require(is_open, "cannot open " + of_argument + " for writing");
+}
+
+// Shows on the standard error stream which step a program is busy with, how much of it is done, and
+// how many seconds are left: in one line that changes, if that stream is a terminal.
 class Progress {
 public:
-  explicit Progress(bool quiet) : m_is_shown(!quiet && isatty(STDERR_FILENO)) {}
+  // \param is_asked_for also if it is no terminal: then in lines, one for every tenth of a step
+  Progress(bool is_quiet, bool is_asked_for)
+    : m_is_terminal(is_terminal()), m_is_shown(!is_quiet && (m_is_terminal || is_asked_for)) {}
   ~Progress() { show(""); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   // replaces the line of the last step; an empty text removes it
-  void show(const std::string& step) const {
-    if(m_is_shown)
-      std::cerr << "\r\033[K" << step << std::flush;
+  void show(const std::string& text) const {
+    if(m_is_shown && m_is_terminal)
+      std::cerr << "\r\033[K" << text << std::flush;
+    else if(m_is_shown && !text.empty())
+      std::cerr << text << std::endl;
+  }
+
+  // A callback for functions of the library: shows which part of a step is done.
+  std::function<bool(double)> step(const std::string& name) const {
+    show(name);
+    const auto timer = std::make_shared<CGAL::Real_timer>();
+    timer->start();
+    return [this, name, timer, shown = 0](double part) mutable {
+      const int done = static_cast<int>(100 * part) / (m_is_terminal ? 1 : 10);
+      if(m_is_shown && done > shown) {
+        std::ostringstream text;
+        text << name << ": " << static_cast<int>(100 * part) << " %, "
+             << std::ceil(timer->time() * (1 - part) / part) << " s left";
+        show(text.str());
+        shown = done;
+      }
+      return true;
+    };
   }
 
 private:
-  bool m_is_shown;
+  // C++ does not tell. On Unix the stream has a name, and what has characters is a terminal.
+  static bool is_terminal() {
+    std::error_code ignored;
+    return std::filesystem::is_character_file("/dev/stderr", ignored);
+  }
+
+  bool m_is_terminal, m_is_shown;
 };
 
 } // namespace examples

@@ -43,11 +43,11 @@ inline void check_solver_options(const Solver_options& o, const po::variables_ma
 // \param space_seconds for the spline space, which count as setup
 inline void add_solve(Summary& summary, const RL::Solve_report& report, double space_seconds,
                       double assembly_seconds) {
-  summary.add("setup_seconds", space_seconds + report.setup_seconds);
-  summary.add("assembly_seconds", assembly_seconds);
-  summary.add("solve_seconds", report.solve_seconds);
-  summary.add("iterations", report.iterations);
-  summary.add("relative_residual", report.relative_residual);
+  summary.add_detail("setup_seconds", space_seconds + report.setup_seconds);
+  summary.add_detail("assembly_seconds", assembly_seconds);
+  summary.add_detail("solve_seconds", report.solve_seconds);
+  summary.add_detail("iterations", report.iterations);
+  summary.add_detail("relative_residual", report.relative_residual);
 }
 
 } // namespace examples

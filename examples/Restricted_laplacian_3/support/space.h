@@ -16,19 +16,25 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace examples {
 
-inline void add_space(Summary& summary, const RL::Spline_space_3& space) {
+// `meaning` is what the number of connected components, if it is not 1, means for the result.
+inline void add_space(Summary& summary, const RL::Spline_space_3& space,
+                      const std::string& meaning) {
   const RL::Octree_3& octree = space.octree();
   summary.add("depth", space.depth());
   summary.add("dimension", space.dimension());
-  summary.add("cells", octree.number_of_cells(space.depth()));
-  summary.add("sheets", octree.number_of_sheets(space.depth()));
-  summary.add("split_elements", space.number_of_split_elements(space.depth()));
+  summary.add_detail("cells", octree.number_of_cells(space.depth()));
+  summary.add_detail("sheets", octree.number_of_sheets(space.depth()));
+  summary.add_detail("split_elements", space.number_of_split_elements(space.depth()));
   // the whole surface is in the one cell of level 0
-  if(space.is_split())
-    summary.add("components", octree.number_of_sheets(0));
+  if(!space.is_split())
+    return;
+  const std::size_t components = octree.number_of_sheets(0);
+  summary.add_explained("components", components,
+                        components == 1 ? "" : ", the surface is disconnected: " + meaning);
 }
 
 // Calls `assemble` with the way to integrate over the surface that the options ask for.

@@ -44,21 +44,19 @@ inline void check_eigensolver_options(const Eigensolver_options& o, const po::va
   require_not_negative(given, "stabilization");
 }
 
+inline void add_spectral_space(Summary& summary, const RL::Spline_space_3& space) {
+  add_space(summary, space,
+            std::to_string(space.octree().number_of_sheets(0)) + " zero eigenvalues");
+}
+
 // The smallest eigenpairs on a space, without values at the vertices.
 inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int count,
                                            const Common_options& common,
                                            const Eigensolver_options& o, Summary& summary,
                                            const Progress& progress) {
   namespace params = RL::parameters;
-  progress.show("assembling " + std::to_string(space.dimension()) + " unknowns");
-  int shown = -1;
-  const auto show = [&](double part) {
-    const int percent = static_cast<int>(100 * part);
-    if(percent != shown)
-      progress.show("computing eigenvalues: " + std::to_string(percent) + " %");
-    shown = percent;
-    return true;
-  };
+  const auto callback =
+      progress.step("computing eigenvalues of " + std::to_string(space.dimension()) + " unknowns");
   const double stabilization =
       o.stabilization < 0 ? RL::default_spectrum_stabilization(space) : o.stabilization;
   const RL::Eigensolver eigensolver = o.eigensolver == "multigrid" ? RL::Eigensolver::multigrid
@@ -70,12 +68,12 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
                                   params::eigensolver(eigensolver)
                                       .relative_tolerance(o.tolerance)
                                       .normal_stabilization(stabilization)
-                                      .callback(show));
+                                      .callback(callback));
   });
-  summary.add("assembly_seconds", spectrum.report.assembly_seconds);
-  summary.add("solve_seconds", spectrum.report.solve_seconds);
-  summary.add("iterations", spectrum.report.iterations);
-  summary.add("relative_residual", spectrum.report.relative_residual);
+  summary.add_detail("assembly_seconds", spectrum.report.assembly_seconds);
+  summary.add_detail("solve_seconds", spectrum.report.solve_seconds);
+  summary.add_detail("iterations", spectrum.report.iterations);
+  summary.add_detail("relative_residual", spectrum.report.relative_residual);
   return spectrum;
 }
 

@@ -42,16 +42,23 @@ public:
   }
 
   template <typename Number> void add(const std::string& name, Number value) {
-    std::ostringstream brief, exact;
-    brief << std::setprecision(6) << value;
-    exact << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
-    m_lines.push_back({name, brief.str(), exact.str()});
+    add_line(name, value, "", false);
+  }
+  // what is printed on request only
+  template <typename Number> void add_detail(const std::string& name, Number value) {
+    add_line(name, value, "", true);
+  }
+  // with words behind the value, for people
+  template <typename Number>
+  void add_explained(const std::string& name, Number value, const std::string& words) {
+    add_line(name, value, words, false);
   }
 
   // as a table for people
-  void print(std::ostream& out) const {
+  void print(std::ostream& out, bool with_details) const {
     for(const Line& line : m_lines)
-      out << std::left << std::setw(value_column) << line.name << line.brief << '\n';
+      if(with_details || !line.is_detail)
+        out << std::left << std::setw(value_column) << line.name << line.brief << '\n';
   }
 
   // as comments at the beginning of a file for programs
@@ -61,8 +68,17 @@ public:
   }
 
 private:
+  template <typename Number>
+  void add_line(const std::string& name, Number value, const std::string& words, bool is_detail) {
+    std::ostringstream brief, exact;
+    brief << std::setprecision(6) << value << words;
+    exact << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
+    m_lines.push_back({name, brief.str(), exact.str(), is_detail});
+  }
+
   struct Line {
     std::string name, brief, exact;
+    bool is_detail;
   };
   std::vector<Line> m_lines;
 };

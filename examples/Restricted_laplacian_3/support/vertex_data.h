@@ -14,11 +14,9 @@
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>
 
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -34,14 +32,6 @@ namespace examples {
 using Point_set = CGAL::Point_set_3<RL::Point_3, RL::Vector_3>;
 
 namespace internal {
-
-// the end of the name of a file, in small letters
-inline std::string extension(const std::string& file) {
-  std::string result = std::filesystem::path(file).extension().string();
-  for(char& c : result)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 // The types of the coordinates and normals of the vertices of a PLY file, by their names; none of
 // other files. CGAL takes it for granted that they are there, and float or double.
@@ -136,7 +126,7 @@ inline Point_set read_points(const std::string& file) {
 // The values of a vertex property of a PLY file, in its order.
 inline std::vector<double> read_ply_property(const std::string& file, const std::string& name) {
   std::vector<double> values;
-  if(internal::extension(file) == ".ply") {
+  if(extension(file) == ".ply") {
     Point_set points = read_points(file);
     values = internal::property(points, name);
   }
@@ -176,14 +166,14 @@ inline std::vector<Color> colors(Point_set& points, const std::string& file) {
 
 // the same of the vertices of a file
 inline bool has_colors(const std::string& file) {
-  if(internal::extension(file) != ".ply")
+  if(extension(file) != ".ply")
     return false;
   Point_set points = read_points(file);
   return has_colors(points);
 }
 inline std::vector<Color> read_colors(const std::string& file) {
   Point_set points;
-  if(internal::extension(file) == ".ply")
+  if(extension(file) == ".ply")
     points = read_points(file);
   return colors(points, file);
 }

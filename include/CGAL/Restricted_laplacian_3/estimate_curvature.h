@@ -43,7 +43,8 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
                                    const Surface_function_view& normals,
                                    const NamedParameters& np = parameters::default_values()) {
   return internal::curvature_of_field(space, integration, normals,
-                                      internal::curvature_options(space, true, np));
+                                      internal::curvature_options(space, true, np),
+                                      internal::progress_of(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -65,10 +66,11 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
   if(method == Curvature_method::coordinates)
     return Curvature_field(
         space, internal::fit_coordinate_laplacian(space, integration,
-                                                  internal::curvature_options(space, false, np)));
-  return internal::curvature_of_surface(space, integration,
-                                        method == Curvature_method::face_normals,
-                                        internal::curvature_options(space, true, np));
+                                                  internal::curvature_options(space, false, np),
+                                                  internal::progress_of(np)));
+  return internal::curvature_of_surface(
+      space, integration, method == Curvature_method::face_normals,
+      internal::curvature_options(space, true, np), internal::progress_of(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -87,6 +89,7 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
                               const NamedParameters& np) {
   CGAL::Real_timer timer;
   timer.start();
+  progress_of(np)(0);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
   const auto estimated = [&] {

@@ -40,15 +40,19 @@ namespace Restricted_laplacian_3 {
 /// - `relative_tolerance`: of the residual; default 1e-8
 /// - `number_of_iterations`, `cycle`, `smoothing_steps`, `smoother`, `stand_alone_multigrid`,
 ///   `concurrency_tag`: as in `make_poisson_solver()`
+/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
+///   1, and returns `false` to end it with a `Canceled` exception
 /// \return the coefficients, whether the solver converged, iterations (of all solves together but
 /// those of refinement steps), residuals, errors, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Function_fit fit_function(const Spline_space_3& space, const Surface_integration_view& integration,
                           const Surface_function_view& f,
                           const NamedParameters& np = parameters::default_values()) {
-  return Function_fitter(space, integration, internal::function_fit_options(np)).fit(f);
+  return Function_fitter(space, integration, internal::function_fit_options(np))
+      .fit(f, internal::progress_of(np).callback());
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -79,6 +83,7 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
                         const NamedParameters& np) {
   CGAL::Real_timer timer;
   timer.start();
+  progress_of(np)(0);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
   Function_fit fit;

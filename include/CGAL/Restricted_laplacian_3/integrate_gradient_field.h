@@ -59,6 +59,8 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   using Components = Function_components<typename boost::property_traits<PropertyMap>::value_type>;
   CGAL::Real_timer timer;
   timer.start();
+  const Progress progress = progress_of(np);
+  progress(0);
   const auto field = vector_field_on_surface(source, v);
   static_assert(Components::number == Channels_of<std::decay_t<decltype(field)>>::number,
                 "u needs as many components as v has channels");
@@ -72,13 +74,17 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
   const Gradient_options options = gradient_options(space, np);
+  const bool with_details = parameters::choose_parameter(
+      parameters::get_parameter(np, internal_np::vertex_details), false);
+  const double end_of_splines = with_details ? 0.8 : 1;
   Gradient_solution solution =
-      integrate_gradients(space, Default_integration(space), field, screening, options);
+      integrate_gradients(space, Default_integration(space), field, screening, options,
+                          progress.part(part_of_space, end_of_splines));
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
-  if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_details),
-                                  false))
+  if(with_details)
     add_details(space, field, screening, options.solver, solution, values);
+  progress(1);
   put_rows(source, values, u);
   solution.fit.space_seconds = space_seconds;
   return static_cast<const Gradient_report&>(solution.fit);
@@ -130,9 +136,12 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// - `relative_tolerance`: of the residual; default 1e-5
 /// - `number_of_iterations`, `cycle`, `smoothing_steps`, `smoother`, `stand_alone_multigrid`,
 ///   `concurrency_tag`: as in `make_poisson_solver()`
+/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
+///   1, and returns `false` to end it with a `Canceled` exception
 /// \return the coefficients, whether the solver converged, iterations, residuals, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `v`, of the
 /// target or of the weight cannot be used; names the face
+/// \throws Canceled if the callback returned `false`
 ///
 /// Takes time and memory proportional to the number of triangles (or samples) plus the number of
 /// elements, times the number of iterations.
@@ -144,9 +153,9 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space,
                                       const NamedParameters& np = parameters::default_values()) {
   const auto target = parameters::get_parameter(np, internal_np::target_values);
   const auto weight = parameters::get_parameter(np, internal_np::screening_weight);
-  return internal::integrate_gradients(space, integration, v,
-                                       internal::make_screening(target, weight, np),
-                                       internal::gradient_options(space, np))
+  return internal::integrate_gradients(
+             space, integration, v, internal::make_screening(target, weight, np),
+             internal::gradient_options(space, np), internal::progress_of(np))
       .fit;
 }
 

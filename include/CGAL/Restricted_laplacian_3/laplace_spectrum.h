@@ -34,10 +34,11 @@ namespace Restricted_laplacian_3 {
 /// - `number_of_iterations`: of `Eigensolver::multigrid` on a level, at most; default 100
 /// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`, for the stiffness matrix;
 ///   default `default_spectrum_stabilization()`
-/// - `callback`: a function object that is called with the part of the eigensolver's work that is
-///   done, from 0 to 1, and returns `false` to end it with a `Canceled` exception
+/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
+///   1, and returns `false` to end it with a `Canceled` exception
 /// \throws Parameter_error if a parameter is outside its domain
 /// \throws Numerical_error if a factorisation fails
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
                                     const Surface_integration_view& integration,

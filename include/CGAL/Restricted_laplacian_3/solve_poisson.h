@@ -58,8 +58,10 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
   constexpr bool has_constraints =
       is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>;
+  const Progress progress = progress_of(np);
   CGAL::Real_timer timer;
   timer.start();
+  progress(0);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
 
@@ -68,7 +70,8 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const auto boundary_values = number_or_surface_function(
       source,
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::boundary_values), 0));
-  Poisson_problem problem = {right_hand_side, {}, {}, {}, poisson_solver_options(np)};
+  Poisson_problem problem = {
+      right_hand_side, {}, {}, {}, poisson_solver_options(np), progress.part(part_of_space, 1)};
   if constexpr(std::is_arithmetic_v<Alpha>)
     problem.elliptic.reaction = static_cast<double>(alpha);
   else
@@ -128,11 +131,14 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// - `constraint_values`: a model of `ReadablePropertyMap` with these values; required with the
 ///   former
 /// - `constraint_weight`: how strongly they are held; default 1e4
+/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
+///   1, and returns `false` to end it with a `Canceled` exception
 ///
 /// With prescribed values the default of `relative_tolerance` is 1e-7: they enter the right-hand
 /// side with large factors.
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 ///
 /// Takes time and memory proportional to the number of triangles plus the number of elements, times
 /// the number of iterations.

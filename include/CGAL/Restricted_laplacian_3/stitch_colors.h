@@ -74,12 +74,18 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
   using Value = typename boost::property_traits<PropertyMap>::value_type;
   CGAL::Real_timer timer;
   timer.start();
+  const Progress progress = progress_of(np);
+  progress(0);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
   Color_stitcher stitcher(space, color_stitching_options(space, np));
-  for(const Colored_scan& scan : scans)
-    stitcher.add(scan);
-  Stitched_colors result = stitcher.stitch();
+  constexpr double end_of_scans = 0.5;
+  for(std::size_t i = 0; i < scans.size(); ++i) {
+    progress.part(part_of_space,
+                  end_of_scans)(static_cast<double>(i) / static_cast<double>(scans.size()));
+    stitcher.add(scans[i]);
+  }
+  Stitched_colors result = stitcher.stitch(progress.part(end_of_scans, 1).callback());
   result.space_seconds = space_seconds;
   source.for_each_vertex([&](std::size_t i, const auto& v) {
     put_value_at(colors, v, make_color<Value>(result.colors[i]));
@@ -110,8 +116,11 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 /// - `normal_stabilization`, `relative_tolerance`, `number_of_iterations`, `cycle`,
 ///   `smoothing_steps`, `smoother`, `stand_alone_multigrid`, `concurrency_tag`: as in
 ///   `make_poisson_solver()`
+/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
+///   1, and returns `false` to end it with a `Canceled` exception
 /// \throws Input_error one of its derived classes names the face, vertex or parameter; or no scan
 /// comes near the surface
+/// \throws Canceled if the callback returned `false`
 template <class FaceGraph, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>

@@ -147,7 +147,8 @@ awk 'NR > 2 && NF == 3 { print 9 * $1, 9 * $2, 9 * $3; next } { print }' OFMT=%.
 
 # The tests.
 
-common_options="depth cube-scale unsplit join paper csv output threads quiet help"
+common_options="depth cube-scale unsplit join paper csv output threads quiet verbose progress help
+  version"
 integration_options="assembly samples sampling seed"
 point_options="neighbors split-points"
 
@@ -178,22 +179,29 @@ explains() {
 
 # shellcheck disable=SC2086
 test_help() {
-  explains solve_poisson $common_options $integration_options $point_options \
+  local program
+  explains solve_poisson $common_options $integration_options $point_options refine \
     rhs rhs-property alpha tolerance stabilization cycle smoother
-  explains laplace_spectrum $common_options $integration_options $point_options \
+  explains laplace_spectrum $common_options $integration_options $point_options refine \
     count operator mass eigenfunction eigensolver tolerance stabilization
-  explains spectral_descriptors $common_options $integration_options \
+  explains spectral_descriptors $common_options $integration_options refine \
     descriptor count columns time energy scaled normalization compare column eigensolver tolerance
-  explains fit_function $common_options $integration_options $point_options \
+  explains fit_function $common_options $integration_options $point_options refine \
     property normals smoothing refinements tolerance stabilization
-  explains estimate_curvature $common_options $integration_options $point_options \
+  explains estimate_curvature $common_options $integration_options $point_options refine \
     method smoothing tolerance stabilization show clip
   explains stitch_colors $common_options \
     poses frame method gradients alpha maximum-distance normal-angle unoriented leave-out \
     keep-exposures linear-light no-details truth tolerance stabilization
   explains bake_scans views resolution field-of-view points noise exposure-range exposures tint \
-    light linear-light pattern seed quiet
-  ! has_draw_mesh || explains draw_mesh property isolines up size
+    light linear-light pattern seed quiet version
+  check "bake_scans --help rounds its defaults" eval "! grep -q '[09]\{6\}' out"
+  ! has_draw_mesh || explains draw_mesh property range no-legend isolines view up size version
+  for program in solve_poisson bake_scans; do
+    succeeds $program --version
+    check "$program --version" \
+      grep -Eqx "$program \\(Restricted_laplacian_3 [0-9]+\\.[0-9]+\\.[0-9]+, CGAL [0-9.]+.*\\)" out
+  done
 }
 
 # the tool that draws pictures needs a library
@@ -281,10 +289,10 @@ test_bad_input() {
     fails "depth.*missing\|missing.*depth" "$program" small.off --depth
     fails "7x" "$program" small.off --depth 7x
     fails "7.5" "$program" small.off --depth 7.5
-    fails "depth" "$program" small.off --depth 99
-    fails "depth" "$program" small.off --depth 0
-    fails "depth" "$program" small.off --depth -3
-    fails "cube" "$program" small.off --cube-scale 0.5
+    fails " --depth is 99" "$program" small.off --depth 99
+    fails " --depth is 0" "$program" small.off --depth 0
+    fails " --depth is -3" "$program" small.off --depth -3
+    fails " --cube-scale is 0.5" "$program" small.off --cube-scale 0.5
     fails "cube" "$program" small.off --cube-scale nan
     fails "cube" "$program" small.off --cube-scale inf
     fails "assembly" "$program" small.off --assembly magic
@@ -292,8 +300,19 @@ test_bad_input() {
     fails "samples" "$program" small.off --samples 1000
     fails "seed" "$program" small.off --seed -1
     fails "threads" "$program" small.off --threads 0
-    fails "nowhere" "$program" small.off --depth 3 --csv nowhere/table.csv
-    fails "nowhere" "$program" small.off --depth 3 --output nowhere/mesh.ply
+    # outputs are tried before the input is read
+    fails "nowhere/table.csv.* of --csv" "$program" missing.off --csv nowhere/table.csv
+    fails "nowhere/mesh.ply.* of --output" "$program" missing.off --output nowhere/mesh.ply
+    fails "folder.off' of --csv" "$program" missing.off --csv folder.off
+    fails "mesh.jpg' of --output.*.ply or .obj" "$program" missing.off --output mesh.jpg
+    fails "the same file" "$program" missing.off --csv same.ply --output same.ply
+    fails "missing.off" "$program" missing.off --csv new.csv --output new.ply
+    check "$program leaves no empty file" [ ! -e new.csv -a ! -e new.ply ]
+    echo "old" > old.csv
+    fails "missing.off" "$program" missing.off --csv old.csv
+    check "$program keeps the old file" [ "$(cat old.csv)" = old ]
+    fails "refine needs --output" "$program" small.off --refine 2
+    fails "refine" "$program" small.off --output new.ply --refine 0
     if [ -c /dev/full ]; then
       fails "/dev/full" "$program" small.off --depth 3 --csv /dev/full
       fails "/dev/full" "$program" small.off --depth 3 --output /dev/full
@@ -321,7 +340,7 @@ test_bad_input() {
   program=spectral_descriptors
   fails "descriptor" $program small.off --descriptor magic
   fails "count" $program small.off --count 0
-  fails "k is" $program small.off --depth 2 --count 5000
+  fails " --count is" $program small.off --depth 2 --count 5000
   fails "eigenvalues" $program small.off --depth 2 --count 1
   fails "columns" $program small.off --columns 1
   fails "columns" $program small.off --descriptor gps --columns 5
@@ -358,8 +377,13 @@ comment() { sed -n "s/^# $1: //p" "$2"; }
 test_poisson_table() {
   local name
   succeeds solve_poisson sphere.off --depth 4 --csv table.csv
-  for name in vertices faces depth dimension area seconds iterations residual; do
-    check "prints $name" grep -q "$name" out
+  for name in vertices faces depth dimension area components seconds; do
+    check "prints $name" grep -q "^$name " out
+  done
+  check "prints no details" eval "! grep -q 'sheets\|iterations\|residual\|threads' out"
+  for name in minimum maximum mean; do
+    check "prints the $name of -z / 2" is_near "$(entry $name)" \
+      "$(echo "minimum -0.5 maximum 0.5 mean 0" | grep -o "$name [^ ]*" | cut -d' ' -f2)" 0.01
   done
   check "format of the table" has_table_format table.csv vertex,value
   for name in vertices faces depth dimension cells sheets split_elements components \
@@ -375,6 +399,14 @@ test_poisson_table() {
   check "16 or more digits" [ "$(numbers table.csv | tr -d -- '-.\n' | wc -c)" -gt 15390 ]
   succeeds solve_poisson sphere.off --depth 4 --quiet
   check "--quiet prints nothing" [ ! -s out ]
+  run solve_poisson sphere.off --depth 4 --verbose
+  for name in sheets iterations residual threads assembly_seconds; do
+    check "--verbose prints $name" grep -q "$name" out
+  done
+  run solve_poisson sphere.off --depth 4 --progress
+  check "--progress shows parts and seconds" \
+    grep -Eqx "solving: [0-9]+ %, [0-9]+ s left" err
+  check "of the assembly, too" grep -Eqx "assembling [0-9]+ unknowns: 100 %, 0 s left" err
 }
 
 # The coordinates are eigenfunctions of the sphere: Laplacian x = -2 x.
@@ -494,6 +526,40 @@ test_mesh_output() {
   succeeds solve_poisson u.ply --depth 3 --rhs-property red --csv red.csv
   check "a property of type uchar" eval "[ $(numbers red.csv | sort -u | wc -l) -gt 50 ]"
   fails "height" solve_poisson u.ply --depth 3 --rhs-property height
+
+  succeeds solve_poisson sphere.off --depth 3 --output u.obj
+  check "an obj file has colors" [ "$(grep -Ec '^v( [^ ]+){6}$' u.obj)" -eq 1026 ]
+  check "and faces" [ "$(grep -Ec '^f( [0-9]+){3}$' u.obj)" -eq 2048 ]
+  succeeds solve_poisson u.obj --depth 3 --csv again.csv
+  check "it can be read again" [ "$(comment vertices again.csv)" = 1026 ]
+}
+
+# What is written between the vertices is the spline, not what is linear between them.
+test_refinement() {
+  local program
+  succeeds fit_function small.off --property z --depth 3 --refine 4 --output fine.ply
+  succeeds fit_function fine.ply --property z,fit_z --depth 3 --csv fine.csv
+  check "faces are divided" is_below 5000 "$(comment faces fine.csv)"
+  check "without cracks" [ "$(comment components fine.csv)" = 1 ]
+  check "the surface is the same" eval \
+    "run fit_function small.off --property z --depth 3 --csv z.csv &&
+     is_near '$(comment area fine.csv)' \"\$(comment area z.csv)\" 1e-9"
+  check "the fit of z is z, everywhere" eval "paste <(column fine.csv 2) <(column fine.csv 3) |
+    awk '{ d = \$1 - \$2; if(!(d * d < 1e-10)) exit 1 }'"
+  # an eigenfunction of degree 2 has a larger range than its values at a few vertices
+  make_sphere 1 > octahedron.off
+  succeeds laplace_spectrum octahedron.off --depth 4 --count 6 --eigenfunction 5 --output five.ply \
+    --refine 2
+  succeeds fit_function five.ply --property value --depth 4 --csv five.csv
+  check "the values differ between the vertices" \
+    [ "$(numbers five.csv | cut -c1-5 | sort -u | wc -l)" -gt 50 ]
+  for program in estimate_curvature spectral_descriptors; do
+    succeeds $program small.off --depth 3 --refine 1 --output fine.ply
+    succeeds solve_poisson fine.ply --depth 3 --rhs x
+    check "$program divides faces" is_below 200 "$(entry faces)"
+  done
+  fails "refine.*restricted" laplace_spectrum small.off --operator cotangent --refine 2 \
+    --output fine.ply
 }
 
 # is_picture FILE: a PNG file that is not empty
@@ -502,9 +568,12 @@ is_picture() {
     [ "$(wc -c < "$1")" -gt 10000 ]
 }
 
+# picture_width FILE: in pixels
+picture_width() { od -An -tu1 -j16 -N4 "$1" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }'; }
+
 # pictures of what programs write
 test_pictures() {
-  local option
+  local option view
   if ! has_draw_mesh; then
     echo "SKIPPED: test_pictures: there is no draw_mesh"
     return
@@ -512,11 +581,20 @@ test_pictures() {
   succeeds solve_poisson sphere.off --depth 3 --output u.ply
   succeeds draw_mesh u.ply u.png
   check "a picture" is_picture u.png
-  for option in "--isolines 10" "--up z" "--size 500" "--property red"; do
+  for option in "--isolines 10" "--up z" "--size 500" "--property red" "--view 1,0,0" \
+    "--property value" "--property value --no-legend" "--property value --range -1,1"; do
     # shellcheck disable=SC2086
     succeeds draw_mesh u.ply other.png $option
     check "$option: a picture" is_picture other.png
     check "$option changes the picture" eval "! cmp -s u.png other.png"
+  done
+  succeeds draw_mesh u.ply with.png --property value
+  succeeds draw_mesh u.ply without.png --property value --no-legend
+  check "the legend is beside the mesh" \
+    is_below "$(picture_width without.png)" "$(picture_width with.png)"
+  for view in 0,0,1 0,1,0 0,-3,0 1e-9,1,0; do
+    succeeds draw_mesh u.ply other.png --view $view
+    check "from $view: a picture" is_picture other.png
   done
   succeeds draw_mesh sphere.off gray.png
   check "a mesh without colors" is_picture gray.png
@@ -537,7 +615,13 @@ test_pictures() {
   fails "isolines" draw_mesh u.ply x.png --isolines -1
   fails "up" draw_mesh u.ply x.png --up x
   fails "size" draw_mesh u.ply x.png --size 1
-  fails "nowhere" draw_mesh u.ply nowhere/x.png
+  fails "nowhere/x.png' of PICTURE" draw_mesh missing.ply nowhere/x.png
+  fails "x.jpg' of PICTURE.*: .png" draw_mesh missing.ply x.jpg
+  fails "view" draw_mesh u.ply x.png --view 1,0
+  fails "'y' in the argument of --view" draw_mesh u.ply x.png --view 1,y,0
+  fails "view" draw_mesh u.ply x.png --view 0,0,0
+  fails "range needs --property" draw_mesh u.ply x.png --range 0,1
+  fails "range" draw_mesh u.ply x.png --property value --range 1,0
 }
 
 # has_sphere_spectrum FILE TOLERANCE: l (l + 1), 2 l + 1 times, up to a relative error
@@ -722,9 +806,12 @@ test_curvature() {
     for line in "property uchar red" "property double mean" "property double gaussian"; do
       check "$method: header of the mesh: $line" grep -aqx "$line" c.ply
     done
+    check "$method: prints the range of the mean curvature" eval \
+      "printf '%s\n' $(entry mean_minimum) $(entry mean_maximum) | is_within 0.95 1.05"
     check "$method: few iterations" is_below "$(comment iterations c.csv)" 15.5
     [ $method = coordinates ] ||
-      check "$method: Gaussian curvature" eval "column c.csv 3 | is_within 0.9 1.1"
+      check "$method: Gaussian curvature" eval "column c.csv 3 | is_within 0.9 1.1 &&
+        printf '%s\n' $(entry gaussian_minimum) $(entry gaussian_maximum) | is_within 0.9 1.1"
   done
   check "coordinates give no Gaussian curvature" \
     [ "$(column c.csv 3 | sed 's/-nan/nan/' | sort -u)" = nan ]
@@ -1068,6 +1155,8 @@ SOUP
   succeeds solve_poisson soup.off --depth 3 --csv soup.csv
   check "all faces on an edge are connected, faces without a common edge are not" \
     [ "$(comment components soup.csv)" = 2 ]
+  check "the table says so" \
+    eval "grep -q '^components *2, the surface is disconnected: .* mean 0\$' out"
   check "the constants of both are in the kernel" [ "$(comment kernel_dimension soup.csv)" = 2 ]
   check "all have one row, NaN if no face uses them" \
     [ "$(numbers soup.csv | sed 's/-nan/nan/' | grep -n nan)" = 3:nan ]
@@ -1082,6 +1171,9 @@ SOUP
   explode small.off > exploded.off
   for program in solve_poisson laplace_spectrum; do
     succeeds "$program" exploded.off --depth 3 --csv apart.csv
+    check "$program says that they are" grep -q "^components *128, the surface is disconnected" out
+    [ $program != laplace_spectrum ] ||
+      check "and how many zeros there are" grep -q "disconnected: 128 zero eigenvalues$" out
     check "$program: as many components as faces" \
       [ "$(comment components apart.csv)" = "$(comment faces apart.csv)" ]
     succeeds "$program" exploded.off --depth 3 --join 0 --csv joined.csv
@@ -1181,9 +1273,11 @@ test_points() {
   fails "'y'" solve_poisson flat.ply
   : > empty.xyz
   fails "no point" solve_poisson empty.xyz
-  fails "triangles" laplace_spectrum points.xyz --operator cotangent
-  fails "triangles" laplace_spectrum points.xyz --assembly monte-carlo
-  fails "number_of_neighbors" laplace_spectrum points.xyz --neighbors 2
+  fails " --operator cotangent needs .*triangles" laplace_spectrum points.xyz --operator cotangent
+  fails " --assembly monte-carlo needs .*triangles" laplace_spectrum points.xyz \
+    --assembly monte-carlo
+  fails " --neighbors is 2" laplace_spectrum points.xyz --neighbors 2
+  fails " --refine needs a mesh" laplace_spectrum points.xyz --refine 2 --output points_2.ply
   fails "set of points" laplace_spectrum sphere.off --split-points
   fails "sampling" laplace_spectrum sphere.off --assembly monte-carlo --sampling regular
   succeeds laplace_spectrum sphere.off --depth 3 --count 2 --csv stratified.csv \
@@ -1192,6 +1286,7 @@ test_points() {
 }
 
 test_short_programs() {
+  local program
   succeeds minimal_poisson sphere.off
   # u = -z / 2
   check "minimal_poisson prints the range of u" \
@@ -1227,6 +1322,11 @@ test_short_programs() {
   succeeds eigen_matrices
   check "eigen_matrices comes near to the solution" \
     is_below "$(awk '/error of u/ { print $NF }' out)" 1e-4
+  # a mesh that the library refuses
+  printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n' > line.off
+  for program in poisson spectrum descriptors curvature gradient_field stitching; do
+    fails "^minimal_$program: .*area" minimal_$program line.off
+  done
   succeeds generic_meshes sphere.off
   check "generic_meshes uses at least two types" [ "$(grep -c "u is between" out)" -ge 2 ]
   check "and finds the same solution with all" \
@@ -1234,6 +1334,8 @@ test_short_programs() {
   fails "usage" generic_meshes
   awk 'NR > 2 && NF == 3 { print $0, $0 }' sphere.off > minimal.xyz
   succeeds minimal_points minimal.xyz
+  sed '5s/.*/0 0 1 0 0 0/' minimal.xyz > no_normal.xyz
+  fails "^minimal_points: point 4 .*normal" minimal_points no_normal.xyz
   check "minimal_points prints eigenvalues and a range" [ "$(wc -l < out)" -eq 2 ]
   check "the second of which is 2" is_near "$(sed -n '1s/.*: [^ ]* \([^ ]*\) .*/\1/p' out)" 2 0.05
   fails "usage" minimal_points

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -75,12 +76,16 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 /// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
 /// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
 /// \param stabilized which of the matrices are stabilised
+/// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`, the
+/// computation ends with an exception
 /// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
 /// negative or not finite
+/// \throws Canceled if the callback returned `false`
 std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
                                           const Surface_integration_view& integration,
                                           double normal_stabilization = 0,
-                                          Stabilized stabilized = Stabilized::stiffness_and_mass);
+                                          Stabilized stabilized = Stabilized::stiffness_and_mass,
+                                          const std::function<bool(double)>& callback = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level, at the cost of one of them.
@@ -103,13 +108,15 @@ Operators assemble_operators(const Spline_space_3& space);
 /// \param coarsest from 0, the coarsest, to the depth of the space
 /// \param sinks one for each level from `coarsest` on, coarsest first; null pointers are left out
 /// \param integration any model of `SurfaceIntegration_3`
-/// \param normal_stabilization,stabilized as above
+/// \param normal_stabilization,stabilized,callback as above
 /// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
 /// negative or not finite
+/// \throws Canceled if the callback returned `false`
 void assemble_into(const Spline_space_3& space, int coarsest,
                    const std::vector<Operator_sink*>& sinks,
                    const Surface_integration_view& integration, double normal_stabilization = 0,
-                   Stabilized stabilized = Stabilized::stiffness_and_mass);
+                   Stabilized stabilized = Stabilized::stiffness_and_mass,
+                   const std::function<bool(double)>& callback = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The stiffness matrix of one level alone: no mass matrix is formed or held meanwhile.

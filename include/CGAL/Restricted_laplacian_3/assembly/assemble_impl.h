@@ -10,12 +10,14 @@
 #include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/sheet_loads.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,11 +27,10 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void assemble_into(const Spline_space_3& space, int coarsest,
-                                                      const std::vector<Operator_sink*>& sinks,
-                                                      const Surface_integration_view& integration,
-                                                      double normal_stabilization,
-                                                      Stabilized stabilized) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+assemble_into(const Spline_space_3& space, int coarsest, const std::vector<Operator_sink*>& sinks,
+              const Surface_integration_view& integration, double normal_stabilization,
+              Stabilized stabilized, const std::function<bool(double)>& callback) {
   space.checked_level(coarsest);
   internal::checked_normal_stabilization(normal_stabilization);
   if(sinks.empty())
@@ -40,13 +41,13 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void assemble_into(const Spline_space_3& spac
     targets[coarsest + i].sink = sinks[i];
   internal::Operator_assembly(space, integration, nullptr, normal_stabilization,
                               stabilized == Stabilized::stiffness_and_mass)
-      .run(targets);
+      .run(targets, internal::Progress(callback));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Operators>
 assemble_operators(const Spline_space_3& space, int coarsest, int finest,
                    const Surface_integration_view& integration, double normal_stabilization,
-                   Stabilized stabilized) {
+                   Stabilized stabilized, const std::function<bool(double)>& callback) {
   space.checked_level(coarsest);
   space.checked_level(finest);
   internal::checked_normal_stabilization(normal_stabilization);
@@ -56,6 +57,8 @@ assemble_operators(const Spline_space_3& space, int coarsest, int finest,
   operators.resize(static_cast<std::size_t>(finest - coarsest) + 1);
   std::deque<internal::Sparse_sink> sinks;
   std::vector<Operator_sink*> pointers;
+  const internal::Progress progress(callback);
+  progress(0);
   for(int level = coarsest; level <= finest; ++level) {
     Operators& o = operators[level - coarsest];
     sinks.emplace_back(
@@ -63,7 +66,8 @@ assemble_operators(const Spline_space_3& space, int coarsest, int finest,
         std::vector<internal::Sparse_sink::Target>{{&o.stiffness, 1, 0}, {&o.mass, 0, 1}});
     pointers.push_back(&sinks.back());
   }
-  assemble_into(space, coarsest, pointers, integration, normal_stabilization, stabilized);
+  assemble_into(space, coarsest, pointers, integration, normal_stabilization, stabilized,
+                progress.part(internal::part_of_pattern, 1).callback());
   return operators;
 }
 

@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
@@ -140,18 +141,19 @@ private:
 /// the curvature by the Laplacian of the coordinates, in the weak form
 Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
                                       const Surface_integration_view& integration,
-                                      const Function_fit_options& options);
+                                      const Function_fit_options& options,
+                                      const Progress& progress);
 
 /// the curvature by the derivative of the fit of a field of normals
 Curvature_field curvature_of_field(const Spline_space_3& space,
                                    const Surface_integration_view& integration,
                                    const Surface_function_view& normals,
-                                   const Function_fit_options& options);
+                                   const Function_fit_options& options, const Progress& progress);
 
 /// the same with the normals of the surface at the vertices, or of the faces
 Curvature_field curvature_of_surface(const Spline_space_3& space,
                                      const Surface_integration_view& integration, bool of_faces,
-                                     const Function_fit_options& options);
+                                     const Function_fit_options& options, const Progress& progress);
 
 } // namespace internal
 

@@ -118,29 +118,33 @@ inline Eigen::MatrixXd coordinate_laplacian_loads(const Spline_space_3& space,
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit
 fit_coordinate_laplacian(const Spline_space_3& space, const Surface_integration_view& integration,
-                         const Function_fit_options& options) {
+                         const Function_fit_options& options, const Progress& progress) {
+  progress(0);
   const auto normal = function_of_degree([](const Surface_point& p) { return p.normal; }, 0);
   Eigen::MatrixXd loads(static_cast<Eigen::Index>(space.dimension()), 6);
   loads.leftCols(3) = assemble_component_loads(space, normal, space.depth(), integration);
   loads.rightCols(3) = coordinate_laplacian_loads(space, integration);
-  return Function_fitter(space, integration, options).project(loads);
+  return Function_fitter(space, integration, options)
+      .project(loads, progress.part(0.2, 1).callback());
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
 curvature_of_field(const Spline_space_3& space, const Surface_integration_view& integration,
-                   const Surface_function_view& normals, const Function_fit_options& options) {
-  return Curvature_field(space, Function_fitter(space, integration, options).fit(normals));
+                   const Surface_function_view& normals, const Function_fit_options& options,
+                   const Progress& progress) {
+  return Curvature_field(
+      space, Function_fitter(space, integration, options).fit(normals, progress.callback()));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
 curvature_of_surface(const Spline_space_3& space, const Surface_integration_view& integration,
-                     bool of_faces, const Function_fit_options& options) {
+                     bool of_faces, const Function_fit_options& options, const Progress& progress) {
   if(of_faces)
     return curvature_of_field(
         space, integration, function_of_degree([](const Surface_point& p) { return p.normal; }, 0),
-        options);
-  return curvature_of_field(space, integration,
-                            Interpolated_normals(vertex_normals(space.surface())), options);
+        options, progress);
+  return curvature_of_field(
+      space, integration, Interpolated_normals(vertex_normals(space.surface())), options, progress);
 }
 
 } // namespace internal

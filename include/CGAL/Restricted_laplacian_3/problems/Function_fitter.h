@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_FUNCTION_FITTER_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
@@ -17,6 +18,7 @@
 
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -149,42 +151,52 @@ public:
   /// \param f a function object that takes a `const Surface_point&` and returns a number, a
   /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal.
   /// Integrated as in `assemble_load()`.
+  /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`,
+  /// the computation ends with an exception
   /// \throws Parameter_error if a value of `f` is not finite
-  Function_fit fit(const Surface_function_view& f);
+  /// \throws Canceled if the callback returned `false`
+  Function_fit fit(const Surface_function_view& f,
+                   const std::function<bool(double)>& callback = {});
 
   /// The function whose loads are given, \f$\int u\, b_i = \gamma_i\f$ in the least-squares sense,
   /// smoothed and stabilised as a fit is; without refinement. The stabilisation is 1e-4 unless it
   /// is given.
   /// \param loads \f$\gamma\f$: a row for each element of the finest level, a column for each
   /// component
+  /// \param callback as above
   /// \return a fit without errors
   /// \throws Parameter_error if the number of rows does not fit, or if an entry is not finite
-  Function_fit project(const Eigen::MatrixXd& loads);
+  /// \throws Canceled if the callback returned `false`
+  Function_fit project(const Eigen::MatrixXd& loads,
+                       const std::function<bool(double)>& callback = {});
 
 private:
   using Residual = internal::Fit_residual;
   using Components = std::vector<Eigen::Index>;
+  using Progress = internal::Progress;
 
   double unit() const;
   Residual residual(const Surface_function_view& f, const Function_fit& fit,
                     bool with_gradients = false) const;
-  const Poisson_solver& solver(double normal_stabilization);
-  void project(const Eigen::MatrixXd& loads, double normal_stabilization, Function_fit& result);
+  const Poisson_solver& solver(double normal_stabilization, const Progress& progress);
+  void project(const Eigen::MatrixXd& loads, double normal_stabilization, const Progress& progress,
+               Function_fit& result);
   void fit_with_chosen_stabilization(const Surface_function_view& f, const Residual& of_zero,
-                                     Function_fit& result);
+                                     const Progress& progress, Function_fit& result);
   bool has_converged(double relative_residual) const;
   void fit_again_what_did_not_converge(const Components& components, const Eigen::MatrixXd& loads,
-                                       Function_fit& result, std::vector<int>& iterations);
+                                       const Progress& progress, Function_fit& result,
+                                       std::vector<int>& iterations);
   void solve_roughly(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
-                     const Components& components, Function_fit& result,
+                     const Components& components, const Progress& progress, Function_fit& result,
                      std::vector<int>& iterations) const;
   void reduce_residuals(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
-                        const Components& components, Function_fit& result,
-                        std::vector<int>& iterations) const;
+                        const Components& components, const Progress& progress,
+                        Function_fit& result, std::vector<int>& iterations) const;
   double relative_stabilization_energy(const Poisson_solver& solver, Eigen::Index k,
                                        const Residual& of_zero, const Residual& left,
                                        const Function_fit& fit) const;
-  void refine(const Surface_function_view& f, Function_fit& result) const;
+  void refine(const Surface_function_view& f, const Progress& progress, Function_fit& result) const;
 
   const Spline_space_3* m_space;
   Surface_integration_view m_integration;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 
 #include <CGAL/Real_timer.h>
@@ -17,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -48,6 +50,9 @@ inline Eigen::MatrixXd columns(const Eigen::MatrixXd& matrix,
   return result;
 }
 
+/// of the time that a fit takes, that of its solver; the rest is for solving
+constexpr double end_of_setup = 0.6;
+
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
@@ -75,20 +80,30 @@ Function_fitter::residual(const Surface_function_view& f, const Function_fit& fi
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit
-Function_fitter::fit(const Surface_function_view& f) {
+Function_fitter::fit(const Surface_function_view& f, const std::function<bool(double)>& callback) {
   CGAL::Real_timer timer;
   timer.start();
   const double seconds_before = m_assembly_seconds + m_setup_seconds;
+  // a refinement takes about a fifth of the fit
+  const double refinements = 0.2 * m_options.refinement_steps, end_of_fit = 1 / (1 + refinements);
+  const Progress progress(callback);
+  progress(0);
   Function_fit result;
   const Residual of_zero = residual(f, result);
   const double load_seconds = timer.time();
 
+  const Progress of_fit = progress.part(0.1 * end_of_fit, end_of_fit);
   if(m_options.normal_stabilization)
-    project(of_zero.loads, *m_options.normal_stabilization, result);
+    project(of_zero.loads, *m_options.normal_stabilization, of_fit, result);
   else
-    fit_with_chosen_stabilization(f, of_zero, result);
+    fit_with_chosen_stabilization(f, of_zero, of_fit, result);
+  const Progress of_refinements = progress.part(end_of_fit, 1);
   for(int step = 0; step < m_options.refinement_steps; ++step)
-    refine(f, result);
+    refine(f,
+           of_refinements.part(static_cast<double>(step) / m_options.refinement_steps,
+                               (step + 1.) / m_options.refinement_steps),
+           result);
+  progress(1);
   const Residual left = residual(f, result);
   for(Eigen::Index k = 0; k < left.squares.size(); ++k)
     result.root_mean_square_errors.push_back(
@@ -101,18 +116,18 @@ Function_fitter::fit(const Surface_function_view& f) {
   return result;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit
-Function_fitter::project(const Eigen::MatrixXd& loads) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit Function_fitter::project(
+    const Eigen::MatrixXd& loads, const std::function<bool(double)>& callback) {
   Function_fit result;
   project(loads, m_options.normal_stabilization.value_or(internal::Fit_stabilization::factors[0]),
-          result);
+          Progress(callback), result);
   result.assembly_seconds = m_assembly_seconds;
   return result;
 }
 
 /// the solver with this stabilisation
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Poisson_solver&
-Function_fitter::solver(double normal_stabilization) {
+Function_fitter::solver(double normal_stabilization, const Progress& progress) {
   for(const auto& [c, solver] : m_solvers)
     if(c == normal_stabilization)
       return solver;
@@ -128,9 +143,9 @@ Function_fitter::solver(double normal_stabilization) {
   elliptic.reaction = 1 / unit();
   elliptic.diffusion = m_options.smoothing_weight / unit();
   elliptic.normal_stabilization = normal_stabilization;
-  m_solvers.emplace_back(
-      normal_stabilization,
-      internal::elliptic_solver(*m_space, m_integration, elliptic, options, &m_integrals));
+  m_solvers.emplace_back(normal_stabilization,
+                         internal::elliptic_solver(*m_space, m_integration, elliptic, options,
+                                                   progress, &m_integrals));
   const Poisson_solver& result = m_solvers.back().second;
   m_setup_seconds += result.setup_seconds();
   m_assembly_seconds += timer.time() - result.setup_seconds();
@@ -139,15 +154,20 @@ Function_fitter::solver(double normal_stabilization) {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Function_fitter::project(const Eigen::MatrixXd& loads,
                                                                  double normal_stabilization,
+                                                                 const Progress& progress,
                                                                  Function_fit& result) {
+  const Poisson_solver& solver =
+      this->solver(normal_stabilization, progress.part(0, internal::end_of_setup));
   static_cast<Solve_report&>(result) =
-      solver(normal_stabilization).solve(loads / unit(), result.coefficients);
+      solver.solve(loads / unit(), result.coefficients, m_options.solver.relative_tolerance,
+                   progress.part(internal::end_of_setup, 1).callback());
   result.normal_stabilizations.assign(result.relative_residuals.size(), normal_stabilization);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Function_fitter::fit_with_chosen_stabilization(const Surface_function_view& f,
-                                               const Residual& of_zero, Function_fit& result) {
+                                               const Residual& of_zero, const Progress& progress,
+                                               Function_fit& result) {
   using internal::Fit_stabilization;
   const Eigen::MatrixXd loads = of_zero.loads / unit();
   result.coefficients.setZero(loads.rows(), loads.cols());
@@ -162,8 +182,12 @@ Function_fitter::fit_with_chosen_stabilization(const Surface_function_view& f,
     if(to_be_fitted[i].empty())
       continue;
     const double c = Fit_stabilization::factors[i];
-    const Poisson_solver& solver = this->solver(c);
-    solve_roughly(solver, loads, to_be_fitted[i], result, iterations);
+    const double number = static_cast<double>(to_be_fitted.size());
+    const Progress of_factor =
+        progress.part(static_cast<double>(i) / number, static_cast<double>(i + 1) / number);
+    const Poisson_solver& solver = this->solver(c, of_factor.part(0, internal::end_of_setup));
+    const Progress of_solver = of_factor.part(internal::end_of_setup, 1);
+    solve_roughly(solver, loads, to_be_fitted[i], of_solver.part(0, 0.4), result, iterations);
     Components accepted;
     Residual left;
     if(i < last)
@@ -176,11 +200,11 @@ Function_fitter::fit_with_chosen_stabilization(const Surface_function_view& f,
             left.squares[k]);
       (next == i ? accepted : to_be_fitted[next]).push_back(k);
     }
-    reduce_residuals(solver, loads, accepted, result, iterations);
+    reduce_residuals(solver, loads, accepted, of_solver.part(0.4, 1), result, iterations);
     for(Eigen::Index k : accepted)
       result.normal_stabilizations[k] = c;
   }
-  fit_again_what_did_not_converge(to_be_fitted[last], loads, result, iterations);
+  fit_again_what_did_not_converge(to_be_fitted[last], loads, progress, result, iterations);
   result.iterations = *std::max_element(iterations.begin(), iterations.end());
   result.relative_residual =
       *std::max_element(result.relative_residuals.begin(), result.relative_residuals.end());
@@ -194,10 +218,9 @@ Function_fitter::has_converged(double relative_residual) const {
 }
 
 /// \param components those that were fitted with the smallest stabilisation
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-Function_fitter::fit_again_what_did_not_converge(const Components& components,
-                                                 const Eigen::MatrixXd& loads, Function_fit& result,
-                                                 std::vector<int>& iterations) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Function_fitter::fit_again_what_did_not_converge(
+    const Components& components, const Eigen::MatrixXd& loads, const Progress& progress,
+    Function_fit& result, std::vector<int>& iterations) {
   const auto& factors = internal::Fit_stabilization::factors;
   Components slow;
   for(Eigen::Index k : components)
@@ -206,9 +229,9 @@ Function_fitter::fit_again_what_did_not_converge(const Components& components,
   if(slow.empty())
     return;
   const double c = factors[factors.size() - 2];
-  const Poisson_solver& solver = this->solver(c);
-  solve_roughly(solver, loads, slow, result, iterations);
-  reduce_residuals(solver, loads, slow, result, iterations);
+  const Poisson_solver& solver = this->solver(c, progress);
+  solve_roughly(solver, loads, slow, progress, result, iterations);
+  reduce_residuals(solver, loads, slow, progress, result, iterations);
   for(Eigen::Index k : slow)
     result.normal_stabilizations[k] = c;
 }
@@ -216,13 +239,13 @@ Function_fitter::fit_again_what_did_not_converge(const Components& components,
 /// solves for some components, well enough to compare energies
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Function_fitter::solve_roughly(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
-                               const Components& components, Function_fit& result,
-                               std::vector<int>& iterations) const {
+                               const Components& components, const Progress& progress,
+                               Function_fit& result, std::vector<int>& iterations) const {
   constexpr double rough_tolerance = 1e-2;
   Eigen::MatrixXd x;
-  const Solve_report report =
-      solver.solve(internal::columns(loads, components), x,
-                   (std::max)(m_options.solver.relative_tolerance, rough_tolerance));
+  const Solve_report report = solver.solve(
+      internal::columns(loads, components), x,
+      (std::max)(m_options.solver.relative_tolerance, rough_tolerance), progress.callback());
   for(std::size_t i = 0; i < components.size(); ++i) {
     result.coefficients.col(components[i]) = x.col(static_cast<Eigen::Index>(i));
     result.relative_residuals[components[i]] = report.relative_residuals[i];
@@ -234,8 +257,8 @@ Function_fitter::solve_roughly(const Poisson_solver& solver, const Eigen::Matrix
 /// one meets the tolerance.
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Function_fitter::reduce_residuals(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
-                                  const Components& components, Function_fit& result,
-                                  std::vector<int>& iterations) const {
+                                  const Components& components, const Progress& progress,
+                                  Function_fit& result, std::vector<int>& iterations) const {
   double largest = 0;
   for(Eigen::Index k : components)
     largest = (std::max)(largest, result.relative_residuals[k]);
@@ -245,8 +268,8 @@ Function_fitter::reduce_residuals(const Poisson_solver& solver, const Eigen::Mat
       internal::columns(loads, components) - solver.upper_half().selfadjointView<Eigen::Upper>() *
                                                  internal::columns(result.coefficients, components);
   Eigen::MatrixXd correction;
-  const Solve_report report =
-      solver.solve(residual, correction, m_options.solver.relative_tolerance / largest);
+  const Solve_report report = solver.solve(
+      residual, correction, m_options.solver.relative_tolerance / largest, progress.callback());
   for(std::size_t i = 0; i < components.size(); ++i) {
     result.coefficients.col(components[i]) += correction.col(static_cast<Eigen::Index>(i));
     result.relative_residuals[components[i]] *= report.relative_residuals[i];
@@ -274,7 +297,9 @@ Function_fitter::relative_stabilization_energy(const Poisson_solver& solver, Eig
 
 /// fits what is left, each component with its stabilisation
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Function_fitter::refine(const Surface_function_view& f,
+                                                                const Progress& progress,
                                                                 Function_fit& result) const {
+  progress(0);
   const Residual left = residual(f, result);
   for(const auto& [c, solver] : m_solvers) {
     Components components;
@@ -284,7 +309,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Function_fitter::refine(const Surface_fu
     if(components.empty())
       continue;
     Eigen::MatrixXd x;
-    const Solve_report report = solver.solve(internal::columns(left.loads, components) / unit(), x);
+    const Solve_report report =
+        solver.solve(internal::columns(left.loads, components) / unit(), x,
+                     solver.options().relative_tolerance, progress.callback());
     for(std::size_t i = 0; i < components.size(); ++i)
       result.coefficients.col(components[i]) += x.col(static_cast<Eigen::Index>(i));
     result.converged = result.converged && report.converged;

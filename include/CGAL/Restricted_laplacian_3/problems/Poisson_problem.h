@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -29,6 +30,7 @@ struct Poisson_problem {
   std::optional<Surface_function_view> boundary_values;
   std::optional<Point_constraints> constraints;
   Poisson_solver_options options;
+  Progress progress;
 };
 
 /// Prescribed values enter the right-hand side with large factors, and its norm with them: the

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
@@ -93,7 +94,8 @@ Gradient_options gradient_options(const Spline_space_3& space, const NamedParame
 Gradient_solution integrate_gradients(const Spline_space_3& space,
                                       const Surface_integration_view& integration,
                                       const Vector_field_view& v, const Screening& screening,
-                                      const Gradient_options& options);
+                                      const Gradient_options& options,
+                                      const Progress& progress = Progress());
 
 /// corrects the values of a solution at the vertices
 /// \throws Input_error if the surface is a point set

@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/sheet_loads.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
@@ -169,12 +170,14 @@ inline void shift_to_means(const std::vector<int>& components, const Eigen::Vect
   }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients(
-    const Spline_space_3& space, const Surface_integration_view& integration,
-    const Vector_field_view& v, const Screening& screening, const Gradient_options& options) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution
+integrate_gradients(const Spline_space_3& space, const Surface_integration_view& integration,
+                    const Vector_field_view& v, const Screening& screening,
+                    const Gradient_options& options, const Progress& progress) {
   screening.check(v.channels());
   CGAL::Real_timer timer;
   timer.start();
+  progress(0);
   Eigen::MatrixXd loads = assemble_gradient_loads(space, v, space.depth(), integration);
   Eigen::MatrixXd target_loads;
   if(screening.target)
@@ -185,8 +188,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients(
   elliptic.name_of_reaction = "screening_weight";
   elliptic.normal_stabilization = options.normal_stabilization;
   Eigen::VectorXd constant_loads;
-  const Poisson_solver solver =
-      elliptic_solver(space, integration, elliptic, options.solver, &constant_loads);
+  const Poisson_solver solver = elliptic_solver(space, integration, elliptic, options.solver,
+                                                progress.part(0.15, 0.65), &constant_loads);
   const Mean_projection& constants = solver.mean_projection();
 
   Gradient_solution result;
@@ -202,7 +205,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients(
   }
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Eigen::MatrixXd x;
-  static_cast<Solve_report&>(result.fit) = solver.solve(loads, x);
+  static_cast<Solve_report&>(result.fit) =
+      solver.solve(loads, x, options.solver.relative_tolerance, progress.part(0.65, 1).callback());
   // The solver takes means from the sum of all loads, where those of a small weight are lost to
   // rounding beside those of the gradients. They are known without it.
   std::vector<int> shifted = result.components;

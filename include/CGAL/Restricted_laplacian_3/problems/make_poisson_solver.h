@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
@@ -54,14 +55,22 @@ Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                               const Eigen::VectorXd& constant_loads,
                               const Poisson_solver_options& options);
 
+/// the `callback` among named parameters, if it is there
+template <class NamedParameters> Progress progress_of(const NamedParameters& np) {
+  return Progress(parameters::choose_parameter(parameters::get_parameter(np, internal_np::callback),
+                                               Progress::Callback()));
+}
+
+/// of the time that a function takes on a mesh, that of its space
+constexpr double part_of_space = 0.15;
+
 /// with the matrices of all levels from one pass over the surface
 /// \param constant_loads if not null, on return what the matrix maps the constant 1 to
 /// \throws Parameter_error if the reaction or the stabilisation is outside its domain
-Poisson_solver elliptic_solver(const Spline_space_3& space,
-                               const Surface_integration_view& integration,
-                               const Elliptic_operator& elliptic,
-                               const Poisson_solver_options& options,
-                               Eigen::VectorXd* constant_loads = nullptr);
+Poisson_solver
+elliptic_solver(const Spline_space_3& space, const Surface_integration_view& integration,
+                const Elliptic_operator& elliptic, const Poisson_solver_options& options,
+                const Progress& progress = Progress(), Eigen::VectorXd* constant_loads = nullptr);
 
 /// The same with prescribed values: their matrices are known for the finest level only.
 /// \param load what they add to the right-hand side is added to it
@@ -70,7 +79,8 @@ Poisson_solver constrained_solver(const Spline_space_3& space,
                                   const Elliptic_operator& elliptic,
                                   const std::optional<Surface_function_view>& boundary_values,
                                   const std::optional<Point_constraints>& constraints,
-                                  const Poisson_solver_options& options, Eigen::VectorXd& load);
+                                  const Poisson_solver_options& options, const Progress& progress,
+                                  Eigen::VectorXd& load);
 
 /// with matrices of any patterns
 Poisson_solver poisson_solver_of(const Spline_space_3& space, const Operators& operators,
@@ -108,7 +118,11 @@ make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
 /// \param np optional named parameters: those of the overload that takes `Operators`, and
 /// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; default
 ///   `default_normal_stabilization()`
+/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
+///   1, and returns `false` to end it with a `Canceled` exception; `Poisson_solver::solve()` takes
+///   one of its own
 /// \throws Parameter_error if a parameter is outside its domain
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0,
@@ -126,7 +140,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
   elliptic.reaction = alpha;
   elliptic.normal_stabilization = internal::normal_stabilization(space, np);
   return internal::elliptic_solver(space, integration, elliptic,
-                                   internal::poisson_solver_options(np));
+                                   internal::poisson_solver_options(np), internal::progress_of(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
@@ -19,6 +20,9 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 namespace internal {
+
+/// of the time that a solver takes, that of its matrices; the rest is for the hierarchy
+constexpr double part_of_assembly = 0.6;
 
 inline void check_alpha(double alpha) {
   if(!(alpha >= 0 && std::isfinite(alpha)))
@@ -38,30 +42,35 @@ poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver
 elliptic_solver(const Spline_space_3& space, const Surface_integration_view& integration,
                 const Elliptic_operator& elliptic, const Poisson_solver_options& options,
-                Eigen::VectorXd* constant_loads) {
+                const Progress& progress, Eigen::VectorXd* constant_loads) {
   check_alpha(elliptic.reaction);
   // Matrices of the space of the paper are not the Galerkin products, which are computed then.
   const bool is_paper_space = space.is_paper_space();
   const int coarsest = is_paper_space ? space.depth() : coarsest_multigrid_level(space);
   System_matrices system =
       assemble_system(space, coarsest, integration, elliptic,
-                      is_paper_space ? Stored_entries::all : Stored_entries::upper_half);
+                      is_paper_space ? Stored_entries::all : Stored_entries::upper_half,
+                      progress.part(0, part_of_assembly));
   Sparse_matrix finest;
   finest.swap(system.matrices.back());
   system.matrices.pop_back();
   if(constant_loads)
     *constant_loads = system.constant_loads;
-  return poisson_solver(space, std::move(finest), std::move(system.matrices), system.integrals,
-                        system.constant_loads, options);
+  progress(part_of_assembly);
+  Poisson_solver solver = poisson_solver(space, std::move(finest), std::move(system.matrices),
+                                         system.integrals, system.constant_loads, options);
+  progress(1);
+  return solver;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver constrained_solver(
     const Spline_space_3& space, const Surface_integration_view& integration,
     const Elliptic_operator& elliptic, const std::optional<Surface_function_view>& boundary_values,
     const std::optional<Point_constraints>& constraints, const Poisson_solver_options& options,
-    Eigen::VectorXd& load) {
+    const Progress& progress, Eigen::VectorXd& load) {
   check_alpha(elliptic.reaction);
-  System_matrices system = assemble_system(space, space.depth(), integration, elliptic);
+  System_matrices system = assemble_system(space, space.depth(), integration, elliptic,
+                                           Stored_entries::all, progress.part(0, part_of_assembly));
   Sparse_matrix a;
   a.swap(system.matrices.front());
   if(boundary_values) {
@@ -73,7 +82,11 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver constrained_solver(
     constraints->add_to_matrix(a);
     load += constraints->load();
   }
-  return poisson_solver(space, std::move(a), {}, system.integrals, system.constant_loads, options);
+  progress(part_of_assembly);
+  Poisson_solver solver =
+      poisson_solver(space, std::move(a), {}, system.integrals, system.constant_loads, options);
+  progress(1);
+  return solver;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver

@@ -8,6 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
@@ -75,19 +76,23 @@ space_eigenpairs(const Spline_space_3& space, int k, const Surface_integration_v
   Laplace_spectrum spectrum;
   CGAL::Real_timer timer;
   timer.start();
+  constexpr double part_of_assembly = 0.15;
+  const Progress progress(options.multigrid.callback);
+  const Progress of_solver = progress.part(part_of_assembly, 1);
   const int coarsest = is_multigrid ? coarsest_multigrid_level(space) : space.depth();
   std::vector<Operators> operators =
       assemble_operators(space, coarsest, space.depth(), integration, options.normal_stabilization,
-                         Stabilized::stiffness);
+                         Stabilized::stiffness, progress.part(0, part_of_assembly).callback());
   spectrum.report.assembly_seconds = timer.time();
   if(is_multigrid) {
     Multigrid_eigenpairs_options of_multigrid = options.multigrid;
     of_multigrid.is_parallel = space.options().is_parallel;
+    of_multigrid.callback = of_solver.callback();
     take_pairs(multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
                spectrum);
   } else {
     Eigenpairs_options of_factorization;
-    of_factorization.callback = options.multigrid.callback;
+    of_factorization.callback = of_solver.callback();
     take_pairs(smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization),
                spectrum);
   }

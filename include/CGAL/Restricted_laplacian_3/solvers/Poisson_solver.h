@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 
 namespace CGAL {
@@ -123,15 +124,22 @@ public:
   Solve_report solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) const;
 
   /// The same with another tolerance than that of the options, between 0 and 1.
+  /// \param b,x as above
+  /// \param relative_tolerance that of the options has no influence
+  /// \param callback is told which part of the work is done, from 0 to 1, as far as residuals show
+  /// it; if it returns `false`, the computation ends with an exception
+  /// \throws Canceled if the callback returned `false`
   Solve_report solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
-                     double relative_tolerance) const;
+                     double relative_tolerance,
+                     const std::function<bool(double)>& callback = {}) const;
 
   /// The same for each column of `b`; up to eight at a time share each pass over the matrices.
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x) const;
 
-  /// The same for each column with another tolerance.
+  /// The same for each column with another tolerance, and a callback as above.
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
-                     double relative_tolerance) const;
+                     double relative_tolerance,
+                     const std::function<bool(double)>& callback = {}) const;
 
 private:
   struct Impl;

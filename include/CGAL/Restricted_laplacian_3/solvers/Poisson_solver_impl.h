@@ -8,6 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
@@ -17,6 +18,8 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -100,7 +103,7 @@ struct Poisson_solver::Impl {
   /// \param x a vector or a matrix, gets the size of `b`
   template <class Vectors>
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Vectors& x,
-                     double relative_tolerance) const {
+                     double relative_tolerance, const internal::Progress& progress) const {
     check(b, relative_tolerance);
     Solve_report report;
     report.converged = true;
@@ -111,12 +114,18 @@ struct Poisson_solver::Impl {
     for(Eigen::Index first = 0; first < b.cols(); first += internal::vectors_of_a_block) {
       // Some columns travel with empty ones: eight take about twice as long as one.
       const Eigen::Index left = b.cols() - first;
+      const auto part = [&](Eigen::Index column) {
+        return static_cast<double>((std::min)(column, b.cols())) / static_cast<double>(b.cols());
+      };
+      const internal::Progress of_block =
+          progress.part(part(first), part(first + internal::vectors_of_a_block));
       if(left == 1)
-        solve_block<1>(relative_tolerance, b.rightCols(left), x.rightCols(left), report);
+        solve_block<1>(relative_tolerance, b.rightCols(left), x.rightCols(left), of_block, report);
       else
         solve_block<internal::vectors_of_a_block>(relative_tolerance, b.rightCols(left),
-                                                  x.rightCols(left), report);
+                                                  x.rightCols(left), of_block, report);
     }
+    progress(1);
     report.solve_seconds = timer.time();
     return report;
   }
@@ -124,7 +133,8 @@ struct Poisson_solver::Impl {
   /// solves for the first columns of `b`, at most `K`, and adds to the report
   template <int K>
   void solve_block(double relative_tolerance, const Eigen::Ref<const Eigen::MatrixXd>& b,
-                   Eigen::Ref<Eigen::MatrixXd> x, Solve_report& report) const {
+                   Eigen::Ref<Eigen::MatrixXd> x, const internal::Progress& progress,
+                   Solve_report& report) const {
     std::visit(
         [&](const auto& hierarchy) {
           typename std::decay_t<decltype(hierarchy)>::template Workspace<K> workspace;
@@ -138,7 +148,7 @@ struct Poisson_solver::Impl {
                 hierarchy.template apply<K>(p, q, options.cycle, options.smoothing_steps,
                                             workspace);
               },
-              relative_tolerance, b, x, report);
+              relative_tolerance, b, x, progress, report);
         },
         multigrid);
   }
@@ -148,7 +158,8 @@ struct Poisson_solver::Impl {
   template <int K>
   void iterate(internal::Block_operator<K> guess, internal::Block_operator<K> precondition,
                double relative_tolerance, const Eigen::Ref<const Eigen::MatrixXd>& b_all,
-               Eigen::Ref<Eigen::MatrixXd> x_all, Solve_report& report) const {
+               Eigen::Ref<Eigen::MatrixXd> x_all, const internal::Progress& progress,
+               Solve_report& report) const {
     using Block = internal::Block_vector<K>;
     using Row = internal::Block_row<K>;
     const Eigen::Index count = (std::min)(b_all.cols(), Eigen::Index(K));
@@ -170,7 +181,13 @@ struct Poisson_solver::Impl {
     const auto multiply = [&](const Block& p, Block& q) {
       matrix.template multiply<K>(p, q, options.is_parallel);
     };
-    const auto project = [this](Block& p) { means.template project_load<K>(p); };
+    // the first thing that follows after each step
+    const auto project = [&](Block& p) {
+      means.template project_load<K>(p);
+      if(progress.is_shown())
+        progress(part_done<K>(internal::dot<K>(p, p).sqrt(), norm, relative_tolerance));
+    };
+    progress(0);
     guess(b, x);
     matrix.template residual<K>(b, x, r, options.is_parallel);
     project(r);
@@ -205,6 +222,17 @@ struct Poisson_solver::Impl {
       report.relative_residual = (std::max)(report.relative_residual, relative);
       report.converged = report.converged && relative <= relative_tolerance;
     }
+  }
+
+  /// Residuals fall by about the same factor in each step; the last of the right-hand sides counts.
+  template <int K>
+  static double part_done(const internal::Block_row<K>& residual,
+                          const internal::Block_row<K>& norm, double relative_tolerance) {
+    double largest = relative_tolerance;
+    for(int k = 0; k < K; ++k)
+      if(norm[k] > 0)
+        largest = (std::max)(largest, residual[k] / norm[k]);
+    return std::log(largest) / std::log(relative_tolerance);
   }
 
   /// a restart has to reduce a residual by this factor at least, else the iteration ends
@@ -273,10 +301,10 @@ Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorX
   return solve(b, x, options().relative_tolerance);
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
-Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
-                      double relative_tolerance) const {
-  return m_impl->solve(b, x, relative_tolerance);
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Poisson_solver::solve(
+    const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x, double relative_tolerance,
+    const std::function<bool(double)>& callback) const {
+  return m_impl->solve(b, x, relative_tolerance, internal::Progress(callback));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
@@ -284,10 +312,10 @@ Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixX
   return solve(b, x, options().relative_tolerance);
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
-Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
-                      double relative_tolerance) const {
-  return m_impl->solve(b, x, relative_tolerance);
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Poisson_solver::solve(
+    const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x, double relative_tolerance,
+    const std::function<bool(double)>& callback) const {
+  return m_impl->solve(b, x, relative_tolerance, internal::Progress(callback));
 }
 
 } // namespace Restricted_laplacian_3

@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Nested_lobpcg.h>
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,29 +27,6 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
-
-/// reports which part of the work is done
-class Eigenpairs_progress {
-public:
-  Eigenpairs_progress(std::function<bool(double)> callback, double total)
-    : m_callback(std::move(callback)), m_total(total) {}
-
-  void show(double fraction_of_step) {
-    m_shown = (std::max)(m_shown, (m_done + m_step * fraction_of_step) / m_total);
-    if(m_callback && !m_callback((std::min)(m_shown, 1.)))
-      throw Canceled();
-  }
-  /// the last step is done, one with this part of the work comes next
-  void next_step(double work) {
-    m_done += m_step;
-    m_step = work;
-    show(0);
-  }
-
-private:
-  std::function<bool(double)> m_callback;
-  double m_total, m_done = 0, m_step = 0, m_shown = 0;
-};
 
 /// \param stiffness,mass,prolongations compressed
 /// \throws Parameter_error see `multigrid_eigenpairs()`
@@ -168,12 +145,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   double work = 0;
   for(std::size_t level = start; level <= finest; ++level)
     work += static_cast<double>(stiffness[level].cols());
-  internal::Eigenpairs_progress progress(options.callback, work);
-  progress.next_step(static_cast<double>(stiffness[start].cols()));
-  start_options.callback = [&progress](double part) {
-    progress.show(part);
-    return true;
-  };
+  const internal::Progress progress(options.callback);
+  progress(0);
+  double done = static_cast<double>(stiffness[start].cols()) / work;
+  start_options.callback = progress.part(0, done).callback();
   if(start == finest)
     return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
   start_options.tolerance = tolerance_of_start;
@@ -193,13 +168,16 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
                                  {alpha, pairs.shift, options.maximum_iterations,
                                   options.smoothing_steps, options.is_parallel});
   for(std::size_t level = start + 1; level <= finest; ++level) {
-    progress.next_step(static_cast<double>(levels.s[level].rows()));
+    const double next = done + static_cast<double>(levels.s[level].rows()) / work;
+    const internal::Progress of_level = progress.part(done, next);
+    done = next;
+    of_level(0);
     solver.prolongate(level, levels.prolongations[level], levels.s[level], levels.m[level]);
     Sparse_matrix().swap(levels.prolongations[level]);
     const bool is_finest = level == finest;
     solver.improve(is_finest ? k : carried,
                    is_finest ? options.relative_tolerance : tolerance_of_coarse_levels, is_finest,
-                   [&progress](double part) { progress.show(part); });
+                   [&of_level](double part) { of_level(part); });
   }
   pairs.iterations = solver.iterations();
   solver.take_pairs(k, pairs);

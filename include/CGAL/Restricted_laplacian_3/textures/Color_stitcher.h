@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLOR_STITCHER_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -17,6 +18,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -211,8 +213,11 @@ public:
   Vertex_colors chosen_colors() const;
 
   /// Stitches the colours; calls `choose()` unless that was done.
+  /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`,
+  /// the computation ends with an exception
   /// \throws Input_error as `choose()`
-  Stitched_colors stitch();
+  /// \throws Canceled if the callback returned `false`
+  Stitched_colors stitch(const std::function<bool(double)>& callback = {});
 
 private:
   using Corner_colors = Corner_vector_field<Eigen::Vector3d>;
@@ -242,7 +247,7 @@ private:
   Corner_vector_field<Eigen::Matrix3d> scan_gradients(const Corner_colors& colors) const;
   /// the solution at the vertices
   Eigen::MatrixXd integrate(const Vector_field_view& field, const Corner_colors& target,
-                            Stitched_colors& result) const;
+                            const internal::Progress& progress, Stitched_colors& result) const;
   /// colours from the values of the solution, and what is to be reported
   void finish(const Eigen::MatrixXd& values, Stitched_colors& result) const;
 

@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLOR_STITCHER_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -176,7 +178,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Vertex_colors Color_stitcher::chosen_colors()
   return result;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Stitched_colors Color_stitcher::stitch() {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Stitched_colors
+Color_stitcher::stitch(const std::function<bool(double)>& callback) {
+  const internal::Progress progress(callback);
+  progress(0);
   if(m_scans_of_faces.empty())
     choose();
   std::vector<Eigen::Vector3d> colors =
@@ -188,10 +193,11 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Stitched_colors Color_stitcher::stitch() {
   Stitched_colors result;
   Eigen::MatrixXd values;
   if(m_options.gradient_source == Gradient_source::scans)
-    values = integrate(scan_gradients(target), target, result);
+    values = integrate(scan_gradients(target), target, progress.part(0.2, 1), result);
   else
-    values = integrate(back_projected_gradients(target), target, result);
+    values = integrate(back_projected_gradients(target), target, progress.part(0.2, 1), result);
   finish(values, result);
+  progress(1);
   return result;
 }
 
@@ -324,7 +330,7 @@ Color_stitcher::scan_gradients(const Corner_colors& colors) const {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
 Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& target,
-                          Stitched_colors& result) const {
+                          const internal::Progress& progress, Stitched_colors& result) const {
   const double alpha =
       m_options.screening_weight.value_or(Options::default_screening / surface().area());
   std::vector<double> weights(surface().number_of_faces(), 0);
@@ -342,8 +348,9 @@ Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& t
       m_options.solver,
       m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space))};
   options.solver.is_parallel = is_parallel();
-  internal::Gradient_solution solution = internal::integrate_gradients(
-      *m_space, Default_integration(*m_space), field, screening, options);
+  internal::Gradient_solution solution =
+      internal::integrate_gradients(*m_space, Default_integration(*m_space), field, screening,
+                                    options, progress.part(0, m_options.vertex_details ? 0.8 : 1));
   Eigen::MatrixXd values =
       Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
   if(m_options.vertex_details) {

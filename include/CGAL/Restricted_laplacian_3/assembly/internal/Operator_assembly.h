@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_OPERATOR_ASSEMBLY_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/Operator_sink.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
@@ -35,6 +36,9 @@ struct Assembly_targets {
   bool is_empty() const { return !sink && !integrals && !weighted_integrals; }
 };
 
+/// of the time of an assembly, that of the patterns of the matrices
+constexpr double part_of_pattern = 0.2;
+
 /// Assembles the operators of several levels in one pass over the surface.
 ///
 /// *Stages.* A stage computes the moments and adds the blocks of two levels, top and top - 1, and
@@ -59,7 +63,7 @@ public:
 
   /// Assembles everything in one pass over the surface.
   /// \param targets of each level of the octree
-  void run(const std::vector<Assembly_targets>& targets) {
+  void run(const std::vector<Assembly_targets>& targets, const Progress& progress) {
     m_targets = targets;
     int coarsest = 0;
     while(coarsest < m_octree.depth() && m_targets[coarsest].is_empty())
@@ -69,19 +73,28 @@ public:
       m_keeps_stabilization =
           m_keeps_stabilization ||
           (t.sink && t.sink->wants_mass() && m_stabilizes_mass && m_normal_stabilization != 0);
+    double done = 0, left = 1;
     for(int top = m_octree.depth(); top >= coarsest; top -= 2) {
       Moments next;
       if(top - 2 >= coarsest)
         next.resize(m_octree.number_of_sheets(top - 2), m_keeps_stabilization);
-      run_stage(top, coarsest, next);
+      run_stage(top, coarsest, next, progress.part(done, 1 - left * sixteenth));
       m_moments = std::move(next);
+      left *= sixteenth;
+      done = 1 - left;
     }
     for(const Assembly_targets& t : m_targets)
       if(t.sink)
         t.sink->finish();
+    progress(1);
   }
 
 private:
+  /// of the cells of a level the next stage has that many
+  static constexpr double sixteenth = 1. / 16;
+  /// cells of one colour after which the progress is told
+  static constexpr std::size_t cells_of_a_step = 256;
+
   /// moments of sheets, and those of the stabilisation alone, if the mass matrix takes it
   struct Moments {
     std::vector<Sheet_moments> values, stabilization;
@@ -108,20 +121,27 @@ private:
     std::size_t size() const { return end - begin; }
   };
 
-  void run_stage(int top, int coarsest, Moments& next) {
+  void run_stage(int top, int coarsest, Moments& next, const Progress& progress) {
     const int level = (std::max)(top - 2, 0);
     std::array<std::vector<std::uint32_t>, 8> cells_of_color;
-    for(std::size_t i = 0; i < m_octree.number_of_cells(level); ++i)
+    const std::size_t number_of_cells = m_octree.number_of_cells(level);
+    for(std::size_t i = 0; i < number_of_cells; ++i)
       cells_of_color[m_octree.cell(level, m_octree.sheets(level, i)[0]).octant()].push_back(
           static_cast<std::uint32_t>(i));
+    std::size_t done = 0;
     for(const auto& cells : cells_of_color)
-      parallel_for(m_space.options().is_parallel, 0, cells.size(), 2,
-                   [&](std::size_t begin, std::size_t end) {
-                     std::unique_ptr<Scratch> scratch = take_scratch();
-                     for(std::size_t i = begin; i < end; ++i)
-                       run_cell(top, coarsest, level, cells[i], next, *scratch);
-                     give_back(std::move(scratch));
-                   });
+      for(std::size_t first = 0; first < cells.size(); first += cells_of_a_step) {
+        const std::size_t last = (std::min)(first + cells_of_a_step, cells.size());
+        progress(static_cast<double>(done) / static_cast<double>(number_of_cells));
+        parallel_for(m_space.options().is_parallel, first, last, 2,
+                     [&](std::size_t begin, std::size_t end) {
+                       std::unique_ptr<Scratch> scratch = take_scratch();
+                       for(std::size_t i = begin; i < end; ++i)
+                         run_cell(top, coarsest, level, cells[i], next, *scratch);
+                       give_back(std::move(scratch));
+                     });
+        done += last - first;
+      }
   }
 
   void run_cell(int top, int coarsest, int level, std::size_t cell, Moments& next,

@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Stored_entries.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
@@ -54,7 +55,8 @@ struct System_matrices {
 System_matrices assemble_system(const Spline_space_3& space, int coarsest,
                                 const Surface_integration_view& integration,
                                 const Elliptic_operator& elliptic,
-                                Stored_entries stored = Stored_entries::all);
+                                Stored_entries stored = Stored_entries::all,
+                                const Progress& progress = Progress());
 
 /// \throws Parameter_error if the factor of the stabilisation is negative or not finite
 double checked_normal_stabilization(double c);

@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Sparse_sink.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 
 #include <cmath>
 #include <cstddef>
@@ -30,7 +31,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double checked_normal_stabilization(double c)
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices assemble_system(
     const Spline_space_3& space, int coarsest, const Surface_integration_view& integration,
-    const Elliptic_operator& elliptic, Stored_entries stored) {
+    const Elliptic_operator& elliptic, Stored_entries stored, const Progress& progress) {
   checked_normal_stabilization(elliptic.normal_stabilization);
   std::optional<Mass_weight> weight;
   if(elliptic.reaction_function)
@@ -41,6 +42,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices assemble_system(
   std::deque<Sparse_sink> sinks;
   std::vector<Assembly_targets> targets(space.depth() + 1);
   for(std::size_t i = 0; i < number_of_levels; ++i) {
+    progress(0);
     const int level = coarsest + static_cast<int>(i);
     sinks.emplace_back(space, level,
                        std::vector<Sparse_sink::Target>{{&result.matrices[i], elliptic.diffusion,
@@ -57,7 +59,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices assemble_system(
   }
   Operator_assembly(space, integration, weight ? &*weight : nullptr, elliptic.normal_stabilization,
                     true)
-      .run(targets);
+      .run(targets, progress.part(part_of_pattern, 1));
   if(!weight)
     result.constant_loads = elliptic.reaction * result.integrals;
   return result;
