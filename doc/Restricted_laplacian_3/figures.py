@@ -793,7 +793,8 @@ def table_libigl_eigenvalues_mean():
 # ---- pages
 
 
-TABLE = re.compile(r"<!-- table: (\w+) -->\n+((?:\|[^\n]*\n)*)")
+# with the empty lines behind it: Markdown takes a line of text for a row
+TABLE = re.compile(r"<!-- table: (\w+) -->\n+((?:\|[^\n]*\n)*)\n*")
 
 
 def with_tables(text, is_partly=False):
@@ -803,7 +804,7 @@ def with_tables(text, is_partly=False):
         if match[1] == "text" or (is_partly and "table_" + match[1] not in globals()):
             return match[0]
         made = globals()["table_" + match[1]]()
-        return f"<!-- table: {match[1]} -->\n\n" + "\n".join(made) + "\n"
+        return f"<!-- table: {match[1]} -->\n\n" + "\n".join(made) + "\n\n"
 
     return TABLE.sub(make, text)
 

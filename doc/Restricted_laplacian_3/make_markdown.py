@@ -164,6 +164,7 @@ class Manual:
                 result.append("**[{}]**".format(re.search(r"\{(\w+)\}", line).group(1)))
         end_prose()
         text = "\n".join(result)
+        text = re.sub(r"(\n\|[^\n]*)\n(?=[^|\n])", r"\1\n\n", text)  # else a row of the table
         return re.sub(r"\n{3,}", "\n\n", text).strip("\n") + "\n"
 
 
