@@ -78,6 +78,11 @@ draw curvature estimate_curvature "$lion" --depth 6
 draw signature --isolines 10 spectral_descriptors "$elephant" --depth 5 --time 0.02
 side_by_side teaser 400 {poisson,eigenfunction,curvature,signature}.png
 
+for i in 4 5 6 7; do
+  draw "depth_$i" estimate_curvature "$lion" --depth "$i"
+done
+side_by_side depths 400 depth_{4,5,6,7}.png
+
 for i in 1 6 14 40; do
   draw "mode_$i" laplace_spectrum "$meshes/camel.off" --count 50 --depth 6 --eigenfunction "$i"
 done
