@@ -29,8 +29,8 @@ run() {
 
 echo
 echo "Laplacian u = z on the bunny:"
-run solve_poisson "$mesh" --rhs z --depth 7 --output poisson.ply --csv poisson.csv
-run draw_mesh poisson.ply poisson.png --isolines 16
+run solve_poisson "$mesh" --rhs z --depth 7 --refine 2 --output poisson.ply --csv poisson.csv
+run draw_mesh poisson.ply poisson.png --property value --isolines 16
 echo
 echo "The twelve smallest eigenvalues of its Laplacian, and the eigenfunction of the seventh:"
 run laplace_spectrum "$mesh" --count 12 --depth 6 --eigenfunction 6 \

@@ -125,7 +125,7 @@ public:
 
   /// The same with another tolerance than that of the options, between 0 and 1.
   /// \param b,x as above
-  /// \param relative_tolerance that of the options has no influence
+  /// \param relative_tolerance in place of that of the options
   /// \param callback is told which part of the work is done, from 0 to 1, as far as residuals show
   /// it; if it returns `false`, the computation ends with an exception
   /// \throws Canceled if the callback returned `false`
