@@ -55,6 +55,9 @@ foreach(page IN LISTS pages)
   if(figures)
     file(WRITE "${page}" "${text}")
   endif()
+  if(STRICT AND text MATCHES "#fig__[a-z_]+\">[a-z]")
+    message(FATAL_ERROR "${file}: a figure without a number: ${CMAKE_MATCH_0}")
+  endif()
 endforeach()
 
 # The tree beside the pages has no room for namespaces.
