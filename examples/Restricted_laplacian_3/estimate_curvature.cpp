@@ -40,7 +40,7 @@ face, or only faces without area.
 )"};
 
 struct Options : Common_options, Point_options, Solver_options {
-  Options() : Solver_options(RL::Function_fit_options().solver.relative_tolerance) {}
+  Options() : Solver_options(RL::Function_fitter::default_tolerance) {}
 
   std::string method = "normals", show = "mean";
   double smoothing = -1; // the default
@@ -96,7 +96,7 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
+  const RL::Spline_space_3 space = make_space(surface, o);
   const double space_seconds = timer.time();
 
   progress.show("fitting by " + std::to_string(space.dimension()) + " unknowns");

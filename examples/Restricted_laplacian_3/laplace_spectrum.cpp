@@ -98,7 +98,7 @@ RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
+  const RL::Spline_space_3 space = make_space(surface, o);
   add_space(summary, space);
   summary.add("setup_seconds", timer.time());
 

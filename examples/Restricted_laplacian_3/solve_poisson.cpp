@@ -53,7 +53,7 @@ NaN at vertices that have no face, or only faces without area.
 )"};
 
 struct Options : Common_options, Point_options, Solver_options {
-  Options() : Solver_options(RL::Poisson_solver_options().relative_tolerance) {}
+  Options() : Solver_options(RL::Poisson_solver::default_tolerance) {}
 
   std::string rhs = "z", rhs_property;
   double alpha = 0;
@@ -145,7 +145,7 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
+  const RL::Spline_space_3 space = make_space(surface, o);
   const double space_seconds = timer.time();
 
   progress.show("assembling " + std::to_string(space.dimension()) + " unknowns");

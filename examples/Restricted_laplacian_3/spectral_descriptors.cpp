@@ -154,7 +154,7 @@ RL::Laplace_spectrum spectrum_of(const RL::Triangulated_surface_3& surface, cons
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
+  const RL::Spline_space_3 space = make_space(surface, o);
   add_space(summary, space);
   const double setup_seconds = timer.time();
 

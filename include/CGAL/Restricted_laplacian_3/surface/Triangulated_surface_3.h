@@ -177,8 +177,10 @@ private:
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \param tm a mesh of triangles
-/// \param np `vertex_point_map`: a model of `ReadablePropertyMap` with a 3D point of any \cgal
-/// kernel as value; default `get_const_property_map(CGAL::vertex_point, tm)`
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_vertex_point_map
+/// \cgalNamedParamsEnd
 /// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
 /// `Triangulated_surface_3` throws
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
