@@ -107,7 +107,7 @@ def main():
     own = doc / "spelling_words.txt"
     include = arguments.root / "include/CGAL"
     files = [path for path in doc.glob("*.txt") if path not in (own, doc / "Bibliography.txt")]
-    files += doc.glob("Concepts/*.h")
+    files += [*doc.glob("Concepts/*.h"), *doc.glob("*.doxy")]
     files += include.glob("*.h")
     files += (p for p in include.glob("Restricted_laplacian_3/**/*.h")
               if "internal" not in p.parts)

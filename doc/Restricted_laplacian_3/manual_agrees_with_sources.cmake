@@ -98,40 +98,6 @@ foreach(page IN LISTS pages)
 endforeach()
 require_same("shown outputs" IN_MANUAL ${in_manual} IN_SOURCES ${files})
 
-# named parameters: a name, or for those of CGAL type and value of the tag, and the name
-all_matches("${doc}/PackageDescription.txt" "\\\\cgalParamNBegin\\{([a-z_]+)\\}" in_manual)
-all_matches("${ROOT}/include/CGAL/Restricted_laplacian_3/foundation/parameters.h"
-  "PARAMETER\\(([a-z_ ,]+)\\)" in_sources)
-list(TRANSFORM in_sources REPLACE ".*, " "")
-list(REMOVE_DUPLICATES in_sources)
-require_same("named parameters" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
-
-# their defaults, as far as comments in the headers have the form "- `name`: ...; default value"
-file(READ "${doc}/PackageDescription.txt" manual)
-set(number_of_defaults 0)
-foreach(header splines/Spline_space_3.h problems/make_poisson_solver.h solve_poisson.h
-    laplace_spectrum.h)
-  file(READ "${ROOT}/include/CGAL/Restricted_laplacian_3/${header}" text)
-  string(REPLACE ";" "|" text "${text}") # no list separator
-  set(pattern "/// - `([a-z_]+)`:[^`]*\\|[ \n/]*default `?([A-Za-z0-9._-]*[A-Za-z0-9])")
-  string(REGEX MATCHALL "${pattern}" matches "${text}")
-  foreach(match IN LISTS matches)
-    string(REGEX MATCH "${pattern}" ignored "${match}")
-    set(name "${CMAKE_MATCH_1}")
-    set(value "${CMAKE_MATCH_2}")
-    math(EXPR number_of_defaults "${number_of_defaults} + 1")
-    string(FIND "${manual}" "\\cgalParamNBegin{${name}}" position)
-    string(SUBSTRING "${manual}" ${position} -1 rest)
-    string(REGEX MATCH "cgalParamDefault{`([A-Za-z0-9._-]+)" ignored "${rest}")
-    if(NOT CMAKE_MATCH_1 STREQUAL value)
-      complain("${header}: the default of ${name} is ${value}, in the manual ${CMAKE_MATCH_1}")
-    endif()
-  endforeach()
-endforeach()
-if(number_of_defaults LESS 6)
-  complain("found only ${number_of_defaults} defaults of named parameters; has their form changed?")
-endif()
-
 # command line options that the manual names
 set(in_sources "")
 file(GLOB files "${examples}/*.cpp" "${examples}/support/*.h" "${ROOT}/tools/*.cpp")

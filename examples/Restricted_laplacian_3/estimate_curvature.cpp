@@ -41,7 +41,7 @@ face, or only faces without area.
 )"};
 
 struct Options : Common_options, Point_options, Solver_options {
-  Options() : Solver_options(RL::Function_fit_options().solver.relative_tolerance) {}
+  Options() : Solver_options(RL::Function_fitter::default_tolerance) {}
 
   std::string method = "normals", show = "mean";
   double smoothing = -1; // the default
@@ -106,7 +106,7 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const auto owned_space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  const auto owned_space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
   const RL::Spline_space_3& space = *owned_space;
   const double space_seconds = timer.time();
 

@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -51,7 +52,7 @@ face, or only faces without area.
 )"};
 
 struct Options : Common_options, Point_options, Solver_options {
-  Options() : Solver_options(RL::Function_fit_options().solver.relative_tolerance) {}
+  Options() : Solver_options(RL::Function_fitter::default_tolerance) {}
 
   std::string property;
   bool normals = false;
@@ -140,11 +141,11 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 }
 
 // Three functions take hardly longer together than one of them; others are fitted one by one.
-template <class Integration>
+template <class Integration, class NamedParameters>
 RL::Function_fit fit_all(const RL::Spline_space_3& space, const Integration& integration,
-                         const RL::Function_fit_options& options, const Functions& functions,
+                         const NamedParameters& np, const Functions& functions,
                          const Progress& progress) {
-  RL::Function_fitter fitter(space, integration, options);
+  RL::Function_fitter fitter(space, integration, np);
   const auto& values = functions.values;
   const std::string by = " by " + std::to_string(space.dimension()) + " unknowns";
   if(values.size() == 3) {
@@ -182,20 +183,21 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const auto owned_space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  const auto owned_space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
   const RL::Spline_space_3& space = *owned_space;
   const double space_seconds = timer.time();
 
   const double h = space.octree().cell_width(space.depth());
-  RL::Function_fit_options options;
-  options.smoothing_weight = o.smoothing * h * h;
-  options.refinement_steps = o.refinements;
-  options.solver.relative_tolerance = o.tolerance;
-  options.solver.is_parallel = o.space.is_parallel;
+  std::optional<double> stabilization;
   if(o.stabilization >= 0)
-    options.normal_stabilization = o.stabilization;
+    stabilization = o.stabilization;
+  const auto np = RL::parameters::smoothing_weight(o.smoothing * h * h)
+                      .refinement_steps(o.refinements)
+                      .relative_tolerance(o.tolerance)
+                      .normal_stabilization(stabilization)
+                      .concurrency_tag(CGAL::Parallel_if_available_tag());
   const RL::Function_fit fit = assemble_with(space, o, [&](const auto& integration) {
-    return fit_all(space, integration, options, functions, progress);
+    return fit_all(space, integration, np, functions, progress);
   });
 
   add_space(summary, space, "each component is fitted on its own");

@@ -99,7 +99,7 @@ RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const auto space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  const auto space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
   add_spectral_space(summary, *space);
   summary.add_detail("setup_seconds", timer.time());
 

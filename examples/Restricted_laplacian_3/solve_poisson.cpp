@@ -53,7 +53,7 @@ NaN at vertices that have no face, or only faces without area.
 )"};
 
 struct Options : Common_options, Point_options, Solver_options {
-  Options() : Solver_options(RL::Poisson_solver_options().relative_tolerance) {}
+  Options() : Solver_options(RL::Poisson_solver::default_tolerance) {}
 
   std::string rhs = "z", rhs_property;
   double alpha = 0;
@@ -149,7 +149,7 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const auto owned_space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  const auto owned_space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
   const RL::Spline_space_3& space = *owned_space;
   const double space_seconds = timer.time();
 

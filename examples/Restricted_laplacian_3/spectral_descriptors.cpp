@@ -160,7 +160,7 @@ Spectrum spectrum_of(const RL::Triangulated_surface_3& surface, const Options& o
   timer.start();
   progress.show("building the spline space");
   Spectrum spectrum;
-  spectrum.space = std::make_shared<const RL::Spline_space_3>(surface, o.space);
+  spectrum.space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
   add_spectral_space(summary, *spectrum.space);
   summary.add_detail("setup_seconds", timer.time());
   static_cast<RL::Laplace_spectrum&>(spectrum) =

@@ -28,6 +28,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -58,13 +59,11 @@ comments.
 )"};
 
 struct Options : Common_options, Solver_options {
-  Options() : Solver_options(RL::Poisson_solver_options().relative_tolerance) {
-    space.octree_depth = 8;
-  }
+  Options() : Solver_options(RL::Poisson_solver::default_tolerance) { space.octree_depth = 8; }
 
   std::vector<std::string> scans;
   std::string poses, frame, method = "gradients", gradients = "back-projection", truth;
-  double alpha = RL::Color_stitching_options::default_screening;
+  double alpha = RL::Color_stitcher::default_screening;
   double maximum_distance = 0; // chosen
   double normal_angle = 60;    // degrees
   bool unoriented = false, leave_out = false;
@@ -129,23 +128,24 @@ bool read_options(int argc, char* argv[], Options& o) {
   return true;
 }
 
-RL::Color_stitching_options stitching_options(const Options& o, double area) {
-  RL::Color_stitching_options options;
+auto stitching_parameters(const Options& o, double area) {
+  std::optional<double> maximum_distance, stabilization;
   if(o.maximum_distance > 0)
-    options.back_projection.maximum_distance = o.maximum_distance;
-  options.back_projection.minimum_normal_cosine = std::cos(o.normal_angle * CGAL_PI / 180);
-  options.back_projection.oriented_surface = !o.unoriented;
-  options.gradient_source =
-      o.gradients == "scans" ? RL::Gradient_source::scans : RL::Gradient_source::back_projection;
-  options.match_exposures = !o.keep_exposures;
-  options.linear_light = o.linear_light;
-  options.screening_weight = o.alpha / area;
-  options.vertex_details = !o.no_details;
+    maximum_distance = o.maximum_distance;
   if(o.stabilization >= 0)
-    options.normal_stabilization = o.stabilization;
-  options.solver.relative_tolerance = o.tolerance;
-  options.solver.is_parallel = o.space.is_parallel;
-  return options;
+    stabilization = o.stabilization;
+  return RL::parameters::maximum_distance(maximum_distance)
+      .minimum_normal_cosine(std::cos(o.normal_angle * CGAL_PI / 180))
+      .oriented_surface(!o.unoriented)
+      .gradient_source(o.gradients == "scans" ? RL::Gradient_source::scans
+                                              : RL::Gradient_source::back_projection)
+      .match_exposures(!o.keep_exposures)
+      .linear_light(o.linear_light)
+      .screening_weight(o.alpha / area)
+      .vertex_details(!o.no_details)
+      .normal_stabilization(stabilization)
+      .relative_tolerance(o.tolerance)
+      .concurrency_tag(CGAL::Parallel_if_available_tag());
 }
 
 // why a scan covers no vertex
@@ -167,7 +167,7 @@ void add_scans(RL::Color_stitcher& stitcher, const Options& o,
   for(std::size_t i = 0; i < o.scans.size(); ++i) {
     progress.show("scan " + std::to_string(i + 1) + " of " + std::to_string(o.scans.size()) + ": " +
                   o.scans[i]);
-    const RL::Scan_usage usage = stitcher.add(read_scan(o.scans[i], poses[i], o.space.is_parallel));
+    const RL::Scan_usage usage = stitcher.add(read_scan(o.scans[i], poses[i], o.threads != 1));
     require(usage.covered_vertices > 0 || o.leave_out,
             "'" + o.scans[i] + "' misses the mesh: " + reason(usage));
   }
@@ -219,11 +219,11 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const RL::Spline_space_3 space(surface, o.space);
+  const RL::Spline_space_3 space = make_space(surface, o);
   const double space_seconds = timer.time();
   add_space(summary, space, "each component is stitched on its own");
 
-  RL::Color_stitcher stitcher(space, stitching_options(o, surface.area()));
+  RL::Color_stitcher stitcher(space, stitching_parameters(o, surface.area()));
   add_scans(stitcher, o, poses, progress);
   progress.show("choosing a scan for each triangle");
   stitcher.choose();

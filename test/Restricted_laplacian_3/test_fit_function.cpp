@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -158,7 +159,7 @@ TEST_CASE("fits_of_normals_take_few_iterations", "[fit][slow]") {
     SKIP_TEST("bunny_uniform_18k.ply");
   const RL::Triangulated_surface_3 bunny = RL::read_surface(shapes::read(path));
   for(int depth = 4; depth <= 6; ++depth) {
-    RL::Spline_space_options options;
+    RL::internal::Spline_space_options options;
     options.octree_depth = depth;
     const RL::Spline_space_3 space(bunny, options);
     const RL::Function_fit fit =
@@ -175,7 +176,7 @@ TEST_CASE("fits_that_resist_get_more_stabilization", "[fit][slow]") {
   if(path.empty())
     SKIP_TEST("wingnut_6k.ply");
   const RL::Triangulated_surface_3 wingnut = RL::read_surface(shapes::read(path));
-  RL::Spline_space_options options;
+  RL::internal::Spline_space_options options;
   options.octree_depth = 5;
   const RL::Spline_space_3 space(wingnut, options);
 
@@ -227,6 +228,30 @@ TEST_CASE("property_maps_are_fitted_on_meshes_and_soups", "[fit]") {
                    CGAL::make_property_map(fitted), np);
   for(std::size_t i = 0; i < values.size(); ++i)
     CHECK(fitted[i] == Approx(values[i]).margin(1e-6));
+}
+
+TEST_CASE("classes_take_named_parameters_as_functions_do", "[fit]") {
+  const std::optional<double> none;
+  const shapes::Triangles t = shapes::sphere(2);
+  const RL::Spline_space_3 space(
+      RL::Triangulated_surface_3(t.points, t.faces),
+      params::cube_scale(none).joining_tolerance(std::optional<double>(0.)).octree_depth(2));
+  CHECK(space.depth() == 2);
+  CHECK(space.options().cube_scale == 1.1);
+  CHECK(space.options().joining_tolerance == 0.);
+  const RL::Default_integration integration(space);
+  RL::Function_fitter fitter(
+      space, integration,
+      params::normal_stabilization(none).smoothing_weight(0.1).relative_tolerance(1e-6));
+  CHECK_FALSE(fitter.options().normal_stabilization);
+  CHECK(fitter.options().smoothing_weight == 0.1);
+  CHECK(fitter.options().solver.relative_tolerance == 1e-6);
+  CHECK(RL::Function_fitter(space, integration).options().solver.relative_tolerance ==
+        RL::Function_fitter::default_tolerance);
+  CHECK(fitter.fit(smooth_test_function).coefficients ==
+        RL::fit_function(space, smooth_test_function,
+                         params::relative_tolerance(1e-6).smoothing_weight(0.1))
+            .coefficients);
 }
 
 TEST_CASE("fits_do_not_depend_on_scales", "[fit]") {

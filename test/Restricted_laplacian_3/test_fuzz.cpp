@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -30,7 +31,9 @@ public:
 
   int depth() { return 1 + below(5); }
   double cube_scale() { return std::vector<double>{1, 1.1, 1.25, 2, 3.7}[below(5)]; }
-  double joining_tolerance() { return std::vector<double>{-1, -1, 0, 1e-9, 1e-2}[below(5)]; }
+  std::optional<double> joining_tolerance() {
+    return std::vector<std::optional<double>>{{}, {}, 0, 1e-9, 1e-2}[below(5)];
+  }
 
   shapes::Triangles surface() {
     shapes::Triangles t;
@@ -144,7 +147,7 @@ void check(const RL::Spline_space_3& space) {
       if(!surface.is_degenerate(f) && !std::isnan(values[v]))
         REQUIRE(values[v] == Approx(1).epsilon(1e-5));
 
-  RL::Poisson_solver_options options;
+  RL::internal::Poisson_solver_options options;
   options.maximum_iterations = 30;
   const RL::Poisson_solver solver =
       RL::make_poisson_solver(space, operators.stiffness, operators.mass * ones, 0, options);
@@ -178,7 +181,7 @@ TEST_CASE("random_hostile_surfaces", "[fuzz]") {
     INFO("seed " << seed);
     Fuzzer fuzzer(seed);
     const shapes::Triangles t = fuzzer.surface();
-    RL::Spline_space_options options;
+    RL::internal::Spline_space_options options;
     options.octree_depth = fuzzer.depth();
     options.cube_scale = fuzzer.cube_scale();
     options.joining_tolerance = fuzzer.joining_tolerance();

@@ -30,12 +30,13 @@
 namespace {
 
 namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = RL::parameters;
 
 RL::Spline_space_3 sampled_space(const shapes::Triangles& t, int depth, bool is_parallel = false) {
-  RL::Spline_space_options options;
-  options.octree_depth = depth;
-  options.is_parallel = is_parallel;
-  return RL::Spline_space_3(RL::Triangulated_surface_3(t.points, t.faces), options);
+  const auto np = params::octree_depth(depth);
+  return is_parallel ? RL::Spline_space_3(t.points, t.faces,
+                                          np.concurrency_tag(CGAL::Parallel_if_available_tag()))
+                     : RL::Spline_space_3(t.points, t.faces, np);
 }
 
 /// all eigenvalues of it are different
@@ -89,14 +90,12 @@ struct Calibration {
 
 Calibration calibration_of_operators(const RL::Spline_space_3& space, RL::Sampling sampling) {
   const RL::Operators exact = RL::assemble_operators(space);
-  RL::Monte_carlo_options options;
-  options.number_of_samples = 2000;
-  options.sampling = sampling;
+  const auto np = params::number_of_samples(2000).sampling(sampling);
   const int number_of_seeds = 100;
   RL::internal::Running_mean stiffness, bars;
   for(int seed = 0; seed < number_of_seeds; ++seed) {
-    options.seed = 1 + seed;
-    const RL::Estimated_operators estimate = RL::estimate_operators(space, space.depth(), options);
+    const RL::Estimated_operators estimate =
+        RL::estimate_operators(space, space.depth(), np.random_seed(1 + seed));
     stiffness.add(estimate.operators.stiffness.coeffs());
     bars.add(estimate.standard_errors.stiffness.coeffs().square());
   }
@@ -203,26 +202,22 @@ TEST_CASE("samples_are_uniformly_distributed", "[monte_carlo]") {
 
 TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo]") {
   const shapes::Triangles t = shapes::sphere(4);
-  RL::Monte_carlo_options options;
-  options.number_of_samples = 50000;
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified}) {
-    options.sampling = sampling;
-    options.seed = 7;
-    const RL::Estimated_operators expected =
-        RL::estimate_operators(sampled_space(t, 4), 4, options);
+    const auto np = params::number_of_samples(50000).sampling(sampling).random_seed(7);
+    const RL::Estimated_operators expected = RL::estimate_operators(sampled_space(t, 4), 4, np);
     for(std::size_t threads : {1, 2}) {
 #ifdef CGAL_LINKED_WITH_TBB
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
 #endif
       INFO(threads << " threads");
       const RL::Estimated_operators found =
-          RL::estimate_operators(sampled_space(t, 4, true), 4, options);
+          RL::estimate_operators(sampled_space(t, 4, true), 4, np);
       CHECK((found.operators.stiffness.coeffs() == expected.operators.stiffness.coeffs()).all());
       CHECK((found.operators.mass.coeffs() == expected.operators.mass.coeffs()).all());
       CHECK((found.standard_errors.mass.coeffs() == expected.standard_errors.mass.coeffs()).all());
     }
-    options.seed = 8;
-    const RL::Estimated_operators other = RL::estimate_operators(sampled_space(t, 4), 4, options);
+    const RL::Estimated_operators other =
+        RL::estimate_operators(sampled_space(t, 4), 4, np.random_seed(8));
     CHECK(relative_difference(other.operators.mass, expected.operators.mass) > 1e-4);
   }
 }
@@ -233,13 +228,11 @@ TEST_CASE("estimated_eigenvalues_and_their_error_bars", "[monte_carlo]") {
   const RL::Operators exact_operators = RL::assemble_operators(space);
   const RL::Eigenpairs exact =
       RL::smallest_eigenpairs(exact_operators.stiffness, exact_operators.mass, k);
-  RL::Monte_carlo_options options;
-  options.number_of_samples = 40000;
   const int number_of_seeds = 12;
   double sum = 0;
   for(int seed = 0; seed < number_of_seeds; ++seed) {
-    options.seed = 100 + seed;
-    const RL::Estimated_eigenvalues found = RL::estimate_eigenvalues(space, k, options);
+    const RL::Estimated_eigenvalues found = RL::estimate_eigenvalues(
+        space, k, params::number_of_samples(40000).random_seed(100 + seed));
     REQUIRE(found.values.size() == k);
     CHECK(std::abs(found.values[0]) <= 1e-9);
     CHECK(found.standard_errors[0] <= 1e-9);
@@ -269,12 +262,10 @@ TEST_CASE("spectrum_of_a_sphere_by_a_million_samples", "[monte_carlo][slow]") {
 
 TEST_CASE("options_of_estimates_outside_their_domain", "[monte_carlo]") {
   const RL::Spline_space_3 space = sampled_space(shapes::sphere(1), 1);
-  RL::Monte_carlo_options options;
-  options.number_of_batches = 1;
-  CHECK_THROWS_AS(RL::estimate_operators(space, 1, options), RL::Parameter_error);
-  options.number_of_batches = 10;
-  options.number_of_samples = 9;
-  CHECK_THROWS_AS(RL::estimate_operators(space, 1, options), RL::Parameter_error);
+  CHECK_THROWS_AS(RL::estimate_operators(space, 1, params::number_of_batches(1)),
+                  RL::Parameter_error);
+  CHECK_THROWS_AS(RL::estimate_operators(space, 1, params::number_of_samples(9)),
+                  RL::Parameter_error);
   CHECK_THROWS_AS(RL::estimate_operators(space, 2), RL::Parameter_error);
   CHECK_THROWS_AS(RL::estimate_eigenvalues(space, 0), RL::Parameter_error);
   CHECK_THROWS_AS(RL::sample_surface(space.surface(), 0, 1, RL::Sampling::stratified),

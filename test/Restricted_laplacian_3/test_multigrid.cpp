@@ -505,7 +505,7 @@ TEST_CASE("solution_is_in_double_precision", "[multigrid]") {
   const Eigen::VectorXd expected = random_vector(finest, 5), b = a * expected;
   for(RL::Smoother_type smoother : {RL::Smoother_type::patch, RL::Smoother_type::point})
     for(bool is_parallel : {false, true}) {
-      RL::Poisson_solver_options options;
+      RL::internal::Poisson_solver_options options;
       options.smoother = smoother;
       options.is_parallel = is_parallel;
       options.relative_tolerance = 1e-12;

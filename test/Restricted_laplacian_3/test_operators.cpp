@@ -314,7 +314,7 @@ TEST_CASE("prolongation_preserves_functions", "[operators]") {
 
 TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators][slow]") {
   const auto check = [](const shapes::Triangles& a, const shapes::Triangles& b, int depth) {
-    RL::Spline_space_options options;
+    RL::internal::Spline_space_options options;
     options.octree_depth = depth;
     const RL::Spline_space_3 first(RL::Triangulated_surface_3(a.points, a.faces), options);
     const RL::Spline_space_3 second(RL::Triangulated_surface_3(b.points, b.faces), options);
@@ -513,7 +513,7 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
 
 TEST_CASE("stabilization_does_not_depend_on_the_unit_of_length", "[operators]") {
   const shapes::Triangles original = shapes::sphere(3);
-  RL::Spline_space_options options;
+  RL::internal::Spline_space_options options;
   options.octree_depth = 4;
   const auto assemble = [&options](const shapes::Triangles& t) {
     const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -29,8 +30,9 @@ namespace params = RL::parameters;
 using shapes::Triangles;
 
 RL::Spline_space_3 space_of(const Triangles& t, int depth, bool is_split = true,
-                            double cube_scale = 0, double joining_tolerance = -1) {
-  RL::Spline_space_options options;
+                            std::optional<double> cube_scale = std::nullopt,
+                            std::optional<double> joining_tolerance = std::nullopt) {
+  RL::internal::Spline_space_options options;
   options.octree_depth = depth;
   options.split_elements = is_split;
   options.cube_scale = cube_scale;

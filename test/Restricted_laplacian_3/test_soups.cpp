@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,8 +65,9 @@ Triangles grid(double x, double width, double height, int n) {
   return t;
 }
 
-Eigen::VectorXd eigenvalues(const Triangles& t, int count, int depth, double joining = -1) {
-  RL::Spline_space_options options;
+Eigen::VectorXd eigenvalues(const Triangles& t, int count, int depth,
+                            std::optional<double> joining = std::nullopt) {
+  RL::internal::Spline_space_options options;
   options.octree_depth = depth;
   options.joining_tolerance = joining;
   const RL::Laplace_spectrum spectrum =

@@ -55,7 +55,7 @@ bool are_identical(const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
 
 struct Assembled {
   Assembled(const Mesh& mesh, int depth, bool is_split, bool is_parallel) {
-    RL::Spline_space_options options;
+    RL::internal::Spline_space_options options;
     options.octree_depth = depth;
     options.split_elements = is_split;
     options.is_parallel = is_parallel;

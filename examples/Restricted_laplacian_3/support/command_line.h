@@ -29,9 +29,17 @@ namespace po = boost::program_options;
 // columns of the text of --help
 constexpr unsigned int help_width = 92;
 
+// Of the spline space, see make_space().
+struct Space_options {
+  int octree_depth = 6;
+  double cube_scale = 0;         // the default
+  double joining_tolerance = -1; // not joined
+  bool paper_space = false, split_elements = true, split_point_set = false;
+};
+
 struct Common_options {
   std::string mesh;
-  RL::Spline_space_options space;
+  Space_options space;
   std::string assembly = "cubature";
   std::string sampling = "independent";
   long long samples = 1000000;
@@ -238,7 +246,6 @@ inline bool parse_command_line(int argc, char* argv[], const Help& help,
   require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
   require_positive(given, "cube-scale", o.space.cube_scale);
   o.space.split_elements = !given["unsplit"].as<bool>();
-  o.space.is_parallel = o.threads != 1;
   require(given.count("join") == 0 ||
               (o.space.joining_tolerance >= 0 && std::isfinite(o.space.joining_tolerance)),
           "the argument of --join must be a number that is not negative");

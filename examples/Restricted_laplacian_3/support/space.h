@@ -4,7 +4,7 @@
 #ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_SPACE_H
 #define RESTRICTED_LAPLACIAN_3_EXAMPLES_SPACE_H
 
-// What both programs do with a spline space: describe it, and integrate over its surface.
+// What programs do with a spline space: make it, describe it, and integrate over its surface.
 
 #include "command_line.h"
 #include "program.h"
@@ -16,9 +16,27 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace examples {
+
+inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
+                                     const Common_options& o) {
+  std::optional<double> cube_scale, joining_tolerance;
+  if(o.space.cube_scale > 0)
+    cube_scale = o.space.cube_scale;
+  if(o.space.joining_tolerance >= 0)
+    joining_tolerance = o.space.joining_tolerance;
+  return RL::Spline_space_3(
+      surface,
+      RL::parameters::octree_depth(o.space.octree_depth)
+          .cube_scale(cube_scale)
+          .joining_tolerance(joining_tolerance)
+          .paper_space(o.space.paper_space)
+          .split_elements(surface.is_point_set() ? o.space.split_point_set : o.space.split_elements)
+          .concurrency_tag(CGAL::Parallel_if_available_tag()));
+}
 
 // `meaning` is what the number of connected components, if it is not 1, means for the result.
 inline void add_space(Summary& summary, const RL::Spline_space_3& space,

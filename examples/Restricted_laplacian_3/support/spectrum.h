@@ -20,7 +20,7 @@ namespace examples {
 
 struct Eigensolver_options {
   std::string eigensolver = "auto";
-  double tolerance = RL::Multigrid_eigenpairs_options().relative_tolerance;
+  double tolerance = 1e-3;
   double stabilization = -1; // the default
 };
 

@@ -22,47 +22,92 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+namespace internal {
+
+template <class Source, class PropertyMap, class NamedParameters>
+Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
+                              const NamedParameters& np);
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// Estimates the curvature of a surface from a field of normals (paper, section 5.3): the field is
-/// fitted by splines, see `Function_fitter`; the derivative of the fit \f$u\f$ is projected to the
-/// plane that is orthogonal to \f$u\f$, divided by \f$\lvert u \rvert\f$, and symmetrised.
-/// \param space the space in which the normals are fitted
-/// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
-/// about unit length
-/// \param integration any model of `SurfaceIntegration_3`
-/// \param np optional named parameters: those of `fit_function()`, with other defaults:
-/// - `normal_stabilization`: default 0.01
-/// - `smoothing_weight`: \f$w\f$ in units of length^2; default \f$h^2\f$, or 0 on a surface with a
-///   boundary and on points
-/// - `refinement_steps`: default 1 if there is smoothing, else 0
-/// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
-template <class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
-Curvature_field estimate_curvature(const Spline_space_3& space,
-                                   const Surface_integration_view& integration,
-                                   const Surface_function_view& normals,
-                                   const NamedParameters& np = parameters::default_values()) {
-  return internal::curvature_of_field(space, integration, normals,
-                                      internal::curvature_options(space, true, np),
-                                      internal::progress_of(np));
+/// Estimates the curvature of a mesh at its vertices.
+/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
+/// triangles. The normals are to the side to which the faces are oriented. Or a range of oriented
+/// points, which take the place of vertices, see `read_point_set()`
+/// \param tm the surface, a mesh or a range of oriented points
+/// \param curvatures a model of `WritablePropertyMap` with the vertex descriptor as key and
+/// `Surface_curvature` as value; NaN at vertices without a face of positive area
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_mesh
+///   \named_of_points
+///   \named_curvature_method
+///   \named_vertex_normal_map
+///   \named_of_curvature
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations, residuals, errors of the fit, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class FaceGraph, class VertexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0,
+          internal::Require_no_named_parameters<VertexMap> = 0,
+          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
+Fit_report estimate_curvature(const FaceGraph& tm, VertexMap curvatures,
+                              const NamedParameters& np = parameters::default_values()) {
+  return internal::estimate_curvature(internal::mesh_or_point_source(tm), curvatures, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Estimates the curvature of a triangle soup, which need not be a manifold, at its points. Its
+/// faces must be oriented alike.
+/// \param points a range of 3D points
+/// \param triangles a range of ranges of three indices into `points`
+/// \param curvatures a model of `WritablePropertyMap` with the index of a point as key, a
+/// `std::size_t`, and `Surface_curvature` as value; NaN at points without a face of positive area
+/// \param np optional named parameters, where property maps have such keys, too:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_curvature_method
+///   \named_vertex_normal_map
+///   \named_of_curvature
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations, residuals, errors of the fit, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class PointRange, class TriangleRange, class IndexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0,
+          internal::Require_no_named_parameters<IndexMap> = 0,
+          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
+Fit_report estimate_curvature(const PointRange& points, const TriangleRange& triangles,
+                              IndexMap curvatures,
+                              const NamedParameters& np = parameters::default_values()) {
+  return internal::estimate_curvature(
+      internal::Soup_source<PointRange, TriangleRange>(points, triangles), curvatures, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of the surface of a space.
 /// \param space the space in which normals or coordinates are fitted
 /// \param integration any model of `SurfaceIntegration_3`
-/// \param np optional named parameters: those above, and
-/// - `curvature_method`: a `Curvature_method`; default `Curvature_method::normals`, with
-///   `vertex_normals()`. With `Curvature_method::coordinates` there is no smoothing unless
-///   `smoothing_weight` is given, and no refinement. On points, whose boundary is not known, it
-///   takes the surface as closed
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_curvature_method
+///   \named_of_curvature
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+///
+/// On points, whose boundary is not known, `Curvature_method::coordinates` takes the surface as
+/// closed.
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Curvature_field estimate_curvature(const Spline_space_3& space,
                                    const Surface_integration_view& integration,
                                    const NamedParameters& np = parameters::default_values()) {
-  const Curvature_method method = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::curvature_method), Curvature_method::normals);
+  Curvature_method method = Curvature_method::normals;
+  internal::read_parameter(np, internal_np::curvature_method, method);
   if(method == Curvature_method::coordinates)
     return Curvature_field(
         space, internal::fit_coordinate_laplacian(space, integration,
@@ -74,12 +119,45 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same by `Default_integration`.
+/// Estimates the curvature of the surface of a space, with `Default_integration`.
+/// \param space the space in which normals or coordinates are fitted
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_curvature_method
+///   \named_of_curvature
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Curvature_field estimate_curvature(const Spline_space_3& space,
                                    const NamedParameters& np = parameters::default_values()) {
   return estimate_curvature(space, Default_integration(space), np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Estimates the curvature of a surface from a field of normals (paper, section 5.3): the field is
+/// fitted by splines, see `Function_fitter`; the derivative of the fit \f$u\f$ is projected to the
+/// plane that is orthogonal to \f$u\f$, divided by \f$\lvert u \rvert\f$, and symmetrised.
+/// \param space the space in which the normals are fitted
+/// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
+/// about unit length
+/// \param integration any model of `SurfaceIntegration_3`
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_curvature
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
+template <class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Curvature_field estimate_curvature(const Spline_space_3& space,
+                                   const Surface_integration_view& integration,
+                                   const Surface_function_view& normals,
+                                   const NamedParameters& np = parameters::default_values()) {
+  return internal::curvature_of_field(space, integration, normals,
+                                      internal::curvature_options(space, true, np),
+                                      internal::progress_of(np));
 }
 
 namespace internal {
@@ -118,48 +196,6 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
 }
 
 } // namespace internal
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Estimates the curvature of a mesh at its vertices.
-/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles. The normals are to the side to which the faces are oriented. Or a range of oriented
-/// points, which take the place of vertices, see `read_point_set()`
-/// \param tm the surface, a mesh or a range of oriented points
-/// \param curvatures a model of `WritablePropertyMap` with the vertex descriptor as key and
-/// `Surface_curvature` as value; NaN at vertices without a face of positive area
-/// \param np optional named parameters: those of `Spline_space_3` and of the overloads above, and
-/// - `vertex_normal_map`: a model of `ReadablePropertyMap` that maps a vertex descriptor to a
-///   normal, of any length, to be used by `Curvature_method::normals`; by default those of
-///   `vertex_normals()`. Where they cancel or are 0, that of the face is taken
-/// \return whether the solver converged, iterations, residuals, errors of the fit, times
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-template <class FaceGraph, class VertexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VertexMap> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Fit_report estimate_curvature(const FaceGraph& tm, VertexMap curvatures,
-                              const NamedParameters& np = parameters::default_values()) {
-  return internal::estimate_curvature(internal::mesh_or_point_source(tm), curvatures, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The same on a triangle soup, which need not be a manifold. Its faces must be oriented alike.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param curvatures,np as above, where property maps have the index of a point as key, a
-/// `std::size_t`
-template <class PointRange, class TriangleRange, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<IndexMap> = 0,
-          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
-Fit_report estimate_curvature(const PointRange& points, const TriangleRange& triangles,
-                              IndexMap curvatures,
-                              const NamedParameters& np = parameters::default_values()) {
-  return internal::estimate_curvature(
-      internal::Soup_source<PointRange, TriangleRange>(points, triangles), curvatures, np);
-}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -23,8 +23,74 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+namespace internal {
+
+template <class Source, class Function, class PropertyMap, class NamedParameters>
+Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
+                        const NamedParameters& np);
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// Fits a function on a surface by a spline: the least-squares projection \f$D \eta = \gamma\f$ of
+/// Fits a function on a mesh by a spline, see `Function_fitter`.
+/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
+/// triangles; or a range of oriented points, which take the place of vertices, see
+/// `read_point_set()`
+/// \param tm the surface, a mesh or a range of oriented points
+/// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key, interpolated
+/// linearly, or a function object that takes a `const Surface_point&`. Values are numbers,
+/// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.
+/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and such a value,
+/// with as many components, receives the values of the fit; NaN at vertices without a face of
+/// positive area
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_mesh
+///   \named_of_points
+///   \named_of_fits
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations (of all solves together but those of refinement
+/// steps), residuals, errors, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class FaceGraph, class Function, class VertexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0,
+          internal::Require_no_named_parameters<VertexMap> = 0,
+          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
+Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
+                        const NamedParameters& np = parameters::default_values()) {
+  return internal::fit_function(internal::mesh_or_point_source(tm), f, u, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Fits a function on a triangle soup, which need not be a manifold, nor orientable.
+/// \param points a range of 3D points
+/// \param triangles a range of ranges of three indices into `points`
+/// \param f a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`,
+/// interpolated linearly, or a function object that takes a `const Surface_point&`; values as on a
+/// mesh
+/// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`,
+/// receives the values of the fit
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_fits
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations, residuals, errors, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class PointRange, class TriangleRange, class Function, class IndexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_no_named_parameters<IndexMap> = 0,
+          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
+Fit_report fit_function(const PointRange& points, const TriangleRange& triangles, const Function& f,
+                        IndexMap u, const NamedParameters& np = parameters::default_values()) {
+  return internal::fit_function(internal::Soup_source<PointRange, TriangleRange>(points, triangles),
+                                f, u, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Fits a function by a spline of a space: the least-squares projection \f$D \eta = \gamma\f$ of
 /// the paper (section 5.3), if wanted with smoothing. See `Function_fitter`, which does the same
 /// for many functions with one setup.
 /// \param space the space that the fit is in
@@ -33,15 +99,10 @@ namespace Restricted_laplacian_3 {
 /// Integrated as in `assemble_load()`.
 /// \param integration any model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
-/// - `smoothing_weight`: \f$w\f$ in units of length^2; default 0
-/// - `refinement_steps`: default 0
-/// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; by default it is chosen for
-///   each component, see `Function_fitter`
-/// - `relative_tolerance`: of the residual; default 1e-8
-/// - `number_of_iterations`, `cycle`, `smoothing_steps`, `smoother`, `stand_alone_multigrid`,
-///   `concurrency_tag`: as in `make_poisson_solver()`
-/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
-///   1, and returns `false` to end it with a `Canceled` exception
+/// \cgalNamedParamsBegin
+///   \named_of_fits
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
 /// \return the coefficients, whether the solver converged, iterations (of all solves together but
 /// those of refinement steps), residuals, errors, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
@@ -51,12 +112,20 @@ template <class NamedParameters = parameters::Default_named_parameters,
 Function_fit fit_function(const Spline_space_3& space, const Surface_integration_view& integration,
                           const Surface_function_view& f,
                           const NamedParameters& np = parameters::default_values()) {
-  return Function_fitter(space, integration, internal::function_fit_options(np))
-      .fit(f, internal::progress_of(np).callback());
+  return Function_fitter(space, integration, np).fit(f, internal::progress_of(np).callback());
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same by `Default_integration`.
+/// Fits a function by a spline of a space, integrated by `Default_integration`.
+/// \param space the space that the fit is in
+/// \param f a function object, as for any integration
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_fits
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \return the coefficients, whether the solver converged, iterations, residuals, errors, times
+/// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Function_fit fit_function(const Spline_space_3& space, const Surface_function_view& f,
@@ -97,45 +166,6 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 }
 
 } // namespace internal
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Fits a function on a mesh by a spline, see `Function_fitter`.
-/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles; or a range of oriented points, which take the place of vertices, see
-/// `read_point_set()`
-/// \param tm the surface, a mesh or a range of oriented points
-/// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key, interpolated
-/// linearly, or a function object that takes a `const Surface_point&`. Values are numbers,
-/// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.
-/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and such a value,
-/// with as many components, receives the values of the fit; NaN at vertices without a face of
-/// positive area
-/// \param np optional named parameters: those of `Spline_space_3` and of the overloads above
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-template <class FaceGraph, class Function, class VertexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VertexMap> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
-                        const NamedParameters& np = parameters::default_values()) {
-  return internal::fit_function(internal::mesh_or_point_source(tm), f, u, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The same on a triangle soup, which need not be a manifold, nor orientable.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param f,u,np as above, where property maps have the index of a point as key, a `std::size_t`
-template <class PointRange, class TriangleRange, class Function, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<IndexMap> = 0,
-          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
-Fit_report fit_function(const PointRange& points, const TriangleRange& triangles, const Function& f,
-                        IndexMap u, const NamedParameters& np = parameters::default_values()) {
-  return internal::fit_function(internal::Soup_source<PointRange, TriangleRange>(points, triangles),
-                                f, u, np);
-}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -74,8 +74,8 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
   const Gradient_options options = gradient_options(space, np);
-  const bool with_details = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::vertex_details), false);
+  bool with_details = false;
+  read_parameter(np, internal_np::vertex_details, with_details);
   const double end_of_splines = with_details ? 0.8 : 1;
   Gradient_solution solution =
       integrate_gradients(space, Default_integration(space), field, screening, options,
@@ -93,8 +93,9 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// Integrates a vector field: finds the functions \f$u_k\f$ of a spline space whose gradients are
-/// closest to the channels \f$v_k\f$ of a tangent vector field (paper, section 5.2, equation 6).
+/// Integrates a vector field on a mesh: finds the functions \f$u_k\f$ of a spline space whose
+/// gradients are closest to the channels \f$v_k\f$ of a tangent vector field (paper, section 5.2,
+/// equation 6).
 /// \f[ \int_{\mathcal M} \lvert \nabla u_k - v_k \rvert^2
 ///     + \int_{\mathcal M} \alpha\, (u_k - g_k)^2 \to \min, \qquad
 ///     (S + M_\alpha)\, \eta_{\cdot k} = \gamma, \quad
@@ -114,6 +115,76 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// of the splines: not split, if `split_elements` is `false`, where two come within three cells of
 /// each other.)
 ///
+/// *Details.* Splines do not resolve what is smaller than a cell. With `vertex_details`, their
+/// values at the vertices are the first guess for the same problem with the functions that are
+/// linear in each triangle, whose matrix \f$S\f$ is that of cotangents. What they leave is of short
+/// waves, so a few steps of conjugate gradients with an incomplete Cholesky factor suffice. The
+/// splines, with their multigrid, are then the auxiliary space of a solver for the cotangent
+/// system. See J. Xu, *The auxiliary space method and optimal multigrid preconditioning techniques
+/// for unstructured grids*, Computing 56 (1996). The result depends on the triangulation as that of
+/// cotangents does.
+///
+/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
+/// triangles; or a range of oriented points, which take the place of vertices, see
+/// `read_point_set()`
+/// \param tm the surface
+/// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal
+/// (one channel), a `std::array` of such vectors, or an `Eigen::Matrix<double, 3, K>`, whose
+/// columns are the channels; or a model of `ReadablePropertyMap` with such values. Its key is the
+/// vertex descriptor: the field is linear in each triangle, and continuous up to the projection to
+/// the tangent planes; the halfedge descriptor: it is linear in each triangle, with the value of a
+/// halfedge at its target, in its face; or the face descriptor: it is constant in each triangle.
+/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key, and values as
+/// `target_values` has, receives the values; NaN at vertices without a face of positive area
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_mesh
+///   \named_of_points
+///   \named_of_gradients
+///   \named_vertex_details{`false`}
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations, residuals, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class FaceGraph, class VectorField, class VertexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0,
+          internal::Require_no_named_parameters<VertexMap> = 0,
+          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
+Gradient_report integrate_gradient_field(const FaceGraph& tm, const VectorField& v, VertexMap u,
+                                         const NamedParameters& np = parameters::default_values()) {
+  return internal::integrate_gradient_field(internal::mesh_or_point_source(tm), v, u, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Integrates a vector field on a triangle soup, which need not be a manifold, nor orientable.
+/// \param points a range of 3D points
+/// \param triangles a range of ranges of three indices into `points`
+/// \param v a function object, as on a mesh, or a model of `ReadablePropertyMap` with such values
+/// and the index of a point as key, a `std::size_t`
+/// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`,
+/// receives the values
+/// \param np optional named parameters, where property maps have such keys, too:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_gradients
+///   \named_vertex_details{`false`}
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations, residuals, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class PointRange, class TriangleRange, class VectorField, class IndexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_no_named_parameters<IndexMap> = 0,
+          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
+Gradient_report integrate_gradient_field(const PointRange& points, const TriangleRange& triangles,
+                                         const VectorField& v, IndexMap u,
+                                         const NamedParameters& np = parameters::default_values()) {
+  return internal::integrate_gradient_field(
+      internal::Soup_source<PointRange, TriangleRange>(points, triangles), v, u, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Integrates a vector field in a space.
 /// \param space the space that the solution is in
 /// \param integration any model of `SurfaceIntegration_3`
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal
@@ -122,26 +193,16 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// of `vertex_gradients()`. Only the part tangential to the face counts. Integrated as in
 /// `assemble_gradient_loads()`.
 /// \param np optional named parameters:
-/// - `target_values`: \f$g\f$, a function object that takes a `const Surface_point&` and returns a
-///   value with as many components as \f$v\f$ has channels: a number, a `std::array` of numbers, a
-///   vector of Eigen of a fixed size, or a 3D vector or point of \cgal. Not read where the weight
-///   is 0. Default: the constant `mean_value`
-/// - `screening_weight`: \f$\alpha\f$, in units of 1 / area: a positive number, or a function
-///   object that takes a `const Surface_point&` and returns a number that is not negative; default:
-///   none. A weight that is constant on each face (a `Face_function`, or with
-///   `function_of_degree()`) costs no more than a number.
-/// - `mean_value`: as many numbers as \f$v\f$ has channels; default 0
-/// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; default
-///   `default_normal_stabilization()`
-/// - `relative_tolerance`: of the residual; default 1e-5
-/// - `number_of_iterations`, `cycle`, `smoothing_steps`, `smoother`, `stand_alone_multigrid`,
-///   `concurrency_tag`: as in `make_poisson_solver()`
-/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
-///   1, and returns `false` to end it with a `Canceled` exception
+/// \cgalNamedParamsBegin
+///   \named_of_gradients
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
 /// \return the coefficients, whether the solver converged, iterations, residuals, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `v`, of the
 /// target or of the weight cannot be used; names the face
 /// \throws Canceled if the callback returned `false`
+///
+/// In place of property maps, `target_values` and `screening_weight` are function objects here.
 ///
 /// Takes time and memory proportional to the number of triangles (or samples) plus the number of
 /// elements, times the number of iterations.
@@ -160,67 +221,22 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same by `Default_integration`.
+/// Integrates a vector field in a space, with `Default_integration`.
+/// \param space the space that the solution is in
+/// \param v a function object, as for any integration
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_gradients
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \return the coefficients, whether the solver converged, iterations, residuals, times
+/// \throws Parameter_error if a parameter is outside its domain, or if a value of `v`, of the
+/// target or of the weight cannot be used; names the face
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_field_view& v,
                                       const NamedParameters& np = parameters::default_values()) {
   return integrate_gradient_field(space, Default_integration(space), v, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Integrates a vector field on a mesh, see above.
-///
-/// *Details.* Splines do not resolve what is smaller than a cell. With `vertex_details`, their
-/// values at the vertices are the first guess for the same problem with the functions that are
-/// linear in each triangle, whose matrix \f$S\f$ is that of cotangents. What they leave is of short
-/// waves, so a few steps of conjugate gradients with an incomplete Cholesky factor suffice. The
-/// splines, with their multigrid, are then the auxiliary space of a solver for the cotangent
-/// system. See J. Xu, *The auxiliary space method and optimal multigrid preconditioning techniques
-/// for unstructured grids*, Computing 56 (1996). The result depends on the triangulation as that of
-/// cotangents does.
-///
-/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles; or a range of oriented points, which take the place of vertices, see
-/// `read_point_set()`
-/// \param tm the surface
-/// \param v a function object as above; or a model of `ReadablePropertyMap` with such values. Its
-/// key is the vertex descriptor: the field is linear in each triangle, and continuous up to the
-/// projection to the tangent planes; the halfedge descriptor: it is linear in each triangle, with
-/// the value of a halfedge at its target, in its face; or the face descriptor: it is constant in
-/// each triangle.
-/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key, and values as
-/// `target_values` has, receives the values; NaN at vertices without a face of positive area
-/// \param np optional named parameters: those of `Spline_space_3` and of the overloads above, where
-/// `target_values` and `screening_weight` may be property maps too, with the vertex or face
-/// descriptor as key; and
-/// - `vertex_details`: whether details below the cells are added at the vertices, not available on
-///   point sets; default `false`
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-template <class FaceGraph, class VectorField, class VertexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VertexMap> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Gradient_report integrate_gradient_field(const FaceGraph& tm, const VectorField& v, VertexMap u,
-                                         const NamedParameters& np = parameters::default_values()) {
-  return internal::integrate_gradient_field(internal::mesh_or_point_source(tm), v, u, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The same on a triangle soup, which need not be a manifold, nor orientable.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param v,u,np as above, where property maps have the index of a point as key, a `std::size_t`
-template <class PointRange, class TriangleRange, class VectorField, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<IndexMap> = 0,
-          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
-Gradient_report integrate_gradient_field(const PointRange& points, const TriangleRange& triangles,
-                                         const VectorField& v, IndexMap u,
-                                         const NamedParameters& np = parameters::default_values()) {
-  return internal::integrate_gradient_field(
-      internal::Soup_source<PointRange, TriangleRange>(points, triangles), v, u, np);
 }
 
 } // namespace Restricted_laplacian_3

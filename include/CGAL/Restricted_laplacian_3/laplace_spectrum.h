@@ -12,56 +12,71 @@
 
 #include <CGAL/Real_timer.h>
 
-#include <functional>
 #include <type_traits>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
-/// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
-/// `vertex_values` remains empty.
-/// \param space the space; its finest level is used
+namespace internal {
+
+template <class MakeSpace, class NamedParameters>
+Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedParameters& np);
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
+/// the natural boundary condition if it is open.
+/// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
+/// \param tm the surface, a mesh or a range of oriented points
 /// \param k number of pairs, positive
-/// \param integration a model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
-/// - `eigensolver`: `Eigensolver::multigrid`, `Eigensolver::shift_invert`, or (default)
-///   `Eigensolver::automatic`, which takes the former from 5,000 unknowns on
-/// - `relative_tolerance`: for the residuals of `Eigensolver::multigrid`; default 1e-3, which
-///   makes eigenvalues exact to about 1e-6. Those of `Eigensolver::shift_invert` are always near
-///   1e-8.
-/// - `number_of_iterations`: of `Eigensolver::multigrid` on a level, at most; default 100
-/// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`, for the stiffness matrix;
-///   default `default_spectrum_stabilization()`
-/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
-///   1, and returns `false` to end it with a `Canceled` exception
-/// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorisation fails
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters>
-Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
-                                    const Surface_integration_view& integration,
-                                    const NamedParameters& np = parameters::default_values()) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  internal::Space_spectrum_options options;
-  options.eigensolver =
-      choose_parameter(get_parameter(np, internal_np::eigensolver), options.eigensolver);
-  options.normal_stabilization = choose_parameter(
-      get_parameter(np, internal_np::normal_stabilization), default_spectrum_stabilization(space));
-  options.multigrid.relative_tolerance = choose_parameter(
-      get_parameter(np, internal_np::relative_tolerance), options.multigrid.relative_tolerance);
-  options.multigrid.maximum_iterations = choose_parameter(
-      get_parameter(np, internal_np::number_of_iterations), options.multigrid.maximum_iterations);
-  options.multigrid.callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
-  return internal::space_eigenpairs(space, k, integration, options);
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_mesh
+///   \named_of_points
+///   \named_of_spectrum
+/// \cgalNamedParamsEnd
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
+                                  const NamedParameters& np = parameters::default_values()) {
+  return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, k, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a triangle
+/// soup, which need not be a manifold, nor orientable.
+/// \param points a range of 3D points
+/// \param triangles a range of ranges of three indices into `points`
+/// \param k number of pairs, positive
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_spectrum
+/// \cgalNamedParamsEnd
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class PointRange, class TriangleRange,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
+Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange& triangles, int k,
+                                  const NamedParameters& np = parameters::default_values()) {
+  return internal::laplace_spectrum_of([&] { return Spline_space_3(points, triangles, np); }, k,
+                                       np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
-/// Parameters and exceptions are those of `laplace_eigenpairs()`.
+/// \param space the space; its finest level is used
+/// \param k number of pairs, positive
+/// \param integration a model of `SurfaceIntegration_3`
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_spectrum
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+/// \throws Numerical_error if a factorisation fails
 template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
                                   const Surface_integration_view& integration,
@@ -72,12 +87,71 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same by `Default_integration`.
+/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space,
+/// with `Default_integration`.
+/// \param space the space; its finest level is used
+/// \param k number of pairs, positive
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_spectrum
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+/// \throws Numerical_error if a factorisation fails
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
                                   const NamedParameters& np = parameters::default_values()) {
   return laplace_spectrum(space, k, Default_integration(space), np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// The `k` smallest eigenvalues and eigenvectors of the cotangent Laplacian of the triangulation,
+/// for comparison.
+/// \param tm the surface, a mesh of triangles
+/// \param k number of pairs, positive
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_mesh
+///   \named_lumped_mass
+/// \cgalNamedParamsEnd
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
+Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
+                                    const NamedParameters& np = parameters::default_values()) {
+  CGAL::Real_timer timer;
+  timer.start();
+  const Triangulated_surface_3 surface = read_surface(tm, np);
+  const double space_seconds = timer.time();
+  bool lumped_mass = false;
+  internal::read_parameter(np, internal_np::lumped_mass, lumped_mass);
+  Laplace_spectrum spectrum = internal::cotangent_eigenpairs(surface, k, lumped_mass);
+  spectrum.report.space_seconds = space_seconds;
+  return spectrum;
+}
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
+/// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
+/// `vertex_values` remains empty.
+/// \param space the space; its finest level is used
+/// \param k number of pairs, positive
+/// \param integration a model of `SurfaceIntegration_3`
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_spectrum
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+/// \throws Numerical_error if a factorisation fails
+template <class NamedParameters = parameters::Default_named_parameters>
+Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
+                                    const Surface_integration_view& integration,
+                                    const NamedParameters& np = parameters::default_values()) {
+  internal::Space_spectrum_options options;
+  options.multigrid = np;
+  options.normal_stabilization = default_spectrum_stabilization(space);
+  internal::read_parameter(np, internal_np::eigensolver, options.eigensolver);
+  internal::read_parameter(np, internal_np::normal_stabilization, options.normal_stabilization);
+  return internal::space_eigenpairs(space, k, integration, options);
 }
 
 namespace internal {
@@ -94,57 +168,6 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 }
 
 } // namespace internal
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
-/// the natural boundary condition if it is open.
-/// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
-/// \param tm the surface, a mesh or a range of oriented points
-/// \param k number of pairs, positive
-/// \param np optional named parameters: those of `Spline_space_3` and of `laplace_eigenpairs()`
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
-Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
-                                  const NamedParameters& np = parameters::default_values()) {
-  return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, k, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The same on a triangle soup, which need not be a manifold, nor orientable.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param k number of pairs, positive
-/// \param np as above, without the vertex point map
-template <class PointRange, class TriangleRange,
-          class NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
-Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange& triangles, int k,
-                                  const NamedParameters& np = parameters::default_values()) {
-  return internal::laplace_spectrum_of([&] { return Spline_space_3(points, triangles, np); }, k,
-                                       np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The same with the cotangent Laplacian of the triangulation, for comparison.
-/// \param tm the surface, a mesh of triangles
-/// \param k number of pairs, positive
-/// \param np optional named parameters:
-/// - `lumped_mass`: whether the mass matrix is diagonal; default `false`
-/// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
-template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
-Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
-                                    const NamedParameters& np = parameters::default_values()) {
-  CGAL::Real_timer timer;
-  timer.start();
-  const Triangulated_surface_3 surface = read_surface(tm, np);
-  const double space_seconds = timer.time();
-  Laplace_spectrum spectrum = internal::cotangent_eigenpairs(
-      surface, k,
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::lumped_mass), false));
-  spectrum.report.space_seconds = space_seconds;
-  return spectrum;
-}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

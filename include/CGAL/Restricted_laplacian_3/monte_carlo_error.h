@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
@@ -17,8 +18,9 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// Which samples `estimate_operators()` and `estimate_eigenvalues()` take.
+namespace internal {
+
+/// the named parameters of `estimate_operators()` and `estimate_eigenvalues()`, read
 struct Monte_carlo_options {
   /// of all batches together; each has this over `number_of_batches`, rounded down
   std::size_t number_of_samples = 1000000;
@@ -29,7 +31,18 @@ struct Monte_carlo_options {
   std::uint64_t seed = 0;
   /// how the samples of a batch are drawn
   Sampling sampling = Sampling::independent;
+
+  Monte_carlo_options() = default;
+  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  Monte_carlo_options(const NamedParameters& np) {
+    read_parameter(np, internal_np::number_of_samples, number_of_samples);
+    read_parameter(np, internal_np::number_of_batches, number_of_batches);
+    read_parameter(np, internal_np::random_seed, seed);
+    read_parameter(np, internal_np::sampling, sampling);
+  }
 };
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Matrices from samples, and the standard error of each of their entries.
@@ -61,11 +74,17 @@ struct Estimated_eigenvalues {
 /// Takes the time of one assembly for each batch.
 /// \param space the space whose elements are integrated
 /// \param level from 0, the coarsest, to the depth of the space
-/// \param options number of samples and batches, seed
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_number_of_samples
+///   \named_number_of_batches
+///   \named_random_seed
+///   \named_sampling
+/// \cgalNamedParamsEnd
 /// \param normal_stabilization,stabilized as in `assemble_operators()`
-/// \throws Parameter_error if the level or an option is outside its domain
+/// \throws Parameter_error if the level or a parameter is outside its domain
 Estimated_operators estimate_operators(const Spline_space_3& space, int level,
-                                       const Monte_carlo_options& options = Monte_carlo_options(),
+                                       const internal::Monte_carlo_options& np = {},
                                        double normal_stabilization = 0,
                                        Stabilized stabilized = Stabilized::stiffness_and_mass);
 
@@ -87,14 +106,19 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
 /// Takes the time of two assemblies for each batch and one eigenproblem by `smallest_eigenpairs()`.
 /// \param space the space; its finest level is used
 /// \param k number of eigenvalues, positive
-/// \param options number of samples and batches, seed
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_number_of_samples
+///   \named_number_of_batches
+///   \named_random_seed
+///   \named_sampling
+/// \cgalNamedParamsEnd
 /// \param normal_stabilization of the stiffness matrix, as in `assemble_operators()`
-/// \throws Parameter_error if `k` or an option is outside its domain
+/// \throws Parameter_error if `k` or a parameter is outside its domain
 /// \throws Numerical_error if a factorisation fails, or if not all eigenvalues were found
-Estimated_eigenvalues
-estimate_eigenvalues(const Spline_space_3& space, int k,
-                     const Monte_carlo_options& options = Monte_carlo_options(),
-                     double normal_stabilization = 0);
+Estimated_eigenvalues estimate_eigenvalues(const Spline_space_3& space, int k,
+                                           const internal::Monte_carlo_options& np = {},
+                                           double normal_stabilization = 0);
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -33,11 +33,10 @@ Point_constraints vertex_constraints(const Source& source, const Spline_space_3&
                                      const NamedParameters& np) {
   static_assert(is_given_v<NamedParameters, internal_np::constraint_values_t>,
                 "vertex_is_constrained_map needs constraint_values");
-  constexpr double default_weight = 1e4;
   const auto is_constrained = parameters::get_parameter(np, internal_np::vertex_is_constrained);
   const auto values = parameters::get_parameter(np, internal_np::constraint_values);
-  const double weight = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::constraint_weight), default_weight);
+  double weight = 1e4;
+  read_parameter(np, internal_np::constraint_weight, weight);
   const std::vector<Surface_location> locations = locations_of_vertices(space.surface());
   Point_constraints constraints(space);
   source.for_each_vertex([&](std::size_t i, const auto& v) {
@@ -70,8 +69,11 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const auto boundary_values = number_or_surface_function(
       source,
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::boundary_values), 0));
+  constexpr double tolerance = has_boundary_values || has_constraints
+                                   ? tolerance_with_constraints
+                                   : Poisson_solver_options::default_tolerance;
   Poisson_problem problem = {
-      right_hand_side, {}, {}, {}, poisson_solver_options(np), progress.part(part_of_space, 1)};
+      right_hand_side, {}, {}, {}, {np, tolerance}, progress.part(part_of_space, 1)};
   if constexpr(std::is_arithmetic_v<Alpha>)
     problem.elliptic.reaction = static_cast<double>(alpha);
   else
@@ -81,9 +83,6 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
     problem.boundary_values = boundary_values;
   if constexpr(has_constraints)
     problem.constraints = vertex_constraints(source, space, np);
-  if((has_boundary_values || has_constraints) &&
-     !is_given_v<NamedParameters, internal_np::relative_tolerance_t>)
-    problem.options.relative_tolerance = tolerance_with_constraints;
 
   std::vector<double> values;
   Solve_report report = solve_poisson_problem(space, problem, values);
@@ -121,21 +120,13 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// returns a number
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point
 /// number as value, receives the solution; NaN at vertices without a face of positive area
-/// \param np optional named parameters: those of `Spline_space_3` and `make_poisson_solver()`, and
-/// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; default
-///   `default_normal_stabilization()`
-/// - `boundary_values`: values on the boundary of an open surface, given as `f` is, see
-///   `Dirichlet_boundary`; by default the natural condition holds
-/// - `vertex_is_constrained_map`: a model of `ReadablePropertyMap` that maps a vertex descriptor to
-///   `true` if the value there is prescribed, see `Point_constraints`; by default none is
-/// - `constraint_values`: a model of `ReadablePropertyMap` with these values; required with the
-///   former
-/// - `constraint_weight`: how strongly they are held; default 1e4
-/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
-///   1, and returns `false` to end it with a `Canceled` exception
-///
-/// With prescribed values the default of `relative_tolerance` is 1e-7: they enter the right-hand
-/// side with large factors.
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_mesh
+///   \named_of_points
+///   \named_of_poisson
+/// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if the callback returned `false`
@@ -151,10 +142,22 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same on a triangle soup, which need not be a manifold, nor orientable.
+/// Solves the Poisson problem \f$\Delta_{\mathcal M} u = f\f$ on a triangle soup, which need not be
+/// a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
-/// \param f,u,np as above, where property maps have the index of a point as key, a `std::size_t`
+/// \param f a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`, and
+/// a number as value, interpolated linearly; or a function object that takes a
+/// `const Surface_point&` and returns a number
+/// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`, and
+/// a floating-point number as value, receives the solution
+/// \param np optional named parameters, where property maps have such keys, too:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_poisson
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations, residual, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
 template <class PointRange, class TriangleRange, class Function, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0>
@@ -174,13 +177,22 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
 /// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled towards \f$g\f$ where
 /// \f$\alpha\f$ is large, a soft constraint.
 /// \param tm the surface, a mesh or a range of oriented points
-/// \param f the right-hand side, as in `solve_poisson()`
+/// \param f the right-hand side: a model of `ReadablePropertyMap` with the vertex descriptor as key
+/// and a number as value, interpolated linearly; or a function object that takes a
+/// `const Surface_point&` and returns a number
 /// \param alpha in units of 1 / area: a positive number (multiply by the area to compare surfaces
 /// of different size); or weights that are not negative, given as `f` is
-/// \param u the solution, as in `solve_poisson()`
-/// \param np optional named parameters, as in `solve_poisson()`
-///
-/// All else is as in `solve_poisson()`.
+/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point
+/// number as value, receives the solution; NaN at vertices without a face of positive area
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_mesh
+///   \named_of_points
+///   \named_of_poisson
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations, residual, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
 template <class FaceGraph, class Function, class Alpha, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -192,7 +204,24 @@ Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, cons
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The same on a triangle soup.
+/// Solves the screened Poisson problem \f$\alpha u - \Delta_{\mathcal M} u = f\f$ on a triangle
+/// soup.
+/// \param points a range of 3D points
+/// \param triangles a range of ranges of three indices into `points`
+/// \param f the right-hand side: a model of `ReadablePropertyMap` with the index of a point as key,
+/// a `std::size_t`, and a number as value, interpolated linearly; or a function object that takes a
+/// `const Surface_point&` and returns a number
+/// \param alpha in units of 1 / area: a positive number; or weights that are not negative, given as
+/// `f` is
+/// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`, and
+/// a floating-point number as value, receives the solution
+/// \param np optional named parameters, where property maps have such keys, too:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_poisson
+/// \cgalNamedParamsEnd
+/// \return whether the solver converged, iterations, residual, times
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
 template <class PointRange, class TriangleRange, class Function, class Alpha, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0>

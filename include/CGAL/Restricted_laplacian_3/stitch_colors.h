@@ -24,50 +24,6 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-template <class NamedParameters>
-Back_projection_options back_projection_options(const NamedParameters& np) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Back_projection_options options;
-  if constexpr(is_given_v<NamedParameters, internal_np::maximum_distance_t>)
-    options.maximum_distance = get_parameter(np, internal_np::maximum_distance);
-  if constexpr(is_given_v<NamedParameters, internal_np::boundary_width_t>)
-    options.boundary_width = get_parameter(np, internal_np::boundary_width);
-  options.minimum_facing_cosine = choose_parameter(
-      get_parameter(np, internal_np::minimum_facing_cosine), options.minimum_facing_cosine);
-  options.minimum_normal_cosine = choose_parameter(
-      get_parameter(np, internal_np::minimum_normal_cosine), options.minimum_normal_cosine);
-  options.oriented_surface =
-      choose_parameter(get_parameter(np, internal_np::oriented_surface), options.oriented_surface);
-  return options;
-}
-
-template <class NamedParameters>
-Color_stitching_options color_stitching_options(const Spline_space_3& space,
-                                                const NamedParameters& np) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Color_stitching_options options;
-  options.back_projection = back_projection_options(np);
-  options.gradient_source =
-      choose_parameter(get_parameter(np, internal_np::gradient_source), options.gradient_source);
-  options.seam_weight =
-      choose_parameter(get_parameter(np, internal_np::seam_weight), options.seam_weight);
-  options.quality_smoothing_steps = choose_parameter(
-      get_parameter(np, internal_np::quality_smoothing_steps), options.quality_smoothing_steps);
-  options.match_exposures =
-      choose_parameter(get_parameter(np, internal_np::match_exposures), options.match_exposures);
-  options.linear_light =
-      choose_parameter(get_parameter(np, internal_np::linear_light), options.linear_light);
-  if constexpr(is_given_v<NamedParameters, internal_np::screening_weight_t>)
-    options.screening_weight = get_parameter(np, internal_np::screening_weight);
-  options.vertex_details =
-      choose_parameter(get_parameter(np, internal_np::vertex_details), options.vertex_details);
-  options.normal_stabilization = normal_stabilization(space, np);
-  options.solver = poisson_solver_options(np);
-  return options;
-}
-
 template <class Source, class PropertyMap, class NamedParameters>
 Stitching_report stitch_colors(const Source& source, const std::vector<Colored_scan>& scans,
                                PropertyMap colors, const NamedParameters& np) {
@@ -78,7 +34,7 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
   progress(0);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
-  Color_stitcher stitcher(space, color_stitching_options(space, np));
+  Color_stitcher stitcher(space, np);
   constexpr double end_of_scans = 0.5;
   for(std::size_t i = 0; i < scans.size(); ++i) {
     progress.part(part_of_space,
@@ -104,20 +60,12 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 /// \param colors a model of `WritablePropertyMap` with the vertex descriptor as key and a colour as
 /// value: `CGAL::IO::Color`, or a `std::array`, a vector of Eigen or a 3D vector of \cgal of three
 /// components, from 0 to 1, or from 0 to 255 if they are integers
-/// \param np optional named parameters: those of `Spline_space_3`, and
-/// - `maximum_distance`, `minimum_facing_cosine`, `minimum_normal_cosine`, `boundary_width`,
-///   `oriented_surface`: as in `Back_projection_options`
-/// - `gradient_source`: a `Gradient_source`; default `Gradient_source::back_projection`
-/// - `seam_weight`, `quality_smoothing_steps`: of the choice of scans; default 0.05 and 5
-/// - `match_exposures`: default `true`
-/// - `linear_light`: default `false`
-/// - `screening_weight`: \f$\alpha > 0\f$, in units of 1 / area; default 10 / area
-/// - `vertex_details`: default `true`
-/// - `normal_stabilization`, `relative_tolerance`, `number_of_iterations`, `cycle`,
-///   `smoothing_steps`, `smoother`, `stand_alone_multigrid`, `concurrency_tag`: as in
-///   `make_poisson_solver()`
-/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
-///   1, and returns `false` to end it with a `Canceled` exception
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_mesh
+///   \named_of_stitching
+/// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter; or no scan
 /// comes near the surface
 /// \throws Canceled if the callback returned `false`
@@ -131,11 +79,19 @@ Stitching_report stitch_colors(const FaceGraph& tm, const std::vector<Colored_sc
 }
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// The same on a triangle soup, which need not be a manifold.
+/// Colours a triangle soup, which need not be a manifold, from several scans.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
-/// \param scans,colors,np as above, where property maps have the index of a point as key, a
-/// `std::size_t`
+/// \param scans at least one
+/// \param colors a model of `WritablePropertyMap` with the index of a point as key, a
+/// `std::size_t`, and a colour as value, as for a mesh
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_space
+///   \named_of_stitching
+/// \cgalNamedParamsEnd
+/// \throws Input_error one of its derived classes names the face, vertex or parameter; or no scan
+/// comes near the surface
 template <class PointRange, class TriangleRange, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>

@@ -35,7 +35,7 @@ boundary_sides(const Spline_space_3& space) {
   std::vector<Face_side> result;
   const double h = space.octree().cell_width(space.depth());
   const Surface_seams seams(surface, Octree_3::thin_face_height * h,
-                            space.options().joining_tolerance);
+                            space.options().joining_tolerance.value_or(-1));
   std::vector<std::uint32_t> number_of_sides(seams.number_of_seams(), 0);
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
     for(int side = 0; side < 3; ++side)

@@ -95,20 +95,23 @@ Operators assemble_operators(const Spline_space_3& space, int level,
                              Stabilized stabilized = Stabilized::stiffness_and_mass);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same by `Default_integration`, without stabilisation.
+/// Stiffness and mass matrix of one level by `Default_integration`, without stabilisation.
 Operators assemble_operators(const Spline_space_3& space, int level);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same on the finest level.
+/// Stiffness and mass matrix of the finest level by `Default_integration`, without stabilisation.
 Operators assemble_operators(const Spline_space_3& space);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same into storage of the caller's: what `assemble_operators()` adds up, block by block.
+/// Puts what `assemble_operators()` adds up into storage of the caller's, block by block.
 /// \param space the space whose elements are integrated
 /// \param coarsest from 0, the coarsest, to the depth of the space
 /// \param sinks one for each level from `coarsest` on, coarsest first; null pointers are left out
 /// \param integration any model of `SurfaceIntegration_3`
-/// \param normal_stabilization,stabilized,callback as above
+/// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
+/// \param stabilized which of the matrices are stabilised
+/// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`, the
+/// computation ends with an exception
 /// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
 /// negative or not finite
 /// \throws Canceled if the callback returned `false`
@@ -138,7 +141,7 @@ Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
 /// surface comes within a cell of the boundary of the domain cube).
 Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same on the finest level.
+/// The stiffness matrix of the finest level, without stabilisation.
 Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
@@ -146,7 +149,7 @@ Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space);
 /// area.
 Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same on the finest level.
+/// The mass matrix of the finest level.
 Sparse_matrix assemble_mass_matrix(const Spline_space_3& space);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
@@ -157,17 +160,17 @@ Sparse_matrix assemble_mass_matrix(const Spline_space_3& space);
 /// \param f a function object that takes a `const Surface_point&` and returns a number. Exact up to
 /// rounding if it is a polynomial of degree at most 6 on each triangle, or of the degree that
 /// `function_of_degree()` says.
-/// It is called by several threads at once if `Spline_space_options::is_parallel` is set.
+/// It is called by several threads at once if the space has `CGAL::Parallel_tag`.
 /// \param level from 0, the coarsest, to the depth of the space
 /// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f,
                               int level, const Surface_integration_view& integration);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same by `Default_integration`.
+/// The load of a function on one level by `Default_integration`.
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f,
                               int level);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same by `Default_integration`, on the finest level.
+/// The load of a function on the finest level by `Default_integration`.
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
@@ -177,7 +180,7 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_functio
 /// \param space the space whose elements are integrated
 /// \param f a function object that takes a `const Surface_point&` and returns a number, a
 /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal;
-/// all else as in `assemble_load()`
+/// exact, and called by several threads, under the conditions of `assemble_load()`
 /// \param level from 0, the coarsest, to the depth of the space
 /// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
 Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space,
@@ -195,27 +198,27 @@ Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space,
 /// a `std::array` of such vectors, or a matrix of Eigen of three rows and a fixed number of
 /// columns; only the parts tangential to the face count. Exact up to rounding if it is a polynomial
 /// of degree at most 6 on each triangle, or of the degree that `function_of_degree()` says. It is
-/// called by several threads at once if `Spline_space_options::is_parallel` is set.
+/// called by several threads at once if the space has `CGAL::Parallel_tag`.
 /// \param level from 0, the coarsest, to the depth of the space
 /// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
 /// \throws Parameter_error if the level is not from 0 to depth, or if a value of `v` is not finite
 Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v,
                                         int level, const Surface_integration_view& integration);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same by `Default_integration`, on the finest level.
+/// The loads of all channels of a vector field on the finest level by `Default_integration`.
 Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same for one channel: \f$ \gamma_i = \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i
-/// \rangle \f$, `dimension(level)` entries.
+/// The load of a vector field of one channel, see `assemble_gradient_loads()`: \f$ \gamma_i =
+/// \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i \rangle \f$, `dimension(level)` entries.
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v,
                                        int level, const Surface_integration_view& integration);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same by `Default_integration`.
+/// The load of a vector field of one channel on one level by `Default_integration`.
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v,
                                        int level);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same by `Default_integration`, on the finest level.
+/// The load of a vector field of one channel on the finest level by `Default_integration`.
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
@@ -223,7 +226,7 @@ Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector
 /// surface integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
 Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, int level);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The same on the finest level.
+/// The integrals \f$ \int_{\mathcal M} b_i \f$ of the finest level.
 Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space);
 
 } // namespace Restricted_laplacian_3

@@ -9,6 +9,7 @@
 #include <CGAL/version.h>
 
 #include <iterator>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -60,6 +61,10 @@
   PARAMETER(normal_stabilization)                                                                  \
   PARAMETER(smoother)                                                                              \
   PARAMETER(maximum_distance)                                                                      \
+  PARAMETER(number_of_batches)                                                                     \
+  PARAMETER(sampling)                                                                              \
+  PARAMETER(color_gradients)                                                                       \
+  PARAMETER(details_tolerance)                                                                     \
   CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_LATER_CGAL(PARAMETER)
 
 // The list of those of CGAL that the package takes: type and value of the tag, name.
@@ -72,6 +77,8 @@
   PARAMETER(normal_t, normal_map, normal_map)                                                      \
   PARAMETER(number_of_iterations_t, number_of_iterations, number_of_iterations)                    \
   PARAMETER(callback_t, callback, callback)                                                        \
+  PARAMETER(number_of_samples_t, number_of_samples, number_of_samples)                             \
+  PARAMETER(random_seed_t, random_seed, random_seed)                                               \
   CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_THIS_CGAL(PARAMETER)
 
 #if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
@@ -173,6 +180,23 @@ constexpr bool is_given_v =
     !std::is_same<std::decay_t<decltype(parameters::get_parameter(
                       std::declval<const NamedParameters&>(), std::declval<Tag>()))>,
                   internal_np::Param_not_found>::value;
+
+template <class T, class Value> void assign_if_any(T& variable, const Value& value) {
+  variable = value;
+}
+/// a `std::optional` without a value stands for the default
+template <class T, class Value> void assign_if_any(T& variable, const std::optional<Value>& value) {
+  if(value)
+    variable = *value;
+}
+
+/// sets a variable to the value of a parameter if that is given
+template <class NamedParameters, class Tag, class T>
+void read_parameter([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] Tag tag,
+                    [[maybe_unused]] T& variable) {
+  if constexpr(is_given_v<NamedParameters, Tag>)
+    assign_if_any(variable, parameters::get_parameter(np, tag));
+}
 
 template <class T>
 using Require_named_parameters = std::enable_if_t<Is_named_parameters<T>::value, int>;

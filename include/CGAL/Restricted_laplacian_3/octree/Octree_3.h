@@ -26,6 +26,9 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 class Octree_builder;
+
+/// \throws Parameter_error if it is not from 1 to 1e6
+double checked_cube_scale(double cube_scale);
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Dev

@@ -191,6 +191,13 @@ inline void check_digits(const Octree_3& octree, double distance) {
 
 } // namespace internal
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double internal::checked_cube_scale(double cube_scale) {
+  if(!(cube_scale >= 1 && cube_scale <= 1e6))
+    throw Parameter_error("cube_scale",
+                          "is " + std::to_string(cube_scale) + ", but must be in 1 .. 1e6");
+  return cube_scale;
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split,
                    double joining_tolerance, bool is_parallel)
@@ -198,10 +205,7 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
   if(depth < 1 || depth > maximum_octree_depth)
     throw Parameter_error("octree_depth", "is " + std::to_string(depth) + ", but must be in 1 .. " +
                                               std::to_string(maximum_octree_depth));
-  if(!(cube_scale >= 1 && cube_scale <= 1e6))
-    throw Parameter_error("cube_scale",
-                          "is " + std::to_string(cube_scale) + ", but must be in 1 .. 1e6");
-  m_side = cube_scale * m_surface.extent();
+  m_side = internal::checked_cube_scale(cube_scale) * m_surface.extent();
   m_center = m_surface.center();
   double largest = 0;
   for(int axis = 0; axis < 3; ++axis)

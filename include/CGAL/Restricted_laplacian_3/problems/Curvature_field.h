@@ -109,13 +109,14 @@ double curvature_smoothing_weight(const Spline_space_3& space);
 template <class NamedParameters>
 Function_fit_options curvature_options(const Spline_space_3& space, bool with_smoothing,
                                        const NamedParameters& np) {
-  Function_fit_options options = function_fit_options(np);
+  Function_fit_options options = np;
   if(!options.normal_stabilization)
     options.normal_stabilization = default_curvature_stabilization;
-  if(with_smoothing && !is_given_v<NamedParameters, internal_np::smoothing_weight_t>)
+  if(with_smoothing)
     options.smoothing_weight = curvature_smoothing_weight(space);
-  if(!is_given_v<NamedParameters, internal_np::refinement_steps_t>)
-    options.refinement_steps = options.smoothing_weight > 0 ? 1 : 0;
+  read_parameter(np, internal_np::smoothing_weight, options.smoothing_weight);
+  options.refinement_steps = options.smoothing_weight > 0 ? 1 : 0;
+  read_parameter(np, internal_np::refinement_steps, options.refinement_steps);
   return options;
 }
 

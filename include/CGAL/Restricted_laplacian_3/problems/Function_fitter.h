@@ -51,10 +51,13 @@ struct Function_fit : Fit_report {
   Eigen::MatrixXd coefficients;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Fits
-/// What a `Function_fitter` does unless told otherwise.
+namespace internal {
+
+struct Fit_residual;
+
+/// the named parameters of a `Function_fitter`, read
 struct Function_fit_options {
-  Function_fit_options() { solver.relative_tolerance = 1e-8; }
+  static constexpr double default_tolerance = 1e-8;
 
   /// weight \f$w \ge 0\f$ of \f$\int \lvert \nabla u \rvert^2\f$, in units of length^2
   double smoothing_weight = 0;
@@ -62,31 +65,17 @@ struct Function_fit_options {
   int refinement_steps = 0;
   /// factor \f$c\f$ of the stabilisation; without a value it is chosen for each component
   std::optional<double> normal_stabilization;
-  /// of the linear systems; the relative tolerance is 1e-8
+  /// of the linear systems
   Poisson_solver_options solver;
+
+  Function_fit_options() { solver.relative_tolerance = default_tolerance; }
+  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  Function_fit_options(const NamedParameters& np) : solver(np, default_tolerance) {
+    read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
+    read_parameter(np, internal_np::refinement_steps, refinement_steps);
+    read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+  }
 };
-
-namespace internal {
-
-struct Fit_residual;
-
-template <class NamedParameters>
-Function_fit_options function_fit_options(const NamedParameters& np) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Function_fit_options options;
-  const double tolerance = options.solver.relative_tolerance;
-  options.solver = poisson_solver_options(np);
-  options.solver.relative_tolerance =
-      choose_parameter(get_parameter(np, internal_np::relative_tolerance), tolerance);
-  options.smoothing_weight =
-      choose_parameter(get_parameter(np, internal_np::smoothing_weight), options.smoothing_weight);
-  options.refinement_steps =
-      choose_parameter(get_parameter(np, internal_np::refinement_steps), options.refinement_steps);
-  if constexpr(is_given_v<NamedParameters, internal_np::normal_stabilization_t>)
-    options.normal_stabilization = get_parameter(np, internal_np::normal_stabilization);
-  return options;
-}
 
 } // namespace internal
 
@@ -124,16 +113,22 @@ Function_fit_options function_fit_options(const NamedParameters& np) {
 /// The systems are solved by conjugate gradients with a multigrid preconditioner, a
 /// `Poisson_solver`, for up to eight components at a time.
 class Function_fitter {
+  using Options = internal::Function_fit_options;
+
 public:
-  /// what the constructor takes
-  using Options = Function_fit_options;
+  /// of the residual, relative to the right-hand side
+  static constexpr double default_tolerance = Options::default_tolerance;
 
   /// \param space has to outlive this object
   /// \param integration any model of `SurfaceIntegration_3`, has to outlive this object
-  /// \param options smoothing, refinement, stabilisation and solver
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_of_fits
+  ///   \named_concurrency_tag
+  /// \cgalNamedParamsEnd
   /// \throws Parameter_error if an option is outside its domain
   Function_fitter(const Spline_space_3& space, const Surface_integration_view& integration,
-                  const Options& options = Options());
+                  const Options& np = Options());
   ~Function_fitter();
   /// takes the solvers over
   Function_fitter(Function_fitter&&) noexcept;
@@ -142,7 +137,7 @@ public:
 
   /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
-  /// the options, as given to the constructor
+  /// the values of the named parameters, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// Fits a function. Solvers are set up when they are needed first, and kept: not to be called by

@@ -134,7 +134,7 @@ Function_fitter::solver(double normal_stabilization, const Progress& progress) {
   CGAL::Real_timer timer;
   timer.start();
   using internal::Fit_stabilization;
-  Poisson_solver_options options = m_options.solver;
+  internal::Poisson_solver_options options = m_options.solver;
   if(!m_options.normal_stabilization && normal_stabilization == Fit_stabilization::factors.back())
     options.maximum_iterations =
         (std::min)(options.maximum_iterations, Fit_stabilization::maximum_iterations_of_smallest);

@@ -85,10 +85,7 @@ struct Gradient_options {
 
 template <class NamedParameters>
 Gradient_options gradient_options(const Spline_space_3& space, const NamedParameters& np) {
-  Gradient_options options = {poisson_solver_options(np), normal_stabilization(space, np)};
-  options.solver.relative_tolerance = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::relative_tolerance), default_gradient_tolerance);
-  return options;
+  return {{np, default_gradient_tolerance}, normal_stabilization(space, np)};
 }
 
 Gradient_solution integrate_gradients(const Spline_space_3& space,

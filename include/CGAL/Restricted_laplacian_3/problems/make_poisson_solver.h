@@ -27,25 +27,6 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-template <class NamedParameters>
-Poisson_solver_options poisson_solver_options(const NamedParameters& np) {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Poisson_solver_options options;
-  options.relative_tolerance = choose_parameter(get_parameter(np, internal_np::relative_tolerance),
-                                                options.relative_tolerance);
-  options.maximum_iterations = choose_parameter(
-      get_parameter(np, internal_np::number_of_iterations), options.maximum_iterations);
-  options.cycle = choose_parameter(get_parameter(np, internal_np::cycle), options.cycle);
-  options.smoothing_steps =
-      choose_parameter(get_parameter(np, internal_np::smoothing_steps), options.smoothing_steps);
-  options.stand_alone_multigrid = choose_parameter(
-      get_parameter(np, internal_np::stand_alone_multigrid), options.stand_alone_multigrid);
-  options.smoother = choose_parameter(get_parameter(np, internal_np::smoother), options.smoother);
-  options.is_parallel = is_parallel(np);
-  return options;
-}
-
 /// The levels of a space as a multigrid hierarchy, for a system on its finest level.
 /// \param coarse_matrices of the levels above the coarsest one of the hierarchy; may be empty
 /// \param constant_loads what the matrix maps the constant 1 to
@@ -89,38 +70,40 @@ Poisson_solver poisson_solver_of(const Spline_space_3& space, const Operators& o
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// A solver for \f$A \eta = b\f$ on the finest level of a space, where \f$A\f$ is the stiffness
-/// matrix with other matrices of its pattern added, such as those of `Dirichlet_boundary` and
-/// `Point_constraints`. The matrix is empty afterwards.
-/// \param space the space; its prolongations and patches make the hierarchy
-/// \param a \f$A\f$; it is empty afterwards
-/// \param element_integrals \f$\int b_i\f$
-/// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
-/// \param options tolerance, iterations, cycle, smoother
-/// \throws Parameter_error if a parameter is outside its domain
-Poisson_solver
-make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
-                    const Eigen::VectorXd& element_integrals, double alpha = 0,
-                    const Poisson_solver_options& options = Poisson_solver_options());
-
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// The same with a copy of the matrix.
-Poisson_solver
-make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
-                    const Eigen::VectorXd& element_integrals, double alpha = 0,
-                    const Poisson_solver_options& options = Poisson_solver_options());
-
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, which assembles the
-/// matrices of all levels in one pass over the surface.
+/// A `Poisson_solver` for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, which
+/// assembles the matrices of all levels in one pass over the surface.
 /// \param space the space; its prolongations and patches make the hierarchy
 /// \param alpha screening weight, at least 0, in units of 1 / area
-/// \param np optional named parameters: those of the overload that takes `Operators`, and
-/// - `normal_stabilization`: factor \f$c\f$ of `assemble_operators()`; default
-///   `default_normal_stabilization()`
-/// - `callback`: a function object that is called with the part of the work that is done, from 0 to
-///   1, and returns `false` to end it with a `Canceled` exception; `Poisson_solver::solve()` takes
-///   one of its own
+/// \param integration any model of `SurfaceIntegration_3`
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_stabilization
+///   \named_of_solver{`1e-3`}
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+/// \throws Canceled if the callback returned `false`
+template <class NamedParameters = parameters::Default_named_parameters>
+Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
+                                   const Surface_integration_view& integration,
+                                   const NamedParameters& np = parameters::default_values()) {
+  internal::Elliptic_operator elliptic;
+  elliptic.reaction = alpha;
+  elliptic.normal_stabilization = internal::normal_stabilization(space, np);
+  return internal::elliptic_solver(space, integration, elliptic, np, internal::progress_of(np));
+}
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// A `Poisson_solver` for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, with
+/// `Default_integration`.
+/// \param space the space; its prolongations and patches make the hierarchy
+/// \param alpha screening weight, at least 0, in units of 1 / area
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_stabilization
+///   \named_of_solver{`1e-3`}
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
 /// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
@@ -131,40 +114,58 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// The same with an integration that the caller chooses: any model of `SurfaceIntegration_3`.
-template <class NamedParameters = parameters::Default_named_parameters>
-Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
-                                   const Surface_integration_view& integration,
-                                   const NamedParameters& np = parameters::default_values()) {
-  internal::Elliptic_operator elliptic;
-  elliptic.reaction = alpha;
-  elliptic.normal_stabilization = internal::normal_stabilization(space, np);
-  return internal::elliptic_solver(space, integration, elliptic,
-                                   internal::poisson_solver_options(np), internal::progress_of(np));
-}
-
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// A solver for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space.
+/// A `Poisson_solver` for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, with
+/// operators that were assembled before.
 /// \param space the space; its prolongations and patches make the hierarchy
 /// \param alpha screening weight, at least 0, in units of 1 / area
 /// \param operators the matrices of the finest level of `space`
 /// \param np optional named parameters:
-/// - `relative_tolerance`: of the residual; default 1e-3
-/// - `number_of_iterations`: at most; default 1000
-/// - `cycle`: `Cycle::V` (default) or `Cycle::W`
-/// - `smoothing_steps`: before, and again after the coarse correction; default 1
-/// - `smoother`: `Smoother_type::patch` (default) or `Smoother_type::point`
-/// - `stand_alone_multigrid`: iterate cycles, instead of preconditioning conjugate gradients with
-///   them; default `false`
-/// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads, with the same results;
-///   default `CGAL::Sequential_tag()`
+/// \cgalNamedParamsBegin
+///   \named_of_solver{`1e-3`}
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
 template <class NamedParameters = parameters::Default_named_parameters>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators& operators,
                                    double alpha = 0,
                                    const NamedParameters& np = parameters::default_values()) {
-  return internal::poisson_solver_of(space, operators, alpha, internal::poisson_solver_options(np));
+  return internal::poisson_solver_of(space, operators, alpha, np);
 }
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// A `Poisson_solver` for \f$A \eta = b\f$ on the finest level of a space, where \f$A\f$ is the
+/// stiffness matrix with other matrices of its pattern added, such as those of `Dirichlet_boundary`
+/// and `Point_constraints`.
+/// \param space the space; its prolongations and patches make the hierarchy
+/// \param a \f$A\f$; it is empty afterwards
+/// \param element_integrals \f$\int b_i\f$
+/// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_solver{`1e-3`}
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+Poisson_solver make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
+                                   const Eigen::VectorXd& element_integrals, double alpha = 0,
+                                   const internal::Poisson_solver_options& np = {});
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// A `Poisson_solver` for \f$A \eta = b\f$ on the finest level of a space, with a copy of the
+/// matrix.
+/// \param space the space; its prolongations and patches make the hierarchy
+/// \param a \f$A\f$: the stiffness matrix, with other matrices of its pattern added
+/// \param element_integrals \f$\int b_i\f$
+/// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 / area
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_solver{`1e-3`}
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+Poisson_solver make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
+                                   const Eigen::VectorXd& element_integrals, double alpha = 0,
+                                   const internal::Poisson_solver_options& np = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -67,9 +67,9 @@ struct Fit_stabilization {
 /// the value of `normal_stabilization`, by default that of the space
 template <class NamedParameters>
 double normal_stabilization(const Spline_space_3& space, const NamedParameters& np) {
-  return parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::normal_stabilization),
-      default_normal_stabilization(space));
+  double result = default_normal_stabilization(space);
+  read_parameter(np, internal_np::normal_stabilization, result);
+  return result;
 }
 
 } // namespace internal

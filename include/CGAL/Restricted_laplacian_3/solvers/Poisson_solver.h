@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
@@ -21,11 +22,15 @@ namespace Restricted_laplacian_3 {
 /// which smoother a `Poisson_solver` uses: `Patch_smoother` or `Gauss_seidel_smoother`
 enum class Smoother_type { patch, point };
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// What a `Poisson_solver` does unless told otherwise.
+namespace internal {
+
+class Mean_projection;
+
+/// the named parameters of a `Poisson_solver`, read
 struct Poisson_solver_options {
+  static constexpr double default_tolerance = 1e-3;
   /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration
-  double relative_tolerance = 1e-3;
+  double relative_tolerance = default_tolerance;
   /// the iteration ends after this many cycles, converged or not
   int maximum_iterations = 1000;
   /// shape of the multigrid cycle
@@ -38,17 +43,29 @@ struct Poisson_solver_options {
   Smoother_type smoother = Smoother_type::patch;
   /// whether several threads are used; results do not depend on that
   bool is_parallel = false;
+
+  Poisson_solver_options() = default;
+  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  Poisson_solver_options(const NamedParameters& np, double tolerance = default_tolerance)
+    : relative_tolerance(tolerance),
+      is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
+    read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
+    read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
+    read_parameter(np, internal_np::cycle, cycle);
+    read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
+    read_parameter(np, internal_np::stand_alone_multigrid, stand_alone_multigrid);
+    read_parameter(np, internal_np::smoother, smoother);
+  }
 };
 
-namespace internal {
-class Mean_projection;
-}
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// Solves \f$A x = b\f$ for a symmetric positive semi-definite matrix by conjugate gradients that
 /// are preconditioned with a multigrid cycle, from a first guess by nested iteration:
 /// \f$A = S\f$ for the Poisson problem, \f$A = S + \alpha M\f$ for the screened one. It is set up
-/// once and then solves for any number of right-hand sides. Knows matrices only, no surface.
+/// once and then solves for any number of right-hand sides. Knows matrices only, no surface:
+/// `make_poisson_solver()` makes one of a `Spline_space_3`.
 ///
 /// *Precision.* The iteration is in double precision, the cycle in single precision. The iteration
 /// ends by the true residual, computed anew from the solution.
@@ -64,40 +81,59 @@ class Mean_projection;
 /// elements that nearly vanish on the surface) is left alone: its coefficients carry no
 /// information, and do not change the function on the surface.
 class Poisson_solver {
+  using Options = internal::Poisson_solver_options;
+
 public:
   /// a matrix, column by column, in double precision
   using Sparse_matrix = Restricted_laplacian_3::Sparse_matrix;
-  /// what the constructors take
-  using Options = Poisson_solver_options;
+  /// of the residual, relative to the right-hand side
+  static constexpr double default_tolerance = Options::default_tolerance;
 
   /// \param a the matrix; what is below its diagonal is not read, and need not be stored
   /// \param levels what else the hierarchy is made of, see `multigrid_levels()`; without patches,
   /// the smoother is point Gauss-Seidel
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param alpha the screening weight that `a` contains, if any
-  /// \param options tolerance, iterations, cycle, smoother, threads
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_of_solver{`1e-3`}
+  ///   \named_concurrency_tag
+  /// \cgalNamedParamsEnd
   /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry
   /// of the matrix is not finite, or a diagonal entry negative beyond rounding
   /// \throws Numerical_error if the coarsest level cannot be solved
   Poisson_solver(const Sparse_matrix& a, Multigrid_levels levels,
                  const Eigen::VectorXd& element_integrals, double alpha = 0,
-                 const Options& options = Options());
+                 const Options& np = Options());
 
-  /// The same, without a copy of the matrix; it is empty afterwards.
+  /// Without a copy of the matrix.
+  /// \param a the matrix, as above; it is empty afterwards
+  /// \param levels what else the hierarchy is made of
+  /// \param element_integrals \f$\int b_i\f$ for each unknown
+  /// \param alpha the screening weight that `a` contains, if any
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_of_solver{`1e-3`}
+  ///   \named_concurrency_tag
+  /// \cgalNamedParamsEnd
   Poisson_solver(Sparse_matrix&& a, Multigrid_levels levels,
                  const Eigen::VectorXd& element_integrals, double alpha = 0,
-                 const Options& options = Options());
+                 const Options& np = Options());
 
-  /// The same with a screening weight that varies over the surface.
-  /// \param a as above; it is empty afterwards
-  /// \param levels as above
-  /// \param element_integrals as above
+  /// With a screening weight that varies over the surface.
+  /// \param a the matrix, as above; it is empty afterwards
+  /// \param levels what else the hierarchy is made of
+  /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param constant_loads \f$w_i = \int \alpha\, b_i\f$ for each unknown, not negative: what `a`
   /// maps the constant 1 to. On components where all of them are 0, constants are in the kernel.
-  /// \param options tolerance, iterations, cycle, smoother, threads
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_of_solver{`1e-3`}
+  ///   \named_concurrency_tag
+  /// \cgalNamedParamsEnd
   Poisson_solver(Sparse_matrix&& a, Multigrid_levels levels,
                  const Eigen::VectorXd& element_integrals, const Eigen::VectorXd& constant_loads,
-                 const Options& options = Options());
+                 const Options& np = Options());
 
   /// A solver is moved, not copied. One that was moved from can only be assigned to.
   Poisson_solver(Poisson_solver&& other) noexcept;
@@ -105,8 +141,8 @@ public:
   Poisson_solver& operator=(Poisson_solver&& other) noexcept;
   ~Poisson_solver();
 
-  /// The options that are used: those given to the constructor, but with `Smoother_type::point` if
-  /// there are no patches.
+  /// The values of the named parameters that are used: those given to the constructor, but
+  /// `Smoother_type::point` if there are no patches.
   const Options& options() const;
   /// the entries of the matrix on and above its diagonal
   const Sparse_matrix& upper_half() const;
@@ -123,9 +159,9 @@ public:
   /// \throws Parameter_error if the number of rows does not fit, or if an entry is not finite
   Solve_report solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) const;
 
-  /// The same with another tolerance than that of the options, between 0 and 1.
+  /// The same with another tolerance than that of the constructor, between 0 and 1.
   /// \param b,x as above
-  /// \param relative_tolerance in place of that of the options
+  /// \param relative_tolerance in place of that of the constructor
   /// \param callback is told which part of the work is done, from 0 to 1, as far as residuals show
   /// it; if it returns `false`, the computation ends with an exception
   /// \throws Canceled if the callback returned `false`

@@ -4,6 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_EIGENPAIRS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_EIGENPAIRS_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+
 #include <Eigen/Core>
 
 #include <functional>
@@ -33,8 +35,9 @@ struct Eigenpairs {
   double regularization = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// What `smallest_eigenpairs()` does unless told otherwise.
+namespace internal {
+
+/// the named parameters of `smallest_eigenpairs()`, read
 struct Eigenpairs_options {
   /// of the eigenvalues, relative
   double tolerance = 1e-10;
@@ -45,7 +48,17 @@ struct Eigenpairs_options {
   /// is told about which part of the work is done, from 0 to 1; if it returns `false`, the
   /// computation ends with a `Canceled` exception
   std::function<bool(double)> callback;
+
+  Eigenpairs_options() = default;
+  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  Eigenpairs_options(const NamedParameters& np) {
+    read_parameter(np, internal_np::relative_tolerance, tolerance);
+    read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
+    read_parameter(np, internal_np::callback, callback);
+  }
 };
+
+} // namespace internal
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

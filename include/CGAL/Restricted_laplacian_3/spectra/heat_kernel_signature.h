@@ -37,7 +37,7 @@ enum class Heat_kernel_scaling {
 Eigen::VectorXd heat_kernel_times(const Eigen::VectorXd& eigenvalues, int number = 100);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
-/// The same for a `Laplace_spectrum`.
+/// The heat kernel signature at the vertices, from a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::VectorXd heat_kernel_times(const Spectrum& spectrum, int number = 100) {
   return heat_kernel_times(internal::eigenvalues_of(spectrum), number);

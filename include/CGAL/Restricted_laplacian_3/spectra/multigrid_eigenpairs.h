@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 
@@ -16,8 +17,9 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// What `multigrid_eigenpairs()` does unless told otherwise.
+namespace internal {
+
+/// the named parameters of `multigrid_eigenpairs()`, read
 struct Multigrid_eigenpairs_options {
   /// the largest of `Eigenpairs::residuals` that counts as converged; the error of an eigenvector
   /// is of the order of its residual, the relative one of an eigenvalue of the order of its square
@@ -31,7 +33,19 @@ struct Multigrid_eigenpairs_options {
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with a `Canceled` exception
   std::function<bool(double)> callback;
+
+  Multigrid_eigenpairs_options() = default;
+  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  Multigrid_eigenpairs_options(const NamedParameters& np)
+    : is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
+    read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
+    read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
+    read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
+    read_parameter(np, internal_np::callback, callback);
+  }
 };
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
@@ -66,7 +80,14 @@ struct Multigrid_eigenpairs_options {
 /// \param prolongations from each level to the next finer one
 /// \param patches of each level but the coarsest, see `smoothing_patches()`
 /// \param k number of pairs
-/// \param options tolerance, iterations, threads, callback
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_relative_tolerance{`1e-3`}
+///   \named_number_of_iterations{`100`, on each level}
+///   \named_smoothing_steps
+///   \named_concurrency_tag
+///   \named_callback
+/// \cgalNamedParamsEnd
 /// \return pairs that are orthonormal with respect to \f$M\f$. If not all residuals got below the
 /// tolerance, `converged` is `false` and the pairs are the best approximations that were found.
 /// `iterations` are those on the finest level; 0 if that was solved by `smallest_eigenpairs()`,
@@ -75,11 +96,11 @@ struct Multigrid_eigenpairs_options {
 /// or exceeds the number of independent functions, or if an option is outside its domain
 /// \throws Numerical_error if the coarsest problem cannot be solved
 /// \throws Canceled if the callback returned `false`
-Eigenpairs
-multigrid_eigenpairs(std::vector<Sparse_matrix> stiffness, std::vector<Sparse_matrix> mass,
-                     std::vector<Sparse_matrix> prolongations,
-                     std::vector<Smoothing_patches> patches, int k,
-                     const Multigrid_eigenpairs_options& options = Multigrid_eigenpairs_options());
+Eigenpairs multigrid_eigenpairs(std::vector<Sparse_matrix> stiffness,
+                                std::vector<Sparse_matrix> mass,
+                                std::vector<Sparse_matrix> prolongations,
+                                std::vector<Smoothing_patches> patches, int k,
+                                const internal::Multigrid_eigenpairs_options& np = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -118,7 +118,7 @@ inline void make_levels(std::size_t start, double alpha, std::vector<Sparse_matr
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
     std::vector<Sparse_matrix> stiffness, std::vector<Sparse_matrix> mass,
     std::vector<Sparse_matrix> prolongations, std::vector<Smoothing_patches> patches, int k,
-    const Multigrid_eigenpairs_options& options) {
+    const internal::Multigrid_eigenpairs_options& options) {
   // Prolongated vectors of a coarser level are no better than its discretisation.
   constexpr double tolerance_of_coarse_levels = 1e-2;
   // of the eigenvalues of the first level; what is wrong in them the next level sets right
@@ -133,7 +133,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   internal::check_levels(stiffness, mass, prolongations, patches);
   internal::check_options(options);
   const std::size_t finest = stiffness.size() - 1;
-  Eigenpairs_options start_options;
+  internal::Eigenpairs_options start_options;
   start_options.callback = options.callback;
   if(k < 1 || k > stiffness[finest].cols() / internal::unknowns_of_a_start_vector)
     return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);

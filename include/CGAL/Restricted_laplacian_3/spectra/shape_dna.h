@@ -47,7 +47,7 @@ Eigen::VectorXd shape_dna(const Eigen::VectorXd& eigenvalues, double area,
                           Shape_dna_normalization normalization = Shape_dna_normalization::area);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
-/// The same for a `Laplace_spectrum`, which knows its area.
+/// The Shape-DNA of a `Laplace_spectrum`, which knows the area.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::VectorXd shape_dna(const Spectrum& spectrum,
                           Shape_dna_normalization normalization = Shape_dna_normalization::area) {

@@ -95,15 +95,25 @@ Eigen::MatrixXd all_copies(Pencil& pencil, const Eigen::MatrixXd& constants, dou
 /// `smallest_eigenpairs()` with a factorisation that the caller chooses. Needs Spectra.
 /// \tparam SparseCholesky a model of `SparseCholesky_3`
 ///
-/// Parameters and exceptions are those of `smallest_eigenpairs()`.
+/// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
+/// \param k number of pairs, positive
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_relative_tolerance{`1e-10`, of the eigenvalues}
+///   \named_number_of_iterations{`1000` restarts of the Lanczos iteration}
+///   \named_callback
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if `k` or a matrix is not as it must be, as in `smallest_eigenpairs()`
+/// \throws Numerical_error if no factorisation succeeds
+/// \throws Canceled if the callback returned `false`
 template <class SparseCholesky>
 Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
-                                   const Eigenpairs_options& options = Eigenpairs_options()) {
+                                   const internal::Eigenpairs_options& np = {}) {
   if(!s.isCompressed() || !m.isCompressed()) {
     Sparse_matrix compressed_s = s, compressed_m = m;
     compressed_s.makeCompressed();
     compressed_m.makeCompressed();
-    return shift_invert_eigenpairs<SparseCholesky>(compressed_s, compressed_m, k, options);
+    return shift_invert_eigenpairs<SparseCholesky>(compressed_s, compressed_m, k, np);
   }
   internal::check_eigenproblem(s, m, k);
   Eigenpairs pairs;
@@ -113,18 +123,18 @@ Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& 
   const double mass = m.coeffs().sum();
   const Sparse_matrix unit_mass = m / mass;
   internal::Inverted_pencil<SparseCholesky> pencil(s, unit_mass, pairs.shift * mass,
-                                                   options.regularization);
+                                                   np.regularization);
   pairs.regularization = pencil.regularization();
   pairs.converged = true;
   int operations = 0;
-  if(options.callback)
-    pencil.on_operation = [&operations, &options, k] {
+  if(np.callback)
+    pencil.on_operation = [&operations, &np, k] {
       // Most problems take two to four times the dimension of the Krylov space.
-      if(!options.callback(1 - std::exp(-++operations / (4. * k + 20))))
+      if(!np.callback(1 - std::exp(-++operations / (4. * k + 20))))
         throw Canceled();
     };
   Eigen::MatrixXd vectors = internal::all_copies(pencil, internal::constants_in_kernel(s),
-                                                 pairs.shift * mass, k, options, pairs);
+                                                 pairs.shift * mass, k, np, pairs);
   internal::finish_eigenpairs(s, m, std::move(vectors), pairs);
   // A pair that is further off is none, whatever Spectra says: the factorisation was of no use.
   constexpr double largest_residual = 1e-3;

@@ -47,7 +47,12 @@ namespace Restricted_laplacian_3 {
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
 /// \param k number of pairs, positive
-/// \param options tolerance, iterations, regularisation, callback
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_relative_tolerance{`1e-10`, of the eigenvalues}
+///   \named_number_of_iterations{`1000` restarts of the Lanczos iteration}
+///   \named_callback
+/// \cgalNamedParamsEnd
 /// \throws Parameter_error if `k` is not positive, exceeds the number of independent functions, or
 /// is more than a third of more than 10,000 unknowns; if the matrices are not square and of the
 /// same size, if an entry is not finite, or the entries of `m` do not have a positive sum
@@ -55,7 +60,7 @@ namespace Restricted_laplacian_3 {
 /// densely, if this was compiled without Spectra
 /// \throws Canceled if the callback returned `false`
 Eigenpairs smallest_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
-                               const Eigenpairs_options& options = Eigenpairs_options());
+                               const internal::Eigenpairs_options& np = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

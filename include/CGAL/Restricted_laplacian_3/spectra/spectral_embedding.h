@@ -36,7 +36,7 @@ Eigen::MatrixXd global_point_signature(const Eigen::VectorXd& eigenvalues,
                                        const Eigen::Ref<const Eigen::MatrixXd>& values);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
-/// The same at the vertices, for a `Laplace_spectrum`.
+/// The diffusion map of the vertices, from a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::MatrixXd global_point_signature(const Spectrum& spectrum) {
   return global_point_signature(internal::eigenvalues_of(spectrum), spectrum.vertex_values);

@@ -36,7 +36,7 @@ struct Wave_kernel_energies {
 Wave_kernel_energies wave_kernel_energies(const Eigen::VectorXd& eigenvalues, int number = 100);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
-/// The same for a `Laplace_spectrum`.
+/// The wave kernel signature at the vertices, from a `Laplace_spectrum`.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Wave_kernel_energies wave_kernel_energies(const Spectrum& spectrum, int number = 100) {
   return wave_kernel_energies(internal::eigenvalues_of(spectrum), number);

@@ -76,7 +76,8 @@ template <class Spectrum> Eigen::VectorXd eigenvalues_of(const Spectrum& spectru
 Eigen::Index number_of_zero_eigenvalues(const Eigen::VectorXd& eigenvalues);
 
 /// \ingroup PkgRestrictedLaplacian3Descriptors
-/// The same for a `Laplace_spectrum`, whose area gives the scale also if there are zeros only.
+/// The number of zero eigenvalues of a `Laplace_spectrum`, whose area gives the scale also if there
+/// are zeros only.
 template <class Spectrum, internal::Require_spectrum<Spectrum> = 0>
 Eigen::Index number_of_zero_eigenvalues(const Spectrum& spectrum) {
   return number_of_zero_eigenvalues(internal::eigenvalues_of(spectrum));

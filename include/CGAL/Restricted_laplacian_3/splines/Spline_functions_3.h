@@ -47,7 +47,7 @@ struct Spline_jets {
 ///
 /// \f$N\f$ points and \f$K\f$ functions take \f$N\f$ binary searches among the cells plus
 /// \f$27 N K\f$ products, on several threads if the space was made so
-/// (`Spline_space_options::is_parallel`).
+/// (`concurrency_tag`).
 class Spline_functions_3 {
 public:
   /// \param space has to outlive this object

@@ -16,6 +16,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,14 +38,15 @@ class Element_numbering;
 /// \param cube_scale side of the domain cube over the longest side of the bounding box
 int default_octree_depth_of_points(const Triangulated_surface_3& surface, double cube_scale);
 
-/// \ingroup PkgRestrictedLaplacian3Functions
-/// Which space a `Spline_space_3` is.
+namespace internal {
+
+/// the named parameters of a `Spline_space_3`, read
 struct Spline_space_options {
-  /// depth \f$d\f$ of the octree
-  int octree_depth = 6;
-  /// side of the domain cube over the longest side of the bounding box; 0 stands for 1.1, or for
-  /// 1.2 in the space of the paper
-  double cube_scale = 0;
+  /// depth \f$d\f$ of the octree; without a value 6, or `default_octree_depth_of_points()`
+  std::optional<int> octree_depth;
+  /// side of the domain cube over the longest side of the bounding box; without a value 1.1, or 1.2
+  /// in the space of the paper
+  std::optional<double> cube_scale;
   /// only elements centred inside the grid exist, and they are not split
   bool paper_space = false;
   /// an element is split into one for each connected component of the surface in its support; has
@@ -53,12 +56,26 @@ struct Spline_space_options {
   /// points form, see `read_point_set()`
   bool split_point_set = false;
   /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
-  /// are joined if they run along each other; negative: they are not
-  double joining_tolerance = -1;
+  /// are joined if they run along each other; without a value they are not
+  std::optional<double> joining_tolerance;
   /// whether octree, numbering and assembly use several threads; no effect unless the program is
   /// linked with TBB. The results are the same.
   bool is_parallel = false;
+
+  Spline_space_options() = default;
+  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  Spline_space_options(const NamedParameters& np)
+    : is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
+    read_parameter(np, internal_np::octree_depth, octree_depth);
+    read_parameter(np, internal_np::cube_scale, cube_scale);
+    read_parameter(np, internal_np::paper_space, paper_space);
+    read_parameter(np, internal_np::split_elements, split_elements);
+    read_parameter(np, internal_np::split_elements, split_point_set);
+    read_parameter(np, internal_np::joining_tolerance, joining_tolerance);
+  }
 };
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The spaces of restricted splines, one for each level of the octree of a surface.
@@ -81,6 +98,8 @@ struct Spline_space_options {
 ///
 /// Elements of a level are numbered in Morton order of their cells.
 class Spline_space_3 {
+  using Options = internal::Spline_space_options;
+
 public:
   /// stands for an element that does not exist
   static constexpr std::uint32_t no_element = Restricted_laplacian_3::no_element;
@@ -89,52 +108,50 @@ public:
   /// triangles; or a model of `ConstRange`, for example `CGAL::Point_set_3`, of oriented points
   /// \param tm the surface, a mesh or a range of oriented points
   /// \param np optional named parameters:
-  /// - `octree_depth`: depth \f$d\f$ of the octree; default 6, or
-  ///   `default_octree_depth_of_points()`
-  /// - `cube_scale`: side of the domain cube over the longest side of the bounding box; default
-  ///   1.1, or 1.2 with `paper_space(true)`
-  /// - `paper_space`: whether only elements centred inside the grid exist, unsplit; default `false`
-  /// - `split_elements`: whether elements are split by the components of the surface in their
-  ///   support; default `true`, no effect with `paper_space(true)`. For points the default is
-  ///   `false`, because their components are guessed, see `read_point_set()`
-  /// - `joining_tolerance`: distance up to which open sides of faces are joined, to close duplicate
-  ///   vertices and T-junctions, see `Surface_seams`; by default they are not joined
-  /// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads here and in the assembly of
-  ///   operators, which needs TBB; `CGAL::Parallel_if_available_tag()` to do so if the program is
-  ///   linked with TBB; default `CGAL::Sequential_tag()`. The results are the same.
-  /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
-  /// - `geom_traits`: a model of `RestrictedLaplacianTraits_3`, see `read_surface()`
-  /// - for points, in its place, all named parameters of `read_point_set()`: `point_map`,
-  ///   `normal_map`, `area_map`, `number_of_neighbors`
+  /// \cgalNamedParamsBegin
+  ///   \named_of_space
+  ///   \named_of_mesh
+  ///   \named_of_points
+  /// \cgalNamedParamsEnd
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
   ///
   /// The mesh is read once, and not needed any more. Time and memory are proportional to the number
   /// of triangles plus the number of cells that meet the surface (times its logarithm for sorting).
   template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
-            internal::Require_named_parameters<NamedParameters> = 0>
+            internal::Require_named_parameters<NamedParameters> = 0,
+            std::enable_if_t<!std::is_same_v<FaceGraph, Triangulated_surface_3>, int> = 0>
   explicit Spline_space_3(const FaceGraph& tm,
                           const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(surface_and_options(tm, np)) {}
+    : Spline_space_3(internal::read_mesh_or_points(tm, np), Options(np)) {}
 
   /// The spaces of a triangle soup, which need not be a manifold: two triangles are joined if they
   /// have two indices in common, any number of them at one edge.
   /// \param points a range of 3D points
   /// \param triangles a range of ranges of three indices into `points`
-  /// \param np all named parameters of the constructor above but the vertex point map
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_of_space
+  /// \cgalNamedParamsEnd
+  /// \throws Input_error one of its derived classes names the face, vertex or parameter
   template <class PointRange, class TriangleRange,
             class NamedParameters = parameters::Default_named_parameters,
             internal::Require_no_named_parameters<TriangleRange> = 0>
   Spline_space_3(const PointRange& points, const TriangleRange& triangles,
                  const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(read_surface(points, triangles, np), spline_space_options(np)) {}
+    : Spline_space_3(read_surface(points, triangles, np), Options(np)) {}
 
-  /// the spaces of a surface given as points and triangles, which need not be a manifold, or as
-  /// oriented points
-  explicit Spline_space_3(Triangulated_surface_3 surface,
-                          const Spline_space_options& options = Spline_space_options());
+  /// The spaces of a surface given as points and triangles, which need not be a manifold, or as
+  /// oriented points.
+  /// \param surface becomes a part of the space
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_of_space
+  /// \cgalNamedParamsEnd
+  /// \throws Parameter_error if a parameter is outside its domain
+  explicit Spline_space_3(Triangulated_surface_3 surface, const Options& np = Options());
 
-  /// the options, without defaults that depend on others
-  const Spline_space_options& options() const { return m_options; }
+  /// the values of the named parameters, with defaults in place of those that were not given
+  const Options& options() const { return m_options; }
   /// depth \f$d\f$ of the octree, the finest level
   int depth() const { return m_octree.depth(); }
   /// the octree, with the sheets of all levels
@@ -208,57 +225,12 @@ private:
     return m_levels[level];
   }
 
-  struct Surface_and_options {
-    Triangulated_surface_3 surface;
-    Spline_space_options options;
-  };
+  static Octree_3 make_octree(Triangulated_surface_3&& surface, const Options& o);
 
-  explicit Spline_space_3(Surface_and_options&& s)
-    : Spline_space_3(std::move(s.surface), s.options) {}
+  /// with defaults, also those that depend on the surface
+  static Options checked(const Triangulated_surface_3& surface, Options options);
 
-  template <class MeshOrPoints, class NamedParameters>
-  static Surface_and_options surface_and_options(const MeshOrPoints& input,
-                                                 const NamedParameters& np) {
-    Surface_and_options result = {internal::read_mesh_or_points(input, np),
-                                  spline_space_options(np)};
-    if(result.surface.is_point_set() &&
-       !internal::is_given_v<NamedParameters, internal_np::octree_depth_t>)
-      result.options.octree_depth =
-          default_octree_depth_of_points(result.surface, result.options.cube_scale);
-    return result;
-  }
-
-  template <class NamedParameters>
-  static Spline_space_options spline_space_options(const NamedParameters& np) {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    Spline_space_options o;
-    o.octree_depth = choose_parameter(get_parameter(np, internal_np::octree_depth), o.octree_depth);
-    o.paper_space = choose_parameter(get_parameter(np, internal_np::paper_space), o.paper_space);
-    o.cube_scale = choose_parameter(get_parameter(np, internal_np::cube_scale),
-                                    default_cube_scale(o.paper_space));
-    o.split_elements =
-        choose_parameter(get_parameter(np, internal_np::split_elements), o.split_elements);
-    o.split_point_set =
-        choose_parameter(get_parameter(np, internal_np::split_elements), o.split_point_set);
-    o.joining_tolerance =
-        choose_parameter(get_parameter(np, internal_np::joining_tolerance), o.joining_tolerance);
-    o.is_parallel = internal::is_parallel(np);
-    check_given(o);
-    return o;
-  }
-
-  static Octree_3 make_octree(Triangulated_surface_3&& surface, const Spline_space_options& o);
-
-  static double default_cube_scale(bool paper_space) { return paper_space ? 1.2 : 1.1; }
-
-  /// of options that may stand for a default, those of named parameters may not
-  static void check_given(const Spline_space_options& options);
-  static void check_tolerance(double tolerance);
-
-  static Spline_space_options checked(Spline_space_options options);
-
-  Spline_space_options m_options;
+  Options m_options;
   Octree_3 m_octree;
   std::vector<Level> m_levels;
 };

@@ -188,7 +188,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE int
 default_octree_depth_of_points(const Triangulated_surface_3& surface, double cube_scale) {
   constexpr std::size_t points_per_cell = 50;
   constexpr int largest_depth = 6;
-  const double side = cube_scale * surface.extent();
+  const double side = internal::checked_cube_scale(cube_scale) * surface.extent();
   const Point_3 center = surface.center();
   std::vector<std::uint64_t> keys;
   keys.reserve(surface.number_of_vertices());
@@ -213,19 +213,11 @@ default_octree_depth_of_points(const Triangulated_surface_3& surface, double cub
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Spline_space_3::Spline_space_3(Triangulated_surface_3 surface, const Spline_space_options& options)
-  : m_options(checked(options)), m_octree(make_octree(std::move(surface), m_options)) {
+Spline_space_3::Spline_space_3(Triangulated_surface_3 surface, const Options& np)
+  : m_options(checked(surface, np)), m_octree(make_octree(std::move(surface), m_options)) {
   internal::Element_numbering number(*this);
   for(int level = 0; level <= depth(); ++level)
     m_levels.push_back(number(level));
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-Spline_space_3::check_given(const Spline_space_options& options) {
-  if(options.joining_tolerance != Spline_space_options().joining_tolerance)
-    check_tolerance(options.joining_tolerance);
-  if(options.cube_scale == 0)
-    throw Parameter_error("cube_scale", "is 0, but must be in 1 .. 1e6");
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE int Spline_space_3::checked_level(int level) const {
@@ -271,27 +263,29 @@ Spline_space_3::locate(int level, const Point_3& point, std::size_t face) const 
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_3
-Spline_space_3::make_octree(Triangulated_surface_3&& surface, const Spline_space_options& o) {
+Spline_space_3::make_octree(Triangulated_surface_3&& surface, const Options& o) {
   const bool is_split = surface.is_point_set() ? o.split_point_set : o.split_elements;
-  return Octree_3(std::move(surface), o.octree_depth, o.cube_scale, is_split, o.joining_tolerance,
-                  o.is_parallel);
+  return Octree_3(std::move(surface), *o.octree_depth, *o.cube_scale, is_split,
+                  o.joining_tolerance.value_or(-1), o.is_parallel);
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Spline_space_3::check_tolerance(double tolerance) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_space_3::Options
+Spline_space_3::checked(const Triangulated_surface_3& surface, Options options) {
+  constexpr int default_depth = 6;
+  constexpr double default_cube_scale = 1.1, default_cube_scale_of_paper = 1.2;
+  if(!options.cube_scale)
+    options.cube_scale = options.paper_space ? default_cube_scale_of_paper : default_cube_scale;
+  if(!options.octree_depth)
+    options.octree_depth = surface.is_point_set()
+                               ? default_octree_depth_of_points(surface, *options.cube_scale)
+                               : default_depth;
+  options.split_elements = options.split_elements && !options.paper_space;
+  options.split_point_set = options.split_point_set && !options.paper_space;
+  const double tolerance = options.joining_tolerance.value_or(0);
   if(!(tolerance >= 0 && std::isfinite(tolerance)))
     throw Parameter_error("joining_tolerance",
                           "is " + std::to_string(tolerance) +
                               ", but must be a finite number that is not negative");
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_space_options
-Spline_space_3::checked(Spline_space_options options) {
-  if(options.cube_scale == 0)
-    options.cube_scale = default_cube_scale(options.paper_space);
-  options.split_elements = options.split_elements && !options.paper_space;
-  options.split_point_set = options.split_point_set && !options.paper_space;
-  if(!(options.joining_tolerance < 0))
-    check_tolerance(options.joining_tolerance);
   return options;
 }
 

@@ -196,7 +196,8 @@ Linear_surface_function<double> vertex_function(const FaceGraph& tm, VertexMap m
 }
 
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// The same for a triangle soup.
+/// The function with the values of a property map at the points of a triangle soup, linear in each
+/// triangle. The values are copied.
 /// \param number_of_points the map is read at all indices below it
 /// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`,
 /// and a number type as value, for example `CGAL::make_property_map()` of a vector

@@ -179,11 +179,9 @@ private:
 /// \tparam FaceGraph a model of `FaceListGraph`
 /// \param tm a mesh of triangles
 /// \param np optional named parameters:
-/// - `vertex_point_map`: a model of `ReadablePropertyMap` with a 3D point as value; default
-///   `get_const_property_map(CGAL::vertex_point, tm)`
-/// - `geom_traits`: a model of `RestrictedLaplacianTraits_3` that knows the coordinates of these
-///   points; not needed for points that have members `x()`, `y()` and `z()`, as those of all \cgal
-///   kernels
+/// \cgalNamedParamsBegin
+///   \named_of_mesh
+/// \cgalNamedParamsEnd
 /// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
 /// `Triangulated_surface_3` throws
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,

@@ -115,20 +115,13 @@ auto normal_map_of(const PointRange& points, const NamedParameters& np) {
 /// \param points the points, or things that property maps know points and normals of
 /// \param np optional named parameters; the keys of property maps are the elements of the range, or
 /// their positions, counted from 0, if a map does not take elements:
-/// - `point_map`: a model of `ReadablePropertyMap` with a 3D point as value; default
-///   `CGAL::Identity_property_map`, or that of the `CGAL::Point_set_3`
-/// - `geom_traits`: a model of `RestrictedLaplacianTraits_3` that knows the coordinates of points
-///   and normals, see `read_surface()`
-/// - `normal_map`: a model of `ReadablePropertyMap` with a 3D vector as value,
-///   of any length but 0; required, unless the range is a `CGAL::Point_set_3` that has normals.
-///   Which side they point to does not matter, except for `estimate_point_areas()` and
-///   `split_elements(true)`, which need them to be oriented alike.
-/// - `area_map`: a model of `ReadablePropertyMap` with the area that each point stands for, a
-///   number, in units of squared coordinates; by default areas are those of
-///   `estimate_point_areas()`
-/// - `number_of_neighbors`: of `estimate_point_areas()`; default `default_number_of_neighbors`
-/// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads, with the same result;
-///   default `CGAL::Sequential_tag()`
+/// \cgalNamedParamsBegin
+///   \named_of_points
+///   \named_geom_traits
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// Which side the normals point to does not matter, except for `estimate_point_areas()` and
+/// `split_elements(true)`, which need them to be oriented alike.
 /// \throws Empty_surface_error, Invalid_point_error, Zero_area_error
 /// \throws Parameter_error the number of neighbours or the extent is outside its domain
 /// \throws Input_error a `CGAL::Point_set_3` has no normals
@@ -153,13 +146,12 @@ Triangulated_surface_3 read_point_set(const PointRange& points,
     if constexpr(has_areas)
       areas.push_back(CGAL::to_double(internal::value_at(area_map, key)));
   });
-  if(!has_areas)
+  if(!has_areas) {
+    int number_of_neighbors = default_number_of_neighbors;
+    internal::read_parameter(np, internal_np::number_of_neighbors, number_of_neighbors);
     areas =
-        estimate_point_areas(own_points, normals,
-                             parameters::choose_parameter(
-                                 parameters::get_parameter(np, internal_np::number_of_neighbors),
-                                 default_number_of_neighbors),
-                             internal::is_parallel(np));
+        estimate_point_areas(own_points, normals, number_of_neighbors, internal::is_parallel(np));
+  }
   return Triangulated_surface_3(std::move(own_points), std::move(normals), std::move(areas));
 }
 

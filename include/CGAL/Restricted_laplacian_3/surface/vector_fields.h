@@ -197,7 +197,10 @@ auto gradients_of_values(const Triangulated_surface_3& surface, const Values& va
 /// \param tm the mesh whose vertices the map knows
 /// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key; its values are
 /// numbers, `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors of \cgal
-/// \param np `vertex_point_map` and `geom_traits`, as in `read_surface()`
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_mesh
+/// \cgalNamedParamsEnd
 /// \return a `Face_function` with values `Eigen::Matrix<double, 3, K>`
 /// \throws Input_error one of its derived classes names the face or vertex that cannot be used
 template <class FaceGraph, class VertexMap,
@@ -213,7 +216,8 @@ auto vertex_gradients(const FaceGraph& tm, VertexMap map,
 }
 
 /// \ingroup PkgRestrictedLaplacian3Gradients
-/// The same on a triangle soup.
+/// The gradients of the functions that are linear in each triangle of a soup, with the values of a
+/// property map, see the overload for meshes.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
 /// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`

@@ -38,11 +38,10 @@ enum class Gradient_source {
   back_projection
 };
 
-/// \ingroup PkgRestrictedLaplacian3Colors
-/// What a `Color_stitcher` does unless told otherwise.
-struct Color_stitching_options {
-  Color_stitching_options() { solver.relative_tolerance = internal::default_gradient_tolerance; }
+namespace internal {
 
+/// the named parameters of a `Color_stitcher`, read
+struct Color_stitching_options {
   /// which vertices a scan covers
   Back_projection_options back_projection;
   /// where the vector field that is integrated comes from
@@ -66,9 +65,23 @@ struct Color_stitching_options {
   /// of the linear systems
   Poisson_solver_options solver;
 
-  /// \f$A = \alpha \cdot\f$ area unless told otherwise
-  static constexpr double default_screening = 10;
+  Color_stitching_options() { solver.relative_tolerance = default_gradient_tolerance; }
+  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  Color_stitching_options(const NamedParameters& np)
+    : back_projection(np), solver(np, default_gradient_tolerance) {
+    read_parameter(np, internal_np::gradient_source, gradient_source);
+    read_parameter(np, internal_np::seam_weight, seam_weight);
+    read_parameter(np, internal_np::quality_smoothing_steps, quality_smoothing_steps);
+    read_parameter(np, internal_np::match_exposures, match_exposures);
+    read_parameter(np, internal_np::linear_light, linear_light);
+    read_parameter(np, internal_np::screening_weight, screening_weight);
+    read_parameter(np, internal_np::vertex_details, vertex_details);
+    read_parameter(np, internal_np::details_tolerance, details_tolerance);
+    read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+  }
 };
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// What one scan gave to a surface. Areas are fractions of the area of the surface, from 0 to 1.
@@ -167,19 +180,24 @@ double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::uint32_t>
 ///    and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
+  using Options = internal::Color_stitching_options;
+
 public:
-  /// what the constructor takes
-  using Options = Color_stitching_options;
+  /// the default of `screening_weight`, in units of 1 / area of the surface
+  static constexpr double default_screening = 10;
 
   /// \param space of a mesh or soup, has to outlive this object
-  /// \param options how scans are chosen and stitched
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_of_stitching
+  /// \cgalNamedParamsEnd
   /// \throws Input_error the surface is a point set
-  /// \throws Parameter_error an option is outside its domain
-  explicit Color_stitcher(const Spline_space_3& space, const Options& options = Options());
+  /// \throws Parameter_error a parameter is outside its domain
+  explicit Color_stitcher(const Spline_space_3& space, const Options& np = Options());
 
   /// the space, as given to the constructor
   const Spline_space_3& space() const { return *m_space; }
-  /// the options, as given to the constructor
+  /// the values of the named parameters, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// Takes the colours of a scan to the surface. The scan is not needed any more then.

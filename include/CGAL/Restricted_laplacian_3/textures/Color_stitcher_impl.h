@@ -51,9 +51,11 @@ inline Color_stitching_options checked_options(const Color_stitching_options& op
   return options;
 }
 
-inline Back_projection_options back_projection_options(const Color_stitching_options& options) {
+inline Back_projection_options back_projection_options(const Color_stitching_options& options,
+                                                       bool is_parallel) {
   Back_projection_options result = options.back_projection;
   result.with_gradients = options.gradient_source == Gradient_source::scans;
+  result.is_parallel = is_parallel;
   return result;
 }
 
@@ -98,8 +100,8 @@ mean_color_jump(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edge
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Color_stitcher::Color_stitcher(const Spline_space_3& space,
                                                                   const Options& options)
   : m_space(&space), m_options(internal::checked_options(options)),
-    m_projector(space.surface(), internal::back_projection_options(options),
-                space.options().is_parallel) {}
+    m_projector(space.surface(),
+                internal::back_projection_options(options, space.options().is_parallel)) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Scan_usage Color_stitcher::add(const Colored_scan& scan) {
   CGAL::Real_timer timer;
@@ -331,8 +333,7 @@ Color_stitcher::scan_gradients(const Corner_colors& colors) const {
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
 Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& target,
                           const internal::Progress& progress, Stitched_colors& result) const {
-  const double alpha =
-      m_options.screening_weight.value_or(Options::default_screening / surface().area());
+  const double alpha = m_options.screening_weight.value_or(default_screening / surface().area());
   std::vector<double> weights(surface().number_of_faces(), 0);
   for(std::size_t f = 0; f < weights.size(); ++f)
     if(m_scans_of_faces[f] != no_scan)
@@ -354,7 +355,7 @@ Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& t
   Eigen::MatrixXd values =
       Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
   if(m_options.vertex_details) {
-    Poisson_solver_options of_details = options.solver;
+    internal::Poisson_solver_options of_details = options.solver;
     of_details.relative_tolerance =
         (std::max)(of_details.relative_tolerance, m_options.details_tolerance);
     internal::add_details(*m_space, field, screening, of_details, solution, values);

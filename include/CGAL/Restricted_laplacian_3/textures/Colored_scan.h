@@ -104,12 +104,14 @@ public:
   /// vector of Eigen or a 3D vector of \cgal of three components: from 0 to 1, or from 0 to 255 if
   /// they are integers
   /// \param np optional named parameters:
-  /// - `pose`: a `Scan_pose`, see above; default the identity
-  /// - `viewpoint`: a `Point_3` in coordinates of the scan; default the origin
-  /// - `vertex_point_map`: default `get_const_property_map(CGAL::vertex_point, tm)`
-  /// - `point_map`, `normal_map`, `geom_traits`: as in `read_point_set()`
-  /// - `concurrency_tag`: `CGAL::Parallel_tag()` to use several threads, with the same result;
-  ///   default `CGAL::Sequential_tag()`
+  /// \cgalNamedParamsBegin
+  ///   \named_pose
+  ///   \named_viewpoint
+  ///   \named_of_mesh
+  ///   \named_point_map
+  ///   \named_normal_map
+  ///   \named_concurrency_tag
+  /// \cgalNamedParamsEnd
   /// \throws Input_error as above, and what `read_surface()` or `read_point_set()` throw
   template <class Surface, class ColorMap,
             class NamedParameters = parameters::Default_named_parameters,
@@ -123,8 +125,15 @@ public:
   /// A scan from a triangle soup.
   /// \param points a range of 3D points
   /// \param triangles a range of ranges of three indices into `points`
-  /// \param color_map with the index of a point as key, a `std::size_t`; values as above
-  /// \param np as above
+  /// \param color_map a model of `ReadablePropertyMap` with the index of a point as key, a
+  /// `std::size_t`, and a colour as value, as for a mesh
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_pose
+  ///   \named_viewpoint
+  ///   \named_concurrency_tag
+  /// \cgalNamedParamsEnd
+  /// \throws Input_error one of its derived classes names the face, vertex or parameter
   template <class PointRange, class TriangleRange, class IndexMap,
             class NamedParameters = parameters::Default_named_parameters,
             internal::Require_named_parameters<NamedParameters> = 0,
@@ -171,12 +180,14 @@ public:
 
 private:
   template <class NamedParameters> static Scan_pose pose_of(const NamedParameters& np) {
-    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::pose),
-                                        Scan_pose(CGAL::IDENTITY));
+    Scan_pose pose(CGAL::IDENTITY);
+    internal::read_parameter(np, internal_np::pose, pose);
+    return pose;
   }
   template <class NamedParameters> static Point_3 viewpoint_of(const NamedParameters& np) {
-    return parameters::choose_parameter(parameters::get_parameter(np, internal_np::viewpoint),
-                                        Point_3(0, 0, 0));
+    Point_3 viewpoint(0, 0, 0);
+    internal::read_parameter(np, internal_np::viewpoint, viewpoint);
+    return viewpoint;
   }
 
   template <class Surface, class NamedParameters>

@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_BACK_PROJECT_COLORS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
@@ -24,8 +25,9 @@ namespace Restricted_laplacian_3 {
 /// The scan of a face or vertex that has none.
 constexpr std::uint32_t no_scan = (std::numeric_limits<std::uint32_t>::max)();
 
-/// \ingroup PkgRestrictedLaplacian3Colors
-/// Which locations of a surface a scan covers, and how well, see `Color_back_projector`.
+namespace internal {
+
+/// the named parameters of a `Color_back_projector`, read
 struct Back_projection_options {
   /// \f$D\f$: largest distance of a covered vertex from the scan; without a value four times the
   /// larger one of the spacings of scan and surface (`Colored_scan::spacing()`)
@@ -43,7 +45,23 @@ struct Back_projection_options {
   bool oriented_surface = true;
   /// whether gradients are computed
   bool with_gradients = true;
+  /// whether several threads are used
+  bool is_parallel = false;
+
+  Back_projection_options() = default;
+  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  Back_projection_options(const NamedParameters& np)
+    : is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
+    read_parameter(np, internal_np::maximum_distance, maximum_distance);
+    read_parameter(np, internal_np::minimum_facing_cosine, minimum_facing_cosine);
+    read_parameter(np, internal_np::minimum_normal_cosine, minimum_normal_cosine);
+    read_parameter(np, internal_np::boundary_width, boundary_width);
+    read_parameter(np, internal_np::oriented_surface, oriented_surface);
+    read_parameter(np, internal_np::color_gradients, with_gradients);
+  }
 };
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The colours of a scan on a surface: of the vertices that it covers, in ascending order.
@@ -84,21 +102,23 @@ struct Back_projection {
 /// Construction takes \f$O(F \log F)\f$ time for \f$F\f$ faces, a scan of \f$n\f$ vertices
 /// \f$O(\log n)\f$ for each vertex that faces its viewpoint.
 class Color_back_projector {
-public:
-  /// what the constructor takes
-  using Options = Back_projection_options;
+  using Options = internal::Back_projection_options;
 
+public:
   /// \param surface has to outlive this object
-  /// \param options which vertices a scan covers
-  /// \param is_parallel whether several threads are used, if the program is linked with TBB; the
-  /// result is the same
-  /// \throws Parameter_error an option is outside its domain
+  /// \param np optional named parameters:
+  /// \cgalNamedParamsBegin
+  ///   \named_of_back_projection
+  ///   \named_color_gradients
+  ///   \named_concurrency_tag
+  /// \cgalNamedParamsEnd
+  /// \throws Parameter_error a parameter is outside its domain
   explicit Color_back_projector(const Triangulated_surface_3& surface,
-                                const Options& options = Options(), bool is_parallel = false);
+                                const Options& np = Options());
 
   /// the surface that colours are taken to
   const Triangulated_surface_3& surface() const { return *m_surface; }
-  /// the options, as given to the constructor
+  /// the values of the named parameters, as given to the constructor
   const Options& options() const { return m_options; }
 
   /// \f$D\f$ of a scan
@@ -118,17 +138,23 @@ private:
 
   const Triangulated_surface_3* m_surface;
   Options m_options;
-  bool m_is_parallel;
   std::vector<Vector_3> m_normals;
   double m_spacing;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The colours of one scan on a surface, see `Color_back_projector`.
-Back_projection
-back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,
-                    const Back_projection_options& options = Back_projection_options(),
-                    bool is_parallel = false);
+/// \param surface a surface of triangles
+/// \param scan the scan
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_back_projection
+///   \named_color_gradients
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error a parameter is outside its domain
+Back_projection back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,
+                                    const internal::Back_projection_options& np = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

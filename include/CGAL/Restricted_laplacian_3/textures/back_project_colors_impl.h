@@ -53,8 +53,8 @@ template <class T> void append(const std::vector<T>& from, std::vector<T>& to) {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Color_back_projector::Color_back_projector(const Triangulated_surface_3& surface,
-                                           const Options& options, bool is_parallel)
-  : m_surface(&surface), m_options(internal::checked_options(options)), m_is_parallel(is_parallel),
+                                           const Options& options)
+  : m_surface(&surface), m_options(internal::checked_options(options)),
     m_normals(vertex_normals(surface)), m_spacing(internal::spacing_of(surface)) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
@@ -68,9 +68,9 @@ Color_back_projector::operator()(const Colored_scan& scan) const {
   constexpr std::size_t grain = 1 << 12;
   const std::size_t n = m_surface->number_of_vertices();
   std::vector<Back_projection> parts(n / grain + 1);
-  internal::parallel_for(m_is_parallel, 0, n, grain, [&](std::size_t begin, std::size_t end) {
-    project(scan, begin, end, parts[begin / grain]);
-  });
+  internal::parallel_for(
+      m_options.is_parallel, 0, n, grain,
+      [&](std::size_t begin, std::size_t end) { project(scan, begin, end, parts[begin / grain]); });
   Back_projection result;
   result.maximum_distance = maximum_distance(scan);
   for(Back_projection& part : parts) {
@@ -132,8 +132,8 @@ Color_back_projector::project(const Colored_scan& scan, std::size_t begin, std::
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Back_projection
 back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,
-                    const Back_projection_options& options, bool is_parallel) {
-  return Color_back_projector(surface, options, is_parallel)(scan);
+                    const internal::Back_projection_options& options) {
+  return Color_back_projector(surface, options)(scan);
 }
 
 } // namespace Restricted_laplacian_3

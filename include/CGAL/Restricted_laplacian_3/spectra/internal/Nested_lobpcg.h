@@ -79,7 +79,7 @@ public:
     double alpha;
     /// the shift by which residuals are measured, see `Eigenpairs`
     double residual_shift;
-    /// see `Multigrid_eigenpairs_options`
+    /// see `multigrid_eigenpairs()`
     int maximum_iterations, smoothing_steps;
     bool is_parallel;
   };

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks what the manual says of named parameters against the code: check_parameters.py --root FOLDER
+
+The names in named_parameters.doxy are those of foundation/parameters.h, each of them is shown with
+a function and on the page of named parameters, and the defaults are those of the code.
+"""
+
+import argparse
+import pathlib
+import re
+
+HEADERS = "include/CGAL/Restricted_laplacian_3"
+# Constants that the code takes as defaults, and the group of rows whose text has to name the value.
+CONSTANTS = (
+    ("problems/Poisson_problem.h", "tolerance_with_constraints", "of_poisson"),
+    ("problems/integrate_gradients.h", "default_gradient_tolerance", "of_gradients"),
+    ("problems/integrate_gradients.h", "default_gradient_tolerance", "of_stitching"),
+    ("problems/stabilization.h", "default_curvature_stabilization", "of_curvature"),
+    ("problems/Function_fitter.h", "default_tolerance", "of_fits"),
+    ("problems/Function_fitter.h", "default_tolerance", "of_curvature"),
+)
+# Defaults that depend on others in the code: the constant that holds the usual one.
+USUAL = {"octree_depth": "default_depth", "cube_scale": "default_cube_scale"}
+
+
+def read_aliases(text):
+    """the aliases of Doxygen, by name"""
+    text = re.sub(r"\\\n\s*", "", text)
+    return dict(re.findall(r'"named_(\w+)(?:\{1\})?=\s*([^"]*)"', text))
+
+
+def expand(text, aliases):
+    """`text` with the rows in place of the groups of rows"""
+
+    def replacement(match):
+        name, argument = match.groups()
+        row = aliases.get(name, "")
+        if "\\cgalParamNBegin" in row:
+            return match.group(0)
+        return expand(row.replace("\\1", argument or ""), aliases)
+
+    return re.sub(r"\\named_(\w+)(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\})?", replacement, text)
+
+
+def constants_of(text):
+    """constants and initialised variables, by name; the first one counts"""
+    return dict(reversed(re.findall(r"(\w+)\s*=\s*([\w.:+-]+)[;,]", text)))
+
+
+def same(a, b):
+    """whether two literals have the same value"""
+    try:
+        return float(a) == float(b)
+    except ValueError:
+        return a.removesuffix("()") == b.removesuffix("()")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--root", type=pathlib.Path, required=True)
+    root = parser.parse_args().root
+    doc = root / "doc/Restricted_laplacian_3"
+    headers = {p: p.read_text(encoding="utf-8") for p in sorted((root / HEADERS).rglob("*.h"))}
+    aliases = read_aliases((doc / "named_parameters.doxy").read_text(encoding="utf-8"))
+    page = (doc / "PackageDescription.txt").read_text(encoding="utf-8")
+    errors = []
+
+    rows = {}
+    for alias, text in aliases.items():
+        if match := re.match(r"\\cgalParamNBegin\{(\w+)\}", text):
+            rows.setdefault(match.group(1), (alias, text))
+    parameters = (root / HEADERS / "foundation/parameters.h").read_text(encoding="utf-8")
+    names = set(re.findall(r"PARAMETER\((?:\w+, )*([a-z_]+)\)", parameters))
+    errors += [f"the manual does not know {name}" for name in sorted(names - rows.keys())]
+    errors += [f"the sources do not know {name}" for name in sorted(rows.keys() - names)]
+
+    shown = expand("\n".join(headers.values()), aliases)
+    described = expand(page, aliases)
+    for where, text in ("no function", shown), ("not the page of named parameters", described):
+        found = set(re.findall(r"\\named_(\w+)", text))
+        errors += [f"{where} shows {name}" for name in sorted(rows) if rows[name][0] not in found]
+        errors += [f"there is no row for {alias}" for alias in sorted(found - aliases.keys())]
+
+    everywhere = {}
+    for text in headers.values():
+        everywhere.update(
+            re.findall(r"constexpr \w+\s+(default_\w+|\w+_with_constraints) = ([\w.-]+)[;,]", text)
+        )
+    for header, constant, group in CONSTANTS:
+        value = constants_of(headers[root / HEADERS / header])[constant]
+        said = re.findall(r"`([\w.-]+)`", expand(aliases[group], aliases))
+        if not any(same(value, v) for v in said):
+            errors.append(f"{constant} is {value}, which {group} does not say")
+    manual = (doc / "Restricted_laplacian_3.txt").read_text(encoding="utf-8")
+    exponent = re.search(r"default tolerance is\s+\\f\$10\^\{(-\d+)\}", manual)
+    if not exponent or not same("1e" + exponent.group(1), everywhere["tolerance_with_constraints"]):
+        errors.append("the User Manual has another default tolerance with prescribed values")
+
+    number_of_defaults = 0
+    for path, text in headers.items():
+        known = constants_of(text)
+        # of the functions that take these options
+        takes = [f"const internal::{name}& np" for name in re.findall(r"struct (\w+_options) ", text)]
+        users = [t for t in headers.values() if any(take in t for take in takes)]
+        own_rows = expand("\n".join([text, *users]), aliases)
+        reads = r"read_parameter\(np, internal_np::(\w+),\s*([\w.]+)\)"
+        for name, variable in re.findall(reads, text):
+            in_code = known.get(variable.split(".")[-1])
+            in_code = known.get(in_code, everywhere.get(in_code, in_code))
+            if name in USUAL:
+                in_code = everywhere.get(USUAL[name])
+            if in_code is None or in_code.startswith("default_") or name not in rows:
+                continue
+            alias, row = rows[name]
+            default = re.search(r"\\cgalParamDefault\{(.*)", row).group(1)
+            if default.startswith("\\1"):
+                found = re.findall(r"\\named_" + alias + r"\{(`[\w.:-]+`)", own_rows)
+            else:
+                found = re.findall(r"^`.*?\}", default)
+            number_of_defaults += len(found)
+            errors += [
+                f"{path.name}: the default of {name} is {in_code}, in the manual {text}"
+                for text in found
+                if not any(same(value, in_code) for value in re.findall(r"`([\w.:()-]+)`", text))
+            ]
+    if number_of_defaults < 25:
+        errors.append(f"found only {number_of_defaults} defaults; has their form changed?")
+
+    print("\n".join(errors))
+    print(f"{len(names)} named parameters, {number_of_defaults} defaults, {len(errors)} errors")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
