@@ -122,11 +122,10 @@ RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const 
   const RL::Operators operators = RL::cotangent_operators(surface, o.mass == "lumped");
   const double assembly_seconds = timer.time();
 
-  RL::Eigenpairs_options options;
-  options.callback = progress.step("computing eigenvalues of " +
-                                   std::to_string(operators.stiffness.rows()) + " unknowns");
-  RL::Eigenpairs pairs =
-      RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count, options);
+  const auto callback = progress.step("computing eigenvalues of " +
+                                      std::to_string(operators.stiffness.rows()) + " unknowns");
+  RL::Eigenpairs pairs = RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count,
+                                                 RL::parameters::callback(callback));
   summary.add_detail("assembly_seconds", assembly_seconds);
   summary.add_detail("solve_seconds", timer.time() - assembly_seconds);
   summary.add_detail("iterations", pairs.iterations);

@@ -4,15 +4,21 @@
 // Bad input ends in an exception that names the culprit, hard input in a right result.
 
 #include "catch.h"
-#include "shapes.h"
+#include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -49,16 +55,6 @@ shapes::Triangles transformed(shapes::Triangles t, double scale, const RL::Vecto
   for(RL::Point_3& p : t.points)
     p = CGAL::ORIGIN + scale * (p - CGAL::ORIGIN) + shift;
   return t;
-}
-
-/// two copies side by side
-shapes::Triangles with(const shapes::Triangles& a, const shapes::Triangles& b) {
-  shapes::Triangles result = a;
-  const auto offset = static_cast<std::uint32_t>(a.points.size());
-  result.points.insert(result.points.end(), b.points.begin(), b.points.end());
-  for(const auto& f : b.faces)
-    result.faces.push_back({f[0] + offset, f[1] + offset, f[2] + offset});
-  return result;
 }
 
 } // namespace
@@ -174,6 +170,73 @@ TEST_CASE("parameters_outside_their_domain_are_named", "[input]") {
   b[3] = not_a_number;
   CHECK(refused_parameter([&] { solver.solve(b, x); }) == "b");
   CHECK(refused_parameter([&] { solver.solve(b.head(5), x); }) == "b");
+}
+
+TEST_CASE("values_that_are_not_finite_are_named", "[input]") {
+  Mesh mesh = shapes::mesh(shapes::split_in_four(shapes::rectangle(2, 1)));
+  Vertex_map f = mesh.add_property_map<Mesh::Vertex_index, double>("v:f", 1).first,
+             u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+  const Mesh::Vertex_index culprit(2);
+  const std::vector<RL::Point_3> points(mesh.points().begin(), mesh.points().end());
+  const shapes::Triangles soup = shapes::triangles(mesh);
+  std::vector<double> values(points.size());
+  const auto index_map = [&](std::vector<double>& numbers) {
+    return boost::make_iterator_property_map(numbers.begin(),
+                                             boost::typed_identity_property_map<std::size_t>());
+  };
+  const auto depth = params::octree_depth(2);
+  // the parameter that the user gave, and a face at the culprit
+  const auto check = [&](const char* name, const std::function<void()>& solve) {
+    INFO(name);
+    std::string message;
+    try {
+      solve();
+    } catch(const RL::Parameter_error& error) {
+      CHECK(error.parameter() == name);
+      message = error.what();
+    }
+    bool is_found = false;
+    for(Mesh::Face_index face : mesh.faces())
+      for(Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(face)))
+        is_found = is_found || (v == culprit && message.size() > 0 &&
+                                message.substr(message.rfind(' ') + 1) ==
+                                    std::to_string(static_cast<std::size_t>(face)));
+    INFO(message);
+    CHECK(is_found);
+  };
+  for(double bad : {not_a_number, infinity, -infinity}) {
+    f[culprit] = bad;
+    std::vector<double> f_of_soup(points.size(), 1.);
+    f_of_soup[culprit] = bad;
+    check("f", [&] { RL::solve_poisson(mesh, f, u, depth); });
+    check("f", [&] { RL::solve_poisson(mesh, f, u, depth.boundary_values(z)); });
+    check("f", [&] {
+      RL::solve_poisson(mesh, f, u,
+                        params::octree_depth(2).concurrency_tag(CGAL::Parallel_if_available_tag()));
+    });
+    check("f", [&] { RL::solve_screened_poisson(mesh, f, 1., u, depth); });
+    check("f", [&] {
+      RL::solve_poisson(soup.points, soup.faces, index_map(f_of_soup), index_map(values), depth);
+    });
+    check("f", [&] { RL::fit_function(mesh, f, u, depth); });
+    check("alpha", [&] { RL::solve_screened_poisson(mesh, z, f, u, depth); });
+    check("boundary_values", [&] { RL::solve_poisson(mesh, z, u, depth.boundary_values(f)); });
+    check("target_values", [&] {
+      RL::integrate_gradient_field(
+          mesh, [](const RL::Surface_point&) { return RL::Vector_3(1, 0, 0); }, u,
+          depth.target_values(f));
+    });
+    check("v", [&] {
+      RL::integrate_gradient_field(
+          mesh,
+          [&](const RL::Surface_point& p) {
+            const auto& corners = soup.faces[p.face];
+            const bool is_bad = std::count(corners.begin(), corners.end(), culprit) > 0;
+            return RL::Vector_3(1, is_bad ? bad : 0, 0);
+          },
+          u, depth);
+    });
+  }
 }
 
 TEST_CASE("values_are_not_written_to_another_mesh", "[input]") {
@@ -305,7 +368,7 @@ TEST_CASE("small_and_flat_surfaces", "[input]") {
 
 TEST_CASE("components_have_a_mean_of_their_own", "[input]") {
   const shapes::Triangles sphere = shapes::sphere(3);
-  const shapes::Triangles two = with(sphere, transformed(sphere, 1, {4, 0, 0}));
+  const shapes::Triangles two = shapes::joined(sphere, transformed(sphere, 1, {4, 0, 0}));
   Mesh mesh = shapes::mesh(two);
   const RL::Spline_space_3 space(mesh, params::octree_depth(5));
   const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space), 0,

@@ -285,3 +285,40 @@ TEST_CASE("eigenpairs_do_not_depend_on_the_factorization", "[contracts]") {
     CHECK((pairs.values - expected).cwiseAbs().maxCoeff() <= 1e-7 * expected[19]);
   }
 }
+
+TEST_CASE("options_of_eigenpairs_do_what_they_say", "[contracts]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), RL::parameters::octree_depth(3));
+  const RL::Operators o = RL::assemble_operators(space);
+  RL::internal::Eigenpairs_options options;
+  const RL::Eigenpairs expected = RL::smallest_eigenpairs(o.stiffness, o.mass, 10);
+  REQUIRE(expected.converged);
+  CHECK(expected.regularization >= options.regularization);
+  CHECK(expected.iterations > 1);
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
+  const RL::Eigenpairs by_cholmod =
+      RL::shift_invert_eigenpairs<RL::Cholmod_cholesky>(o.stiffness, o.mass, 10);
+  CHECK(by_cholmod.values == expected.values);
+#endif
+  const RL::Eigenpairs rough =
+      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::relative_tolerance(1e-2));
+  CHECK(rough.converged);
+  CHECK(rough.residuals.maxCoeff() > 1e3 * expected.residuals.maxCoeff());
+  CHECK((rough.values - expected.values).cwiseAbs().maxCoeff() <= 1e-2 * expected.values[9]);
+  CHECK_FALSE(
+      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::number_of_iterations(1))
+          .converged);
+  options.regularization = 1e-9;
+  const RL::Eigenpairs regularized = RL::smallest_eigenpairs(o.stiffness, o.mass, 10, options);
+  CHECK(regularized.regularization == 1e-9);
+  CHECK((regularized.values - expected.values).cwiseAbs().maxCoeff() <= 1e-6);
+  int calls = 0;
+  const auto callback = [&calls](double part) {
+    CHECK(part >= 0);
+    CHECK(part <= 1);
+    return ++calls < 5;
+  };
+  CHECK_THROWS_AS(
+      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::callback(callback)),
+      RL::Canceled);
+  CHECK(calls == 5);
+}

@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Random hostile surfaces: nothing crashes, hangs or turns into NaN, and the identities hold. The
-// number of rounds is that of the environment variable RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS, 30 if it
-// is not set; a failure names the seed of its round.
+// Random hostile surfaces: nothing crashes, hangs or turns into NaN, the identities hold, solvers
+// converge, and only what has to be refused is. Environment variables make a longer run of it:
+// RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS surfaces, 30 if it is not set, from the seed
+// RESTRICTED_LAPLACIAN_3_FUZZ_SEED on, by default 1, or a random one if the number of rounds is
+// given. The seeds are printed; a failure names the seed of its round.
 
 #include "catch.h"
 #include "special_shapes.h"
@@ -13,11 +15,15 @@
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
@@ -118,6 +124,58 @@ private:
   std::mt19937 m_generator;
 };
 
+/// of the corners of faces the largest absolute coordinate and the longest side of the bounding box
+std::array<double, 2> distance_and_extent(const shapes::Triangles& t) {
+  double distance = 0, extent = 0;
+  for(int axis = 0; axis < 3; ++axis) {
+    double low = INFINITY, high = -INFINITY;
+    for(const auto& f : t.faces)
+      for(std::uint32_t v : f) {
+        low = (std::min)(low, t.points[v][axis]);
+        high = (std::max)(high, t.points[v][axis]);
+      }
+    distance = (std::max)({distance, std::abs(low), std::abs(high)});
+    extent = (std::max)(extent, high - low);
+  }
+  return {distance, extent};
+}
+
+/// Whether all faces are thinner than rounding errors of the coordinates: in higher precision, the
+/// largest height over the longest side of a face.
+bool is_degenerate(const shapes::Triangles& t) {
+  constexpr double tolerance = RL::Triangulated_surface_3::degenerate_height_tolerance;
+  for(const auto& f : t.faces) {
+    std::array<std::array<long double, 3>, 3> side;
+    long double longest = 0, product = 0;
+    for(int i = 0; i < 3; ++i) {
+      long double squared = 0;
+      for(int axis = 0; axis < 3; ++axis) {
+        const long double from = t.points[f[i]][axis];
+        side[i][axis] = t.points[f[(i + 1) % 3]][axis] - from;
+        squared += side[i][axis] * side[i][axis];
+      }
+      longest = (std::max)(longest, squared);
+    }
+    for(int axis = 0; axis < 3; ++axis) {
+      const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+      const long double entry = side[0][b] * side[1][c] - side[0][c] * side[1][b];
+      product += entry * entry;
+    }
+    if(std::sqrt(product) > 2 * tolerance * longest)
+      return false;
+  }
+  return true;
+}
+
+/// Whether the surface has too few digits for cells of this depth, see
+/// `Octree_3::largest_wall_tolerance`.
+bool has_too_few_digits(const shapes::Triangles& t,
+                        const RL::internal::Spline_space_options& options) {
+  const auto [distance, extent] = distance_and_extent(t);
+  const double cell_width = std::ldexp(*options.cube_scale * extent, -*options.octree_depth);
+  return std::ldexp(distance, -50) > RL::Octree_3::largest_wall_tolerance * cell_width;
+}
+
 void check(const RL::Spline_space_3& space) {
   const RL::Operators operators = RL::assemble_operators(space);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());
@@ -144,40 +202,60 @@ void check(const RL::Spline_space_3& space) {
   const std::vector<double> values = RL::Spline_function_3(space, ones).values_at_vertices();
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
     for(std::uint32_t v : surface.triangle(f))
-      if(!surface.is_degenerate(f) && !std::isnan(values[v]))
+      if(!surface.is_degenerate(f))
         REQUIRE(values[v] == Approx(1).epsilon(1e-5));
 
-  RL::internal::Poisson_solver_options options;
-  options.maximum_iterations = 30;
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, operators.stiffness, operators.mass * ones, 0, options);
+  // what solve_poisson() solves, and the system of the paper, which need not converge
   const RL::Point_3 origin = surface.bounding_box_min();
+  const Eigen::VectorXd load =
+      RL::assemble_load(space, [&](const RL::Surface_point& p) { return (p.point - origin).x(); });
   Eigen::VectorXd eta;
-  const RL::Solve_report report = solver.solve(
-      RL::assemble_load(space, [&](const RL::Surface_point& p) { return (p.point - origin).x(); }),
-      eta);
+  const RL::Solve_report report = RL::make_poisson_solver(space).solve(load, eta);
   REQUIRE(eta.allFinite());
-  REQUIRE(std::isfinite(report.relative_residual));
+  INFO(report.iterations << " iterations, residual " << report.relative_residual);
+  // The right-hand side on needles of next to no area is nothing but rounding errors.
+  if(surface.area() > 1e-12 * surface.extent() * surface.extent())
+    REQUIRE(report.converged);
+  const RL::Solve_report of_paper =
+      RL::make_poisson_solver(space, operators, 0, params::number_of_iterations(30))
+          .solve(load, eta);
+  REQUIRE(eta.allFinite());
+  REQUIRE(std::isfinite(of_paper.relative_residual));
 
-  try {
-    const RL::Dirichlet_boundary boundary(space);
-    RL::Sparse_matrix a = operators.stiffness;
-    boundary.add_to_matrix(a);
-    REQUIRE(a.coeffs().allFinite());
-    REQUIRE(a.diagonal().minCoeff() >= -1e-12 * a.diagonal().maxCoeff());
-    REQUIRE(boundary.load([](const RL::Surface_point&) { return 1.; }).allFinite());
-  } catch(const RL::Parameter_error&) {
-    // a closed surface
+  if(RL::internal::boundary_sides(space).empty()) {
+    REQUIRE_THROWS_AS(RL::Dirichlet_boundary(space), RL::Parameter_error);
+    return;
   }
+  const RL::Dirichlet_boundary boundary(space);
+  RL::Sparse_matrix a = operators.stiffness;
+  boundary.add_to_matrix(a);
+  REQUIRE(a.coeffs().allFinite());
+  REQUIRE(a.diagonal().minCoeff() >= -1e-12 * a.diagonal().maxCoeff());
+  REQUIRE(boundary.load([](const RL::Surface_point&) { return 1.; }).allFinite());
+}
+
+/// the value of an environment variable, if it is set
+std::optional<unsigned> environment(const char* name) {
+  const char* const value = std::getenv(name);
+  if(value)
+    return static_cast<unsigned>(std::stoul(value));
+  return std::nullopt;
 }
 
 } // namespace
 
 TEST_CASE("random_hostile_surfaces", "[fuzz]") {
-  const char* given = std::getenv("RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS");
-  const unsigned rounds = given ? static_cast<unsigned>(std::atoi(given)) : 30;
-  unsigned accepted = 0;
-  for(unsigned seed = 1; seed <= rounds; ++seed) {
+  const auto given_rounds = environment("RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS"),
+             given_seed = environment("RESTRICTED_LAPLACIAN_3_FUZZ_SEED");
+  const unsigned rounds = given_rounds.value_or(30),
+                 first = given_seed.value_or(given_rounds ? std::random_device()() % 1000000 : 1);
+  WARN("seeds from " << first << " on, " << rounds << " of them");
+  std::vector<unsigned> seeds(rounds);
+  std::iota(seeds.begin(), seeds.end(), first);
+  if(!given_rounds)
+    seeds.push_back(1115); // where cycles of the system of the paper leave the range of numbers
+  unsigned refused = 0;
+  for(unsigned seed : seeds) {
     INFO("seed " << seed);
     Fuzzer fuzzer(seed);
     const shapes::Triangles t = fuzzer.surface();
@@ -186,12 +264,20 @@ TEST_CASE("random_hostile_surfaces", "[fuzz]") {
     options.cube_scale = fuzzer.cube_scale();
     options.joining_tolerance = fuzzer.joining_tolerance();
     options.split_elements = seed % 4 != 0;
+    std::optional<RL::Spline_space_3> space;
     try {
-      check(RL::Spline_space_3(RL::Triangulated_surface_3(t.points, t.faces), options));
-      ++accepted;
-    } catch(const RL::Input_error&) {
-      // nothing but degenerate faces
+      space.emplace(RL::Triangulated_surface_3(t.points, t.faces), options);
+    } catch(const RL::Zero_area_error&) {
+      REQUIRE(is_degenerate(t));
+    } catch(const RL::Parameter_error& error) {
+      INFO(error.what());
+      REQUIRE(error.parameter() == "octree_depth");
+      REQUIRE(has_too_few_digits(t, options));
     }
+    if(space)
+      check(*space);
+    else
+      ++refused;
   }
-  CHECK(accepted >= rounds * 9 / 10);
+  CHECK(refused <= rounds / 10 + 1);
 }

@@ -9,7 +9,7 @@
 
 /// \file
 /// Paths of mesh files. They are empty where the file is not there, and the test that needs it says
-/// so with `SKIP_TEST()`.
+/// so with `SKIP_TEST()` or `SKIP_PART()`.
 
 inline std::string path_of_mesh(const std::string& folder, const std::string& file) {
   const std::string path = folder + "/" + file;

@@ -196,6 +196,16 @@ TEST_CASE("what_scans_give_is_reported", "[stitch]") {
     CHECK(usage.covered_area > 0.2);
     CHECK(usage.covered_vertices == stitcher.back_projection(s).vertices.size());
     CHECK(usage.smallest_distance < 1e-12);
+    // those whose normal, about their place, is within 84 degrees of the direction to the viewpoint
+    std::array<std::size_t, 2> facing = {};
+    for(const Point_3& p : t.points) {
+      const Vector_3 normal = p - CGAL::ORIGIN, view = 4 * stitch_directions[s] - normal;
+      const double cosine = normal * view / std::sqrt(view.squared_length());
+      facing[0] += cosine >= 0.12;
+      facing[1] += cosine >= 0.08;
+    }
+    CHECK(usage.facing_vertices >= facing[0]);
+    CHECK(usage.facing_vertices <= facing[1]);
   }
   // the nearest one of the scans that cover a vertex
   const RL::Vertex_colors nearest = stitcher.nearest_colors();
@@ -353,6 +363,84 @@ TEST_CASE("scans_that_miss_the_surface_are_told", "[stitch]") {
   CHECK_THAT(stitch({inside}), Catch::Contains("faces the viewpoint of no scan"));
 }
 
+TEST_CASE("options_of_stitching_do_what_they_say", "[stitch]") {
+  using Options = RL::internal::Color_stitching_options;
+  const shapes::Triangles t = shapes::sphere(3);
+  const RL::Spline_space_3 space = stitch_space(t, 3);
+  // coarser than the surface, and with an oblique and small one among them
+  std::vector<RL::Colored_scan> scans = sphere_scans(2, 6);
+  const Vector_3 oblique = Vector_3(1, 1, 0.5) / 1.5;
+  shapes::Triangles small = seen_from(shapes::sphere(2), oblique);
+  small.faces.erase(std::remove_if(small.faces.begin(), small.faces.end(),
+                                   [&](const auto& f) {
+                                     return (small.points[f[0]] - CGAL::ORIGIN) * oblique < 0.6;
+                                   }),
+                    small.faces.end());
+  scans.emplace_back(RL::read_surface(small.points, small.faces), true_colors(small.points),
+                     RL::Scan_pose(CGAL::IDENTITY), CGAL::ORIGIN + 4 * oblique);
+  const RL::Stitched_colors by_default = stitcher_of(space, scans).stitch();
+  CHECK(stitcher_of(space, scans).number_of_scans() == 7);
+  CHECK(by_default.back_projection_seconds > 0);
+  CHECK(by_default.choice_seconds > 0);
+  for(std::size_t v = 0; v < scans[0].normals().size(); ++v)
+    if(scans[0].normals()[v] != Vector_3(0, 0, 0))
+      CHECK(scans[0].normals()[v] * (shapes::sphere(2).points[v] - CGAL::ORIGIN) > 0.95);
+
+  // what is given by name is what an option says, and not the default
+  const auto check = [&](const char* name, const auto& np, const auto& set) {
+    INFO(name);
+    Options options;
+    set(options);
+    const RL::Stitched_colors expected = stitcher_of(space, scans, options).stitch();
+    std::vector<std::array<double, 3>> colors(t.points.size());
+    const RL::Stitching_report report =
+        RL::stitch_colors(t.points, t.faces, scans, CGAL::make_property_map(colors), np);
+    CHECK(report.seam_length == expected.seam_length);
+    bool differs = report.seam_length != by_default.seam_length;
+    for(std::size_t s = 0; s < 7; ++s) {
+      CHECK(report.scans[s].chosen_area == expected.scans[s].chosen_area);
+      CHECK(report.scans[s].covered_area == expected.scans[s].covered_area);
+      differs = differs || report.scans[s].covered_area != by_default.scans[s].covered_area ||
+                report.scans[s].chosen_area != by_default.scans[s].chosen_area;
+    }
+    CHECK(differs);
+  };
+  const auto depth = params::octree_depth(3);
+  check("boundary_width", depth.boundary_width(0.05),
+        [](Options& o) { o.back_projection.boundary_width = 0.05; });
+  check("minimum_facing_cosine", depth.minimum_facing_cosine(0.6),
+        [](Options& o) { o.back_projection.minimum_facing_cosine = 0.6; });
+  check("minimum_normal_cosine", depth.minimum_normal_cosine(0.99995),
+        [](Options& o) { o.back_projection.minimum_normal_cosine = 0.99995; });
+  check("maximum_distance", depth.maximum_distance(0.025),
+        [](Options& o) { o.back_projection.maximum_distance = 0.025; });
+  check("quality_smoothing_steps", depth.quality_smoothing_steps(200),
+        [](Options& o) { o.quality_smoothing_steps = 200; });
+  check("seam_weight", depth.seam_weight(10.), [](Options& o) { o.seam_weight = 10; });
+
+  // 10 / area is the default of the weight
+  Options options;
+  options.screening_weight = RL::Color_stitcher::default_screening / space.surface().area();
+  CHECK(RL::Color_stitcher::default_screening == 10);
+  CHECK(stitcher_of(space, scans, options).stitch().colors == by_default.colors);
+  *options.screening_weight *= 2;
+  CHECK(stitcher_of(space, scans, options).stitch().colors != by_default.colors);
+  // the larger one of two tolerances ends the iteration for the details
+  options = Options();
+  options.details_tolerance = 1e-9;
+  options.solver.relative_tolerance = 1e-9;
+  const int exact = stitcher_of(space, scans, options).stitch().details_iterations;
+  options.details_tolerance = 0.1;
+  CHECK(stitcher_of(space, scans, options).stitch().details_iterations < exact);
+
+  const RL::Back_projection bare = RL::back_project_colors(space.surface(), scans[0],
+                                                           params::color_gradients(false)),
+                            full = RL::back_project_colors(space.surface(), scans[0]);
+  CHECK(bare.gradients.empty());
+  CHECK(full.gradients.size() == full.vertices.size());
+  CHECK(bare.colors == full.colors);
+}
+
 TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   const shapes::Triangles t = shapes::sphere(3);
   const std::vector<RL::Colored_scan> scans = sphere_scans(4, 6);
@@ -487,7 +575,7 @@ TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", 
   }
 }
 
-TEST_CASE("stitching_does_not_depend_on_the_number_of_threads", "[stitch]") {
+TEST_CASE("stitching_does_not_depend_on_the_number_of_threads", "[stitch][threads]") {
   const shapes::Triangles t = shapes::sphere(5); // more triangles than a thread takes at once
   const std::vector<RL::Colored_scan> scans = sphere_scans(4, 5);
   const RL::Spline_space_3 serial = stitch_space(t, 4, false), parallel = stitch_space(t, 4, true);

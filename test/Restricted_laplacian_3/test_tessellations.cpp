@@ -1,17 +1,23 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A small version of the benchmark spectrum_study: the paper's figure 3.
+// Solutions and spectra are those of the surface, not of its triangulation. The tests of spectra of
+// other meshes are a small version of the benchmark spectrum_study: the paper's figure 3.
 
 #include "catch.h"
 #include "shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -48,7 +54,105 @@ double mean_change(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return ((a - b).tail(n).array() / b.tail(n).array()).abs().mean();
 }
 
+/// the same surface with a vertex in each face, near to an edge
+shapes::Triangles with_slivers(const shapes::Triangles& t) {
+  shapes::Triangles result;
+  result.points = t.points;
+  for(const auto& f : t.faces) {
+    const auto center = static_cast<std::uint32_t>(result.points.size());
+    result.points.push_back(
+        CGAL::barycenter(t.points[f[0]], 0.7, t.points[f[1]], 0.2999, t.points[f[2]], 0.0001));
+    for(int side = 0; side < 3; ++side)
+      result.faces.push_back({f[side], f[(side + 1) % 3], center});
+  }
+  return result;
+}
+
+/// The same triangles in another order, each of which begins at another corner. Vertex `i` becomes
+/// vertex `numbers[i]`.
+shapes::Triangles shuffled(const shapes::Triangles& t, const std::vector<std::uint32_t>& numbers,
+                           std::mt19937& generator) {
+  shapes::Triangles result = t;
+  for(std::size_t i = 0; i < numbers.size(); ++i)
+    result.points[numbers[i]] = t.points[i];
+  std::shuffle(result.faces.begin(), result.faces.end(), generator);
+  for(auto& f : result.faces) {
+    for(std::uint32_t& v : f)
+      v = numbers[v];
+    std::rotate(f.begin(), f.begin() + generator() % 3, f.end());
+  }
+  return result;
+}
+
+/// what is compared between triangulations of a surface
+struct Results {
+  /// \param numbers of the vertices at which solutions are compared
+  Results(const shapes::Triangles& t, const std::vector<std::uint32_t>& numbers) {
+    shapes::Mesh mesh = shapes::mesh(t);
+    const auto u = mesh.add_property_map<shapes::Mesh::Vertex_index, double>("v:u").first;
+    const auto np = params::octree_depth(4).relative_tolerance(1e-12);
+    const auto f = [](const RL::Surface_point& p) {
+      return 1 + p.point.x() * p.point.y() - p.point.z();
+    };
+    const auto append = [&](const RL::Solve_report& report) {
+      CHECK(report.converged);
+      Eigen::VectorXd values(static_cast<Eigen::Index>(numbers.size()));
+      for(std::size_t i = 0; i < numbers.size(); ++i)
+        values[static_cast<Eigen::Index>(i)] = u[shapes::Mesh::Vertex_index(numbers[i])];
+      solutions.push_back(std::move(values));
+    };
+    append(RL::solve_poisson(mesh, f, u, np));
+    append(RL::solve_screened_poisson(mesh, f, 2., u, np));
+    const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(mesh, 20, np);
+    CHECK(spectrum.report.converged);
+    eigenvalues = spectrum.eigenvalues;
+  }
+
+  /// the largest one, relative to the largest value
+  double difference_of_solutions(const Results& other) const {
+    double result = 0;
+    for(std::size_t i = 0; i < solutions.size(); ++i)
+      result = (std::max)(result, (solutions[i] - other.solutions[i]).cwiseAbs().maxCoeff() /
+                                      solutions[i].cwiseAbs().maxCoeff());
+    return result;
+  }
+  /// the largest relative one, without the eigenvalue 0
+  double difference_of_eigenvalues(const Results& other) const {
+    const Eigen::Index n = eigenvalues.size() - 1;
+    return ((eigenvalues - other.eigenvalues).tail(n).array() / eigenvalues.tail(n).array())
+        .abs()
+        .maxCoeff();
+  }
+
+  std::vector<Eigen::VectorXd> solutions;
+  Eigen::VectorXd eigenvalues;
+};
+
 } // namespace
+
+TEST_CASE("solutions_and_eigenvalues_do_not_depend_on_the_triangulation", "[spectrum]") {
+  const shapes::Triangles box = shapes::box(1, 0.7, 0.45, 4, 1), sphere = shapes::sphere(2);
+  const auto check = [](const char* name, const Results& a, const Results& b) {
+    const double of_solutions = a.difference_of_solutions(b),
+                 of_eigenvalues = a.difference_of_eigenvalues(b);
+    INFO(name << ": solutions differ by " << of_solutions << ", eigenvalues by " << of_eigenvalues);
+    CHECK(of_solutions <= 1e-12);
+    CHECK(of_eigenvalues <= 1e-12);
+  };
+  for(const shapes::Triangles* t : {&box, &sphere}) {
+    std::vector<std::uint32_t> numbers(t->points.size());
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    const Results reference(*t, numbers);
+    const shapes::Triangles split = shapes::split_in_four(*t);
+    check("refined", Results(split, numbers), reference);
+    check("with slivers", Results(with_slivers(split), numbers), reference);
+    if(t == &box)
+      check("with other diagonals", Results(shapes::box(1, 0.7, 0.45, 4, 2), numbers), reference);
+    std::mt19937 generator(5);
+    std::shuffle(numbers.begin(), numbers.end(), generator);
+    check("reordered", Results(shuffled(*t, numbers, generator), numbers), reference);
+  }
+}
 
 TEST_CASE("multiplicities_of_the_sphere_up_to_degree_13", "[spectrum][slow]") {
   const shapes::Mesh mesh = shapes::mesh(shapes::sphere(6));

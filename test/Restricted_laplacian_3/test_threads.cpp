@@ -112,7 +112,9 @@ TEST_CASE("results_do_not_depend_on_the_number_of_threads", "[threads][slow]") {
   inputs.emplace_back(shapes::mesh(shapes::sphere(6)), 6);
   inputs.emplace_back(shapes::mesh(shapes::box(1, 0.7, 0.3, 40, 30)), 5);
   Mesh rotor = shapes::read(cgal_mesh("rotor_small.off"));
-  if(!rotor.is_empty())
+  if(rotor.is_empty())
+    SKIP_PART("no such file: rotor_small.off");
+  else
     inputs.emplace_back(std::move(rotor), 6);
   for(const auto& [mesh, depth] : inputs)
     for(bool is_split : {true, false}) {

@@ -86,6 +86,7 @@ public:
 
   /// \f$\phi\f$, `dimension()` entries
   /// \param g a function object that takes a `const Surface_point&` and returns a number
+  /// \throws Parameter_error if a value is not finite; names the face
   Eigen::VectorXd load(const Surface_function_view& g) const;
 
   /// \f$ \int_{\partial \mathcal M} \nu\, b_i \f$ with the outward conormal \f$\nu\f$: a row for

@@ -253,6 +253,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Dirichlet_boundary::value(const Surfac
   const Surface_point point = m_space->surface().surface_point(node.location);
   double result;
   g(&point, 1, &result);
+  if(!std::isfinite(result))
+    throw Parameter_error("boundary_values", "have a value that is not a finite number in face " +
+                                                 std::to_string(point.face));
   return result;
 }
 

@@ -163,6 +163,7 @@ Sparse_matrix assemble_mass_matrix(const Spline_space_3& space);
 /// It is called by several threads at once if the space has `CGAL::Parallel_tag`.
 /// \param level from 0, the coarsest, to the depth of the space
 /// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
+/// \throws Parameter_error if the level is not from 0 to depth, or if a value of `f` is not finite
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f,
                               int level, const Surface_integration_view& integration);
 /// \ingroup PkgRestrictedLaplacian3Operators

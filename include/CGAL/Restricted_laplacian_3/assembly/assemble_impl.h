@@ -137,6 +137,7 @@ assemble_component_loads(const Spline_space_3& space, const Surface_function_vie
         internal::visit_nodes_of_level(
             space, level, sheet, integration, 6 + f.degree(), [&](Integration_node_block& block) {
               f(block.points.data(), block.size, values.data());
+              internal::check_values(block, values.data(), number, "f");
               for(int k = 0; k < number; ++k)
                 moments[k].add(block.positions,
                                internal::weighted_component(block, values.data(), number, k));
@@ -181,13 +182,11 @@ assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v,
         internal::visit_nodes_of_level(
             space, level, sheet, integration, 5 + v.degree(), [&](Integration_node_block& block) {
               v(block.points.data(), block.size, values.data());
+              internal::check_values(block, values.data(), number, "v");
               for(std::size_t i = 0; i < block.size; ++i) {
                 const Vector_3& n = block.points[i].normal;
                 for(double* w = values.data() + number * i; w < values.data() + number * (i + 1);
                     w += 3) {
-                  if(!(std::isfinite(w[0]) && std::isfinite(w[1]) && std::isfinite(w[2])))
-                    throw Parameter_error("v", "has a value that is not a finite number in face " +
-                                                   std::to_string(block.points[i].face));
                   const double along = w[0] * n.x() + w[1] * n.y() + w[2] * n.z();
                   for(int axis = 0; axis < 3; ++axis)
                     w[axis] -= along * n[axis];

@@ -196,6 +196,13 @@ struct Poisson_solver::Impl {
     // as long as that helps.
     int iterations = 0;
     Row residual = internal::dot<K>(r, r).sqrt();
+    for(int k = 0; k < K; ++k)
+      if(!std::isfinite(residual[k])) {
+        // Cycles may diverge on a near-kernel.
+        x.col(k).setZero();
+        r.col(k) = b.col(k);
+        residual[k] = norm[k];
+      }
     while((residual > target).any() && iterations < options.maximum_iterations) {
       if(options.stand_alone_multigrid)
         internal::stationary_iteration<K>(multiply, precondition, project, r, x, target, iterations,

@@ -8,8 +8,8 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Object_pool.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/sum_counts.h>
 
 #include <algorithm>
 #include <cstddef>

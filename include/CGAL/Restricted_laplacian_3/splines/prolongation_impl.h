@@ -10,6 +10,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -47,9 +48,12 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix prolongation_matrix(const Splin
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Sparse_matrix>
 prolongation_matrices(const Spline_space_3& space, int coarsest) {
-  std::vector<Sparse_matrix> result;
-  for(int level = coarsest; level < space.depth(); ++level)
-    result.push_back(prolongation_matrix(space, level));
+  // Matrices of Eigen 3.4 are copied where they could be moved; a copy for which there is no memory
+  // loses what it has.
+  std::vector<Sparse_matrix> result(
+      static_cast<std::size_t>((std::max)(space.depth() - coarsest, 0)));
+  for(std::size_t i = 0; i < result.size(); ++i)
+    prolongation_matrix(space, coarsest + static_cast<int>(i)).swap(result[i]);
   return result;
 }
 

@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ELEMENT_MATRIX_PATTERN_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Stored_entries.h>
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/SparseCore>
@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -71,14 +70,7 @@ public:
         count += number_of_bits(rows_of(element, word));
       outer[element + 1] = count;
     });
-    std::size_t sum = 0;
-    for(std::size_t e = 1; e <= n; ++e) {
-      sum += static_cast<std::size_t>(outer[e]);
-      if(sum > static_cast<std::size_t>((std::numeric_limits<int>::max)()))
-        throw Parameter_error("octree_depth", "gives matrices of more than 2^31 entries");
-      outer[e] = static_cast<int>(sum);
-    }
-    matrix.resizeNonZeros(static_cast<Eigen::Index>(sum));
+    matrix.resizeNonZeros(sum_counts(outer + 1, n, "octree_depth", "matrix"));
     int* inner = matrix.innerIndexPtr();
     double* values = matrix.valuePtr();
     for_each_column([=](std::size_t element, Words& words) {

@@ -6,14 +6,12 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/sheet_loads.h>
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/internal/Block_evaluation.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -47,10 +45,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual fit_residual(
         std::vector<double> values(number * capacity);
         integration.visit_nodes(sheet, degree, [&](Integration_node_block& block) {
           f(block.points.data(), block.size, values.data());
-          for(std::size_t i = 0; i < number * block.size; ++i)
-            if(!std::isfinite(values[i]))
-              throw Parameter_error("f", "has a value that is not a finite number in face " +
-                                             std::to_string(block.points[i / number].face));
+          check_values(block, values.data(), number, "f");
           if(!is_zero)
             u.set_points(block.positions);
           for(int k = 0; k < number; ++k) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_SHEET_LOADS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_SHEET_LOADS_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -87,6 +89,18 @@ sum_loads(const Spline_space_3& space, int level, int columns, double factor,
     }
   }
   return sums;
+}
+
+/// \param values those of `components` components at the nodes of a block
+/// \param parameter the function, for the message
+/// \throws Parameter_error if a value is not finite; names the face
+inline void check_values(const Integration_node_block& block, const double* values, int components,
+                         const char* parameter) {
+  const auto number = static_cast<std::size_t>(components);
+  for(std::size_t i = 0; i < number * block.size; ++i)
+    if(!std::isfinite(values[i]))
+      throw Parameter_error(parameter, "has a value that is not a finite number in face " +
+                                           std::to_string(block.points[i / number].face));
 }
 
 /// The values of one component at the nodes of a block, times their weights.

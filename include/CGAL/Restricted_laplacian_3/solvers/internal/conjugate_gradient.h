@@ -64,7 +64,15 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
     }
     rho = next_rho;
     multiply(p, q);
-    Block_row<K> alpha = safe_quotient<K>(rho, dot<K>(p, q));
+    Block_row<K> curvature = dot<K>(p, q);
+    // Where the cycle has left the range of numbers, the solution stays as it is.
+    for(int k = 0; k < K; ++k)
+      if(!std::isfinite(curvature[k]) || !std::isfinite(rho[k])) {
+        curvature[k] = 0;
+        p.col(k).setZero();
+        q.col(k).setZero();
+      }
+    Block_row<K> alpha = safe_quotient<K>(rho, curvature);
     alpha = (norm > target).select(alpha, 0);
     if((alpha == 0).all())
       return;
@@ -87,6 +95,8 @@ void stationary_iteration(Block_operator<K> multiply, Block_operator<K> precondi
       return;
     precondition(r, z);
     multiply(z, q);
+    if(!q.allFinite())
+      return;
     x += z;
     r -= q;
     project(r);

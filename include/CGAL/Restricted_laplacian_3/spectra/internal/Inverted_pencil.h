@@ -49,9 +49,9 @@ public:
     for(int j = 0; j < k.cols(); ++j)
       for(Eigen::SparseMatrix<double>::InnerIterator i(k, j); i; ++i)
         i.valueRef() *= m_scale[i.row()] * m_scale[j];
-    Eigen::SparseMatrix<double> identity(k.rows(), k.cols());
+    Eigen::SparseMatrix<double> identity(k.rows(), k.cols()), empty_rows(k.rows(), k.cols());
     identity.setIdentity();
-    Eigen::SparseMatrix<double> empty_rows = identity;
+    empty_rows.setIdentity();
     for(int j = 0; j < k.cols(); ++j)
       empty_rows.valuePtr()[j] = m_scale[j] == 0 ? 1 : 0;
     k += empty_rows;

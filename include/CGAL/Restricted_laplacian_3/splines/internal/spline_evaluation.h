@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -94,6 +95,20 @@ inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int
           points[v] = locate_on_face(space, level, surface.point(v), f);
           is_lost[v] = points[v].sheet == Sheet_point::not_on_surface;
         }
+  // Where all of them are needles, the nearest place that has a fragment stands for the tip, of
+  // places that are twice as far each time.
+  constexpr int steps = 20;
+  if(std::find(is_lost.begin(), is_lost.end(), 1) != is_lost.end())
+    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+      for(std::uint32_t v : surface.triangle(f)) {
+        const Point_3 center =
+            CGAL::centroid(surface.point(f, 0), surface.point(f, 1), surface.point(f, 2));
+        for(int step = steps; step >= 0 && is_lost[v] && !surface.is_degenerate(f); --step) {
+          const Vector_3 inwards = std::ldexp(1., -step) * (center - surface.point(v));
+          points[v] = locate_on_face(space, level, surface.point(v) + inwards, f);
+          is_lost[v] = points[v].sheet == Sheet_point::not_on_surface;
+        }
+      }
   return points;
 }
 

@@ -1,0 +1,351 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Parts of the interface that the other tests do not call: each with a value that is known.
+
+#include "catch.h"
+#include "special_shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
+#include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
+#include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
+#include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/property_map.h>
+
+#include <Eigen/IterativeLinearSolvers>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = RL::parameters;
+using shapes::Mesh;
+
+Eigen::Vector3d coordinates(const RL::Surface_point& p) {
+  return {p.point.x(), p.point.y(), p.point.z()};
+}
+
+/// not a constant, not linear, and different for each channel
+RL::Vector_3 linear_field(const RL::Point_3& p) {
+  return {1 + p.x() - 2 * p.y(), 0.5 * p.z() + p.x(), 3 - p.y()};
+}
+
+} // namespace
+
+TEST_CASE("values_at_vertices_are_interpolated_linearly", "[interface]") {
+  Mesh mesh = shapes::mesh(shapes::box(1, 0.7, 0.4, 2, 3));
+  auto map = mesh.add_property_map<Mesh::Vertex_index, RL::Vector_3>("v:field").first;
+  std::vector<double> first_component(mesh.number_of_vertices());
+  for(Mesh::Vertex_index v : mesh.vertices()) {
+    map[v] = linear_field(mesh.point(v));
+    first_component[v] = map[v].x();
+  }
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const auto field = RL::vertex_vector_field(mesh, map);
+  const auto function =
+      RL::index_function(first_component.size(), CGAL::make_property_map(first_component));
+  for(const RL::Surface_location& location : RL::sample_surface(space.surface(), 50, 1)) {
+    const RL::Surface_point p = space.surface().surface_point(location);
+    const RL::Vector_3 expected = linear_field(p.point);
+    CHECK((field(p) - expected).squared_length() <= 1e-28);
+    CHECK(function(p) == Approx(expected.x()).epsilon(1e-13));
+  }
+  const auto cubic = [](const RL::Surface_point& p) { return p.point.x() * p.point.x(); };
+  const RL::Function_of_degree<std::decay_t<decltype(cubic)>> of_degree =
+      RL::function_of_degree(cubic, 3);
+  CHECK(RL::Surface_function_view(of_degree).degree() == 3);
+  const RL::Vector_field_view view(field);
+  CHECK(view.channels() == 1);
+  CHECK(view.components() == 3);
+  CHECK(view.degree() == 1);
+  const Eigen::VectorXd load = RL::assemble_gradient_load(space, field),
+                        expected = RL::assemble_gradient_load(
+                            space, [](const RL::Surface_point&p) { return linear_field(p.point); });
+  CHECK((load - expected).norm() <= 1e-13 * expected.norm());
+}
+
+TEST_CASE("fitters_reproduce_coordinates", "[interface]") {
+  const Mesh mesh = shapes::mesh(shapes::box(1, 0.7, 0.4, 2, 3));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Default_integration integration(space);
+  RL::Function_fitter other(space, integration, params::normal_stabilization(0.5));
+  CHECK(&other.space() == &space);
+  CHECK(other.options().normal_stabilization == 0.5);
+  RL::Function_fitter fitter(space, integration);
+  const RL::Function_fit fit = fitter.fit(coordinates);
+  CHECK(fit.converged);
+  REQUIRE(fit.root_mean_square_errors.size() == 3);
+  for(double error : fit.root_mean_square_errors)
+    CHECK(error <= 1e-6);
+  const RL::Spline_functions_3 functions(space, fit.coefficients);
+  const auto locations = RL::sample_surface(space.surface(), 50, 1);
+  const RL::Spline_jets jets = functions.jets_at_locations(locations),
+                        at_vertices = functions.jets_at_vertices();
+  CHECK(jets.values == functions.values_at_locations(locations));
+  CHECK(at_vertices.values == functions.values_at_vertices());
+  for(std::size_t i = 0; i < locations.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const RL::Surface_point p = space.surface().surface_point(locations[i]);
+    for(int k = 0; k < 3; ++k) {
+      CHECK(jets.values(row, k) == Approx(p.point[k]).margin(1e-5));
+      const RL::Vector_3 derivative(jets.derivatives[0](row, k), jets.derivatives[1](row, k),
+                                    jets.derivatives[2](row, k));
+      const RL::Vector_3 axis(k == 0, k == 1, k == 2),
+          error = derivative - axis - ((derivative - axis) * p.normal) * p.normal;
+      CHECK(error.squared_length() <= 1e-6);
+      const RL::Vector_3 gradient =
+          RL::Spline_function_3(space, fit.coefficients.col(k)).gradient(locations[i]);
+      CHECK((derivative - (derivative * p.normal) * p.normal - gradient).squared_length() <= 1e-20);
+    }
+  }
+  for(Mesh::Vertex_index v : mesh.vertices())
+    for(int axis = 0; axis < 3; ++axis)
+      CHECK(at_vertices.values(static_cast<Eigen::Index>(v), axis) ==
+            Approx(mesh.point(v)[axis]).margin(1e-5));
+
+  // options of the solver are kept
+  const auto one_step = params::number_of_iterations(1).relative_tolerance(1e-12);
+  CHECK_FALSE(RL::Function_fitter(space, integration, one_step).fit(coordinates).converged);
+
+  // from loads, after a move of the fitter
+  other = std::move(fitter);
+  const RL::Function_fit again =
+      other.project(RL::assemble_component_loads(space, coordinates, space.depth(), integration));
+  CHECK(again.root_mean_square_errors.empty());
+  CHECK((RL::Spline_functions_3(space, again.coefficients).values_at_locations(locations) -
+         jets.values)
+            .cwiseAbs()
+            .maxCoeff() <= 1e-3);
+}
+
+TEST_CASE("conormals_have_the_divergence_of_the_coordinates", "[interface]") {
+  // the integral of the conormal times a coordinate is the area in the plane, along either axis
+  const Mesh mesh = shapes::mesh(shapes::rectangle(1, 0.6));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Default_integration integration(space);
+  const Eigen::MatrixXd x = RL::Function_fitter(space, integration).fit(coordinates).coefficients,
+                        of_conormals = RL::Dirichlet_boundary(space).conormal_loads();
+  REQUIRE(of_conormals.cols() == 3);
+  const Eigen::Matrix3d integrals = x.transpose() * of_conormals,
+                        expected = Eigen::Vector3d(0.6, 0.6, 0).asDiagonal();
+  CHECK((integrals - expected).cwiseAbs().maxCoeff() <= 1e-5);
+  CHECK(of_conormals.colwise().sum().cwiseAbs().maxCoeff() <= 1e-14);
+}
+
+TEST_CASE("penalties_of_boundaries_are_bounded", "[interface]") {
+  // A sliver reaches 1e-5 cells beyond a wall: the penalty that its sheet needs has no limit.
+  const double h = 0.125;
+  const Mesh mesh = shapes::mesh({{{0, 0, 0}, {1, 0, 0}, {4 * h + 1e-5 * h, 1, 0}}, {{0, 1, 2}}});
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3).cube_scale(1.));
+  const RL::Dirichlet_boundary boundary(space);
+  RL::Sparse_matrix a = RL::assemble_stiffness_matrix(space);
+  const RL::Sparse_matrix s = a;
+  boundary.add_to_matrix(a);
+  const double penalty = (a - s).eval().sum() / boundary.length();
+  CHECK(penalty > 1 / h);
+  CHECK(penalty <= RL::Dirichlet_boundary::largest_penalty / h);
+}
+
+TEST_CASE("defaults_are_those_of_the_manual", "[interface]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(2));
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3)),
+      paper(mesh, params::octree_depth(3).paper_space(true));
+  CHECK(RL::default_normal_stabilization(space) == 1e-3);
+  CHECK(RL::default_normal_stabilization(paper) == 0);
+  CHECK(RL::default_spectrum_stabilization(space) == 1e-5);
+  CHECK(RL::default_spectrum_stabilization(paper) == 0);
+  CHECK(RL::default_curvature_stabilization == 0.01);
+  CHECK(space.octree().wall_tolerance(0) == RL::Octree_3::relative_wall_tolerance);
+  CHECK(space.checked_level(3) == 3);
+  CHECK_THROWS_AS(space.checked_level(4), RL::Parameter_error);
+
+  std::vector<RL::Vector_3> normals;
+  const std::vector<RL::Point_3> points = shapes::sphere(4).points;
+  for(const RL::Point_3& p : points)
+    normals.push_back(p - CGAL::ORIGIN);
+  CHECK(RL::default_number_of_neighbors == 16);
+  const std::vector<double> areas = RL::estimate_point_areas(points, normals);
+  CHECK(areas == RL::estimate_point_areas(points, normals, RL::default_number_of_neighbors));
+  CHECK(areas != RL::estimate_point_areas(points, normals, 8));
+  const RL::Triangulated_surface_3 cloud(points, normals, areas);
+  const int depth = RL::default_octree_depth_of_points(cloud, 1.1);
+  CHECK(depth == 1); // 1026 points: 128 in each of 8 cells, of 56 cells less than 50 in each
+  CHECK_THROWS_WITH(cloud.require_triangles("this test"), Catch::Contains("this test"));
+  CHECK_NOTHROW(space.surface().require_triangles("this test"));
+}
+
+TEST_CASE("extents_are_limited", "[interface]") {
+  const auto extent = [](double length) {
+    const shapes::Triangles t = shapes::scaled(shapes::rectangle(1, 1), length);
+    return RL::Triangulated_surface_3(t.points, t.faces).extent();
+  };
+  const double smallest = RL::Triangulated_surface_3::smallest_extent,
+               largest = RL::Triangulated_surface_3::largest_extent;
+  CHECK(smallest == 1e-100);
+  CHECK(largest == 1e100);
+  CHECK(extent(smallest) == smallest);
+  CHECK(extent(largest) == largest);
+  CHECK_THROWS_AS(extent(0.999 * smallest), RL::Parameter_error);
+  CHECK_THROWS_AS(extent(1.001 * largest), RL::Parameter_error);
+}
+
+TEST_CASE("eigenvalues_are_zero_up_to_the_tolerance", "[interface]") {
+  const double largest = 50;
+  Eigen::VectorXd eigenvalues(4);
+  eigenvalues << -0.9, 0.9, 1.1, largest / (largest * RL::zero_eigenvalue_tolerance);
+  eigenvalues *= largest * RL::zero_eigenvalue_tolerance;
+  CHECK(RL::number_of_zero_eigenvalues(eigenvalues) == 2);
+}
+
+TEST_CASE("prolongations_of_all_levels", "[interface]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::octree_depth(4));
+  for(int coarsest : {0, 2, 4}) {
+    const std::vector<RL::Sparse_matrix> all = RL::prolongation_matrices(space, coarsest);
+    REQUIRE(all.size() == static_cast<std::size_t>(4 - coarsest));
+    for(std::size_t i = 0; i < all.size(); ++i) {
+      const RL::Sparse_matrix p = RL::prolongation_matrix(space, coarsest + static_cast<int>(i));
+      CHECK(p.rows() == all[i].rows());
+      CHECK((p - all[i]).norm() == 0);
+      // constants are prolongated to constants
+      CHECK((all[i] * Eigen::VectorXd::Ones(p.cols()) - Eigen::VectorXd::Ones(p.rows()))
+                .cwiseAbs()
+                .maxCoeff() <= 1e-15);
+    }
+  }
+}
+
+TEST_CASE("reports_say_how_long_it_took", "[interface]") {
+  Mesh mesh = shapes::mesh(shapes::sphere(2));
+  auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+  const auto z = [](const RL::Surface_point& p) { return p.point.z(); };
+  CGAL::Real_timer timer;
+  timer.start();
+  const RL::Solve_report report = RL::solve_poisson(mesh, z, u, params::octree_depth(3));
+  const double elapsed = timer.time();
+  for(double seconds :
+      {report.space_seconds, report.assembly_seconds, report.setup_seconds, report.solve_seconds})
+    CHECK(seconds > 0);
+  CHECK(report.space_seconds + report.assembly_seconds + report.setup_seconds +
+            report.solve_seconds <=
+        elapsed);
+
+  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  RL::Poisson_solver solver = RL::make_poisson_solver(space);
+  CHECK(solver.setup_seconds() > 0);
+  CHECK(solver.mean_projection().kernel_dimension() == 1);
+  const Eigen::VectorXd load = -RL::assemble_load(space, z);
+  Eigen::VectorXd x, y;
+  const RL::Solve_report of_load = solver.solve(load, x);
+  CHECK(of_load.setup_seconds == solver.setup_seconds());
+  CHECK(of_load.space_seconds == 0);
+  // a solver that is moved to another one solves the same
+  RL::Poisson_solver other = RL::make_poisson_solver(space, 5.);
+  other.solve(load, y);
+  CHECK(x != y);
+  other = std::move(solver);
+  other.solve(load, y);
+  CHECK(x == y);
+
+  timer.reset();
+  const RL::Gradient_report of_gradients = RL::integrate_gradient_field(
+      mesh, RL::vertex_gradients(mesh, u), u, params::octree_depth(3).vertex_details(true));
+  CHECK(of_gradients.details_seconds > 0);
+  CHECK(of_gradients.details_seconds + of_gradients.solve_seconds <= timer.time());
+}
+
+TEST_CASE("neighborhoods_do_not_change_solutions", "[interface]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));
+  const RL::Operators operators =
+      RL::assemble_operators(space, space.depth(), RL::Triangle_cubature(space), 1e-3);
+  const Eigen::VectorXd integrals = RL::assemble_element_integrals(space),
+                        b = operators.mass.col(7);
+  std::array<Eigen::VectorXd, 2> solutions;
+  for(int i = 0; i < 2; ++i) {
+    RL::Multigrid_levels levels = RL::multigrid_levels(space);
+    std::vector<std::uint64_t>& neighborhoods = levels.patches.back().neighborhoods;
+    REQUIRE(neighborhoods.size() == space.dimension());
+    if(i == 1) // each on its own
+      std::iota(neighborhoods.begin(), neighborhoods.end(), 0u);
+    const RL::Poisson_solver solver(operators.stiffness + operators.mass, std::move(levels),
+                                    integrals, 1, params::relative_tolerance(1e-10));
+    CHECK(solver.solve(b, solutions[i]).converged);
+  }
+  CHECK((solutions[0] - solutions[1]).norm() <= 1e-6 * solutions[0].norm());
+}
+
+TEST_CASE("preconditioners_keep_their_hierarchy", "[interface]") {
+  using Preconditioner = RL::Multigrid_preconditioner<RL::Patch_smoother>;
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Operators operators =
+      RL::assemble_operators(space, space.depth(), RL::Triangle_cubature(space), 1e-3);
+  const RL::Sparse_matrix a = operators.stiffness + operators.mass;
+  const Eigen::VectorXd b = operators.mass.col(5);
+  Preconditioner preconditioner(space, a);
+  const Eigen::VectorXd expected = preconditioner.solve(b);
+  // whatever matrix the solver of Eigen names
+  CHECK(preconditioner.analyzePattern(operators.mass).solve(b) == expected);
+  CHECK(preconditioner.factorize(operators.mass).solve(b) == expected);
+  CHECK(preconditioner.info() == Eigen::Success);
+
+  // nested iteration makes a guess: in energy, half of the error of 0 at most
+  const Eigen::VectorXd load =
+      RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.z(); });
+  Eigen::VectorXd exact;
+  REQUIRE(RL::make_poisson_solver(space, operators, 1, params::relative_tolerance(1e-8))
+              .solve(load, exact)
+              .converged);
+  RL::Multigrid<RL::Patch_smoother>::Workspace<1> workspace;
+  RL::internal::Block_vector<1> guess;
+  preconditioner.multigrid().nested_iteration<1>(load, guess, RL::Cycle::V, 1, workspace);
+  const Eigen::VectorXd error = guess - exact;
+  CHECK(error.dot(a * error) <= 0.25 * exact.dot(a * exact));
+}
+
+TEST_CASE("nodes_on_flat_triangles_have_the_metric_of_their_plane", "[interface]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(1)), params::octree_depth(2));
+  const RL::Default_integration integration(space);
+  const RL::Surface_integration_view view = integration;
+  CHECK(view.adds_moments());
+  double area = 0;
+  for(std::size_t sheet = 0; sheet < space.number_of_sheets(space.depth()); ++sheet)
+    view.visit_nodes(sheet, 4, [&](RL::Integration_node_block& block) {
+      for(std::size_t i = 0; i < block.size; ++i) {
+        area += block.weights[i];
+        REQUIRE(block.metrics[i] == RL::tangent_projector(block.points[i].normal));
+      }
+    });
+  const double h = space.octree().cell_width(space.depth());
+  CHECK(area * h * h == Approx(space.surface().area()).epsilon(1e-13));
+  // those that are left are handed on
+  std::size_t number = 0;
+  const auto count = [&](RL::Integration_node_block& block) { number += block.size; };
+  const RL::Integration_nodes::Consumer consumer(count);
+  RL::Integration_nodes nodes(consumer);
+  const RL::Surface_point point = space.surface().surface_point({0, {1, 0, 0}});
+  for(int i = 0; i < 40; ++i)
+    nodes.add(point, {0, 0, 0}, 1);
+  CHECK(number == RL::Integration_node_block::capacity);
+  nodes.flush();
+  CHECK(number == 40);
+  nodes.flush();
+  CHECK(number == 40);
+}
