@@ -849,7 +849,7 @@ PHRASES = [
     "published with 10.5 seconds for 100 pairs of a mesh of 85,000 vertices", "and 18.0 to",
     "with 35.8 and 68.9 for 270,000 vertices",
     # what the benchmarks do
-    "by less than 1e-10", "100 of them", "first 40", "6 is the default", "more than 16 unknowns", "fewer than 1/32",
+    "by less than 1e-12 if", "100 of them", "first 40", "6 is the default", "more than 16 unknowns", "fewer than 1/32",
     "to 30 % of", "by up to 30 %", "estimated areas of 100,000 points", "first 99", "all 99",
     "largest difference of 20 eigenvalues", "radii 1 and 0.4", "axes 1, 0.7 and 0.5", "by up to 0.3 of",
     "95th percentile", "units of 1 / (longest", "1024 times 1024 pixels", "Values of 100 functions",
