@@ -9,8 +9,8 @@
 # CGAL's lists. Headers get CGAL's block of copyright and licence, and include the licence; it is that
 # of the sources unless LICENCE is given, for example "GPL-3.0-or-later OR LicenseRef-Commercial",
 # which only the copyright holders may grant. Tests and examples get the CMakeLists.txt of CGAL's test
-# suite; tests do without Catch2, and have names that no other package has. What an earlier call wrote
-# is replaced.
+# suite; tests do without Catch2, and have names that no other package has. DEBFULLNAME and DEBEMAIL in
+# the environment name the maintainer, as in our packages. What an earlier call wrote is replaced.
 
 set -euo pipefail
 export LC_ALL=C
@@ -95,6 +95,10 @@ for kind in include doc examples test benchmark package_info; do
   mkdir -p "$package/$kind"
   cp -R "$root/$kind/." "$package/$kind"
 done
+
+if [[ -n ${DEBEMAIL-} ]]; then
+  echo "${DEBFULLNAME-} <$DEBEMAIL>" >"$package/package_info/$name/maintainer"
+fi
 
 # The licence belongs to CGAL's package Installation.
 license=Installation/include/CGAL/license

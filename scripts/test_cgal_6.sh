@@ -77,7 +77,7 @@ cat >"$log" <<END
 # CGAL: $version
 END
 report "configuration" cmake -S . -B "$build" "-DCGAL_DIR=$cgal" -DCMAKE_BUILD_TYPE=Release \
-  -DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O0 -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
+  -DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O1 -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON \
   -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF "-DRESTRICTED_LAPLACIAN_3_CGAL_6_DIR=$cgal"
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 echo "# compiler: $("$compiler" --version | head -n 1)" >>"$log"

@@ -14,7 +14,10 @@
 #include <memory>
 #include <vector>
 
+#if __has_include(<unistd.h>)
 #include <unistd.h>
+#define RESTRICTED_LAPLACIAN_3_TEST_HAS_DUP
+#endif
 
 namespace {
 
@@ -143,6 +146,7 @@ TEST_CASE("failed_factorization_is_thrown_and_not_printed", "[spectrum]") {
   m.setIdentity();
   s.setIdentity();
   s.coeffRef(17, 18) = s.coeffRef(18, 17) = 1e6;
+#ifdef RESTRICTED_LAPLACIAN_3_TEST_HAS_DUP
   std::fflush(stdout);
   const int saved = dup(1);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
@@ -154,6 +158,9 @@ TEST_CASE("failed_factorization_is_thrown_and_not_printed", "[spectrum]") {
   dup2(saved, 1);
   close(saved);
   CHECK(written == 0);
+#else
+  CHECK_THROWS_AS(RL::smallest_eigenpairs(s, m, 3), RL::Numerical_error);
+#endif
   s.coeffRef(17, 17) = -1e6;
   CHECK_THROWS_AS(RL::smallest_eigenpairs(s, m, 3), RL::Numerical_error);
 }
