@@ -25,8 +25,8 @@
 
 namespace {
 
-namespace params = RL::parameters;
 using namespace benchmarks;
+namespace params = RL::parameters;
 
 constexpr double factors[] = {0, 1e-4, 3e-4, 1e-3, 1e-2};
 
