@@ -201,7 +201,7 @@ TEST_CASE("samples_are_uniformly_distributed", "[monte_carlo]") {
   }
 }
 
-TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo]") {
+TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo][threads]") {
   const shapes::Triangles t = shapes::sphere(4);
   RL::Monte_carlo_options options;
   options.number_of_samples = 50000;
