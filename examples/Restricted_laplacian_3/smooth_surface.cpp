@@ -16,7 +16,10 @@
 #include <Eigen/Core>
 
 #include <exception>
+#include <fstream>
 #include <iostream>
+#include <stdexcept>
+#include <string>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -62,13 +65,13 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   try {
+    if(!std::ofstream(argv[2], std::ios::app)) // now, not after the work
+      throw std::runtime_error(std::string("cannot write ") + argv[2]);
     const double area = PMP::area(mesh);
     const RL::Solve_report report = smooth_surface(mesh, 1e-4 * area, params::octree_depth(7));
     std::cout << "the area falls from " << area << " to " << PMP::area(mesh) << '\n';
-    if(!CGAL::IO::write_polygon_mesh(argv[2], mesh)) {
-      std::cerr << "smooth_surface: cannot write " << argv[2] << '\n';
-      return 1;
-    }
+    if(!CGAL::IO::write_polygon_mesh(argv[2], mesh))
+      throw std::runtime_error(std::string("cannot write ") + argv[2]);
     return report.converged ? 0 : 1;
   } catch(const std::exception& e) {
     std::cerr << "smooth_surface: " << e.what() << '\n';

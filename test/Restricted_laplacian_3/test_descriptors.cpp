@@ -99,7 +99,7 @@ template <class Call> std::string refused_by(Call&& call) {
 
 } // namespace
 
-TEST_CASE("many_functions_have_the_values_of_each_of_them", "[descriptors]") {
+TEST_CASE("many_functions_have_the_values_of_each_of_them", "[descriptors][threads]") {
   shapes::Triangles t = shapes::sphere(3);
   t.points.push_back({0.3, 0.2, 0.1}); // without a face
   t.points.push_back({1, 0, 0});

@@ -491,7 +491,7 @@ TEST_CASE("gradients_on_point_sets_are_integrated", "[gradient]") {
                   RL::Input_error);
 }
 
-TEST_CASE("gradients_are_integrated_the_same_on_any_number_of_threads", "[gradient]") {
+TEST_CASE("gradients_are_integrated_the_same_on_any_number_of_threads", "[gradient][threads]") {
   const shapes::Triangles t = shapes::sphere(4);
   const auto solve = [&](const auto& tag) {
     const RL::Spline_space_3 space(t.points, t.faces, params::octree_depth(5).concurrency_tag(tag));

@@ -200,7 +200,7 @@ TEST_CASE("samples_are_uniformly_distributed", "[monte_carlo]") {
   }
 }
 
-TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo]") {
+TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo][threads]") {
   const shapes::Triangles t = shapes::sphere(4);
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified}) {
     const auto np = params::number_of_samples(50000).sampling(sampling).random_seed(7);

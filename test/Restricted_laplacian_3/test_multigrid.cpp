@@ -5,12 +5,12 @@
 
 #include "catch.h"
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Patch_groups.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_inverse.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/sum_counts.h>
 
 #include <Eigen/Dense>
 
@@ -221,7 +221,7 @@ TEST_CASE("smoother_through_the_concept_gives_the_same_cycle", "[multigrid]") {
   }
 }
 
-TEST_CASE("hierarchy_takes_the_matrix_over", "[multigrid]") {
+TEST_CASE("hierarchy_takes_the_matrix_over", "[multigrid][threads]") {
   const Sparse_matrix whole = path_matrix(size_of_finest, 0.01);
   Sparse_matrix a = whole;
   const RL::Multigrid<> with(std::move(a), path_levels(), false, true);
@@ -387,7 +387,7 @@ TEST_CASE("setup_takes_memory_in_proportion_to_the_size", "[multigrid]") {
   CHECK(large.second <= 4.5 * small.second);
 }
 
-TEST_CASE("clusters_do_not_mix_groups_that_run_at_the_same_time", "[multigrid]") {
+TEST_CASE("clusters_do_not_mix_groups_that_run_at_the_same_time", "[multigrid][threads]") {
   const int n = 400;
   const Sparse_matrix a = path_matrix(n, 0.1);
   for(int width : {2, 4, 6, 10})
@@ -494,7 +494,7 @@ TEST_CASE("solver_can_be_moved", "[multigrid]") {
   CHECK(same.cols() == 0);
 }
 
-TEST_CASE("solution_is_in_double_precision", "[multigrid]") {
+TEST_CASE("solution_is_in_double_precision", "[multigrid][threads]") {
   const int fine = 511, finest = 2 * fine + 1;
   // entries of very different size, as those of elements that hardly reach the surface
   Eigen::VectorXd scale(finest);
@@ -547,7 +547,7 @@ TEST_CASE("one_patch_of_everything_is_the_inverse", "[multigrid]") {
   CHECK(largest <= 2e-4 * load.norm());
 }
 
-TEST_CASE("half_of_a_matrix_has_the_products_of_the_whole", "[multigrid]") {
+TEST_CASE("half_of_a_matrix_has_the_products_of_the_whole", "[multigrid][threads]") {
   // several parts, empty rows, a missing diagonal entry
   for(int n : {1, 7, 1024, 20000}) {
     std::vector<Eigen::Triplet<double>> entries;

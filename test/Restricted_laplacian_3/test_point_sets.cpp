@@ -437,7 +437,7 @@ TEST_CASE("splitting_keeps_connected_points_together", "[points]") {
   CHECK(components(repeated, 3) == 1);
 }
 
-TEST_CASE("points_do_not_depend_on_threads", "[points]") {
+TEST_CASE("points_do_not_depend_on_threads", "[points][threads]") {
   const Oriented_points points = shapes::random_sphere_points(20000, 2);
   const std::vector<double> areas = areas_of_points(points),
                             parallel = areas_of_points(points, 16, true);
