@@ -34,12 +34,12 @@ std::atomic<std::size_t> allocated_bytes(0);
 
 } // namespace
 
-// AddressSanitizer needs its own operators; nothing is counted then.
+// Sanitizers need their own operators; nothing is counted then.
 #if defined(__has_feature)
-#if __has_feature(address_sanitizer)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define ALLOCATIONS_ARE_NOT_COUNTED
 #endif
-#elif defined(__SANITIZE_ADDRESS__)
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define ALLOCATIONS_ARE_NOT_COUNTED
 #endif
 
