@@ -6,8 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 
-// ThreadSanitizer does not see into TBB's library, which is not compiled for it, and takes each task
-// that is handed on for a data race: there, threads of the standard library stand in.
+// ThreadSanitizer does not see into TBB's library, which is not compiled for it, and takes each
+// task that is handed on for a data race: there, threads of the standard library stand in.
 #if defined(__SANITIZE_THREAD__)
 #define CGAL_RESTRICTED_LAPLACIAN_3_STANDARD_THREADS
 #elif defined(__has_feature)
