@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Measures all that is in results/, on one commit.
+# Measures what is in results/, on one commit: all but panels and sorts_and_inverses, which are built twice.
 #
 # usage: measure.sh BUILD_DIR [RESULT...]
 #        measure.sh --list

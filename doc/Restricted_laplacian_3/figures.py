@@ -300,16 +300,23 @@ def scans():
 
 
 def table_scans_eigenvalues():
-    part = {(s, d): v for what, s, d, _, _, v in scans() if what == "part"}
-    body = []
-    for what, space, depth, per_cell, poisson, values in scans():
-        if what == "points":
-            reference = part[space, depth]
-            largest = max(abs(a / b - 1) for a, b in zip(values, reference))
-            body.append([space, str(depth), whole(float(per_cell)), f"{values[0]:.1f}",
-                         f"{reference[0]:.1f}", f"{100 * largest:.1f} %", f"{100 * float(poisson):.1f} %"])
-    return table(["Elements", "Depth", "Points in a cell", "First eigenvalue, points", "mesh",
-                  "Largest difference", "Poisson"], body, 1)
+    part = {(space, depth): values for what, space, depth, _, _, values in scans() if what == "part"}
+    return pivot(["Elements"],
+                 (((space,), f"depth {depth}",
+                   100 * max(abs(a / b - 1) for a, b in zip(values, part[space, depth])))
+                  for what, space, depth, _, _, values in scans() if what == "points"), 1, None, percent)
+
+
+def table_scans_poisson():
+    return pivot(["Elements"], (((space,), f"depth {depth}", 100 * float(difference))
+                                for what, space, depth, _, difference, _ in scans() if what == "points"),
+                 1, None, percent)
+
+
+def table_scans_density():
+    return pivot(["Elements"], (((space,), f"depth {depth}", float(per_cell))
+                                for what, space, depth, per_cell, _, _ in scans() if what == "points"),
+                 1, None, whole)
 
 
 # ---- solvers
@@ -750,10 +757,6 @@ def table_gradients_steps():
     return gradients("details", whole)
 
 
-def table_gradients_seconds():
-    return gradients("total_s", seconds)
-
-
 STITCHING = {"nearest": "nearest scan", "chosen": "chosen scan", "paper": "paper",
              "paper+exp": "paper, matched", "bp": "back-projected", "bp+exp": "the same, matched",
              "bp+exp+det": "default"}
@@ -842,7 +845,7 @@ PLAIN = re.compile(r"""
 """, re.X)
 PHRASES = [
     # programs and versions
-    "bare Debian 12", "On Debian 12", "CGAL 5.5 or later, Eigen 3.4", "CMake for 0.2 get 0.2.x", "returns 0 only",
+    "bare Debian 12", "On Debian 12", "CGAL 5.5 or later, Eigen 3.4", "returns 0 only",
     "and 30 commits", "and 18 commits", "and 280 commits",
     # citations
     "by Restricting 3D Functions", "> by Restricting 3D Functions", "28(5), 1475-1484",

@@ -49,6 +49,7 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors of the fit, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class FaceGraph, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
@@ -72,9 +73,11 @@ Fit_report estimate_curvature(const FaceGraph& tm, VertexMap curvatures,
 ///   \named_curvature_method
 ///   \named_vertex_normal_map
 ///   \named_of_curvature
+///   \named_geom_traits
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors of the fit, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class PointRange, class TriangleRange, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
@@ -98,6 +101,7 @@ Fit_report estimate_curvature(const PointRange& points, const TriangleRange& tri
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
+/// \throws Canceled if the callback returned `false`
 ///
 /// On points, whose boundary is not known, `Curvature_method::coordinates` takes the surface as
 /// closed.
@@ -128,6 +132,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Curvature_field estimate_curvature(const Spline_space_3& space,
@@ -149,6 +154,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Curvature_field estimate_curvature(const Spline_space_3& space,

@@ -49,10 +49,12 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 ///   \named_of_mesh
 ///   \named_of_points
 ///   \named_of_fits
+///   \named_callback
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations (of all solves together but those of refinement
 /// steps), residuals, errors, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class FaceGraph, class Function, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
@@ -76,9 +78,12 @@ Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_fits
+///   \named_callback
+///   \named_geom_traits
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class PointRange, class TriangleRange, class Function, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0,
@@ -101,6 +106,7 @@ Fit_report fit_function(const PointRange& points, const TriangleRange& triangles
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_fits
+///   \named_callback
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \return the coefficients, whether the solver converged, iterations (of all solves together but
@@ -122,10 +128,12 @@ Function_fit fit_function(const Spline_space_3& space, const Surface_integration
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_fits
+///   \named_callback
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \return the coefficients, whether the solver converged, iterations, residuals, errors, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Function_fit fit_function(const Spline_space_3& space, const Surface_function_view& f,

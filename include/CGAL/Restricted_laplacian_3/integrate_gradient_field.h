@@ -146,6 +146,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class FaceGraph, class VectorField, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
@@ -169,9 +170,11 @@ Gradient_report integrate_gradient_field(const FaceGraph& tm, const VectorField&
 ///   \named_of_space
 ///   \named_of_gradients
 ///   \named_vertex_details{`false`}
+///   \named_geom_traits
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class PointRange, class TriangleRange, class VectorField, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0,
@@ -232,6 +235,7 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space,
 /// \return the coefficients, whether the solver converged, iterations, residuals, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `v`, of the
 /// target or of the weight cannot be used; names the face
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_field_view& v,

@@ -38,6 +38,7 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
@@ -55,8 +56,10 @@ Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_spectrum
+///   \named_geom_traits
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class PointRange, class TriangleRange,
           class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
@@ -77,6 +80,7 @@ Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange&
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
 /// \throws Numerical_error if a factorisation fails
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
                                   const Surface_integration_view& integration,
@@ -97,6 +101,7 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
 /// \throws Numerical_error if a factorisation fails
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
@@ -142,6 +147,7 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
 /// \throws Numerical_error if a factorisation fails
+/// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
                                     const Surface_integration_view& integration,

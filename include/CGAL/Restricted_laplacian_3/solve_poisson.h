@@ -155,9 +155,11 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_poisson
+///   \named_geom_traits
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class PointRange, class TriangleRange, class Function, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0>
@@ -193,6 +195,7 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class FaceGraph, class Function, class Alpha, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -219,9 +222,11 @@ Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, cons
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_poisson
+///   \named_geom_traits
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Canceled if the callback returned `false`
 template <class PointRange, class TriangleRange, class Function, class Alpha, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0>

@@ -65,6 +65,7 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 ///   \named_of_space
 ///   \named_of_mesh
 ///   \named_of_stitching
+///   \named_callback
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter; or no scan
 /// comes near the surface
@@ -89,9 +90,12 @@ Stitching_report stitch_colors(const FaceGraph& tm, const std::vector<Colored_sc
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_stitching
+///   \named_callback
+///   \named_geom_traits
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter; or no scan
 /// comes near the surface
+/// \throws Canceled if the callback returned `false`
 template <class PointRange, class TriangleRange, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>

@@ -79,6 +79,7 @@ Poisson_solver poisson_solver_of(const Spline_space_3& space, const Operators& o
 /// \cgalNamedParamsBegin
 ///   \named_stabilization
 ///   \named_of_solver{`1e-3`}
+///   \named_callback
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
@@ -102,6 +103,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
 /// \cgalNamedParamsBegin
 ///   \named_stabilization
 ///   \named_of_solver{`1e-3`}
+///   \named_callback
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain

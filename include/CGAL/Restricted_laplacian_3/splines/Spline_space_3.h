@@ -131,6 +131,7 @@ public:
   /// \param np optional named parameters:
   /// \cgalNamedParamsBegin
   ///   \named_of_space
+  ///   \named_geom_traits
   /// \cgalNamedParamsEnd
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
   template <class PointRange, class TriangleRange,

@@ -132,6 +132,7 @@ public:
   ///   \named_pose
   ///   \named_viewpoint
   ///   \named_concurrency_tag
+  ///   \named_geom_traits
   /// \cgalNamedParamsEnd
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
   template <class PointRange, class TriangleRange, class IndexMap,
