@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # CPack runs this script on the installed files before it packs them. In a Debian package the
-# documentation has a folder of the package's name, with the licence and the changes in the form
+# documentation has a folder of the package's name, with the license and the changes in the form
 # that Debian's policy asks for, and the manual uses Debian's MathJax. The package of the library
 # depends on that of the headers, and needs only a link to its documentation.
 

@@ -45,7 +45,7 @@ if(RESTRICTED_LAPLACIAN_3_BUILD_DOC)
 endif()
 set(CPACK_DEBIAN_HEADERS_DESCRIPTION
 "Headers for Poisson problems, spectra, curvature, fits of functions and
-colours of scans on triangle meshes, triangle soups and oriented points, in
+colors of scans on triangle meshes, triangle soups and oriented points, in
 the style of CGAL. The functions do not depend on the triangulation: they are
 B-splines on an octree, restricted to the surface.")
 

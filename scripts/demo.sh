@@ -5,7 +5,7 @@
 # Usage: scripts/demo.sh
 #
 # Installs what is missing, builds the library and two programs in build/, solves a Poisson problem on
-# CGAL's bunny and computes its spectrum. Tables, coloured meshes (PLY) and pictures (PNG) go to
+# CGAL's bunny and computes its spectrum. Tables, colored meshes (PLY) and pictures (PNG) go to
 # demo_output/.
 
 set -euo pipefail
@@ -37,5 +37,5 @@ run laplace_spectrum "$mesh" --count 12 --depth 6 --eigenfunction 6 \
   --output eigenfunction.ply --csv spectrum.csv
 run draw_mesh eigenfunction.ply eigenfunction.png
 echo
-echo "Pictures (PNG), coloured meshes (PLY) and tables (CSV) are in $PWD:"
+echo "Pictures (PNG), colored meshes (PLY) and tables (CSV) are in $PWD:"
 ls -l

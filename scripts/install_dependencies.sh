@@ -19,7 +19,7 @@ packages=(
 others=(
   pkg-config clang libclang-rt-14-dev llvm clang-format catch2
   libbenchmark-dev libhypre-dev
-  doxygen libjs-mathjax python3 hunspell hunspell-en-gb
+  doxygen libjs-mathjax python3 hunspell hunspell-en-us
 )
 case "$*" in
   '') packages+=("${others[@]}") ;;

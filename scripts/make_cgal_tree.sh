@@ -2,12 +2,12 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Usage: scripts/make_cgal_tree.sh FOLDER [LICENCE]
+# Usage: scripts/make_cgal_tree.sh FOLDER [LICENSE]
 #
 # Lays the package out as CGAL's repository wants it: the package in FOLDER/Restricted_laplacian_3/, and
-# its licence in FOLDER/Installation/. FOLDER may be a clone of CGAL; then the package also enters
-# CGAL's lists. Headers get CGAL's block of copyright and licence, and include the licence; it is that
-# of the sources unless LICENCE is given, for example "GPL-3.0-or-later OR LicenseRef-Commercial",
+# its license in FOLDER/Installation/. FOLDER may be a clone of CGAL; then the package also enters
+# CGAL's lists. Headers get CGAL's block of copyright and license, and include the license; it is that
+# of the sources unless LICENSE is given, for example "GPL-3.0-or-later OR LicenseRef-Commercial",
 # which only the copyright holders may grant. Tests and examples get the CMakeLists.txt of CGAL's test
 # suite; tests do without Catch2, and have names that no other package has. DEBFULLNAME and DEBEMAIL in
 # the environment name the maintainer, as in our packages. What an earlier call wrote is replaced.
@@ -16,28 +16,28 @@ set -euo pipefail
 export LC_ALL=C
 
 if (($# < 1 || $# > 2)); then
-  echo "Usage: scripts/make_cgal_tree.sh FOLDER [LICENCE]" >&2
+  echo "Usage: scripts/make_cgal_tree.sh FOLDER [LICENSE]" >&2
   exit 2
 fi
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 mkdir -p "$1"
 cgal=$(cd "$1" && pwd)
-licence=${2:-GPL-3.0-or-later}
+license=${2:-GPL-3.0-or-later}
 name=Restricted_laplacian_3
 title="Laplacian by Restricted Splines"
 prefix=cgal:rl3-
 package=$cgal/$name
 own=$root/test/$name/project/cgal_tree
 
-# with_cgal_header FILE...: CGAL's comment in place of the first two lines, and the licence before all
+# with_cgal_header FILE...: CGAL's comment in place of the first two lines, and the license before all
 # else that is included
 with_cgal_header() {
   local file
   for file in "$@"; do
-    awk -v licence="$licence" -v name="$name" '
+    awk -v license="$license" -v name="$name" '
       NR == 1 {
         print $0 "\n// All rights reserved.\n//\n// This file is part of CGAL (www.cgal.org)\n//"
-        print "// $URL$\n// $Id$\n// SPDX-License-Identifier: " licence "\n//"
+        print "// $URL$\n// $Id$\n// SPDX-License-Identifier: " license "\n//"
         print "// Author(s)     : The " name " developers"
       }
       NR <= 2 || /^#include <CGAL\/license\// { next }
@@ -100,7 +100,7 @@ if [[ -n ${DEBEMAIL-} ]]; then
   echo "${DEBFULLNAME-} <$DEBEMAIL>" >"$package/package_info/$name/maintainer"
 fi
 
-# The licence belongs to CGAL's package Installation.
+# The license belongs to CGAL's package Installation.
 license=Installation/include/CGAL/license
 mkdir -p "$cgal/$license"
 mv "$package/include/CGAL/license/$name.h" "$cgal/$license"

@@ -46,7 +46,7 @@ configure() {
     "${@:2}"
 }
 
-# The library at the speed that users have. In programs little is left to optimise, and a GCC that
+# The library at the speed that users have. In programs little is left to optimize, and a GCC that
 # collects its garbage more often keeps the largest of them below 1.5 GB.
 configure_all() {
   local program_options="-O1;--param=ggc-min-expand=10;--param=ggc-min-heapsize=500000"

@@ -16,10 +16,10 @@ updated=$(awk -v source="$source" '
   index($0, "<!-- begin " source) {
     print
     print "```cpp"
-    skip_licence = 1
+    skip_license = 1
     while((getline line < source) > 0) {
-      if(skip_licence && (line ~ /^\/\/ (Copyright|SPDX)/ || line == "")) continue
-      skip_licence = 0
+      if(skip_license && (line ~ /^\/\/ (Copyright|SPDX)/ || line == "")) continue
+      skip_license = 0
       print line
     }
     print "```"

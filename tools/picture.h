@@ -48,7 +48,7 @@ inline Vector unit(const Vector& v) {
   return length > 0 ? v / length : Vector(0, 0, 1);
 }
 
-// Coordinates of the picture: x to the right, y up, z towards the viewer, who stands to the right
+// Coordinates of the picture: x to the right, y up, z toward the viewer, who stands to the right
 // of the front and somewhat above it, unless told otherwise.
 class View {
 public:

@@ -45,7 +45,7 @@ struct Camera {
 struct Lighting {
   Color gain = {1, 1, 1};
   double lamp = 0;                       // 0: light from everywhere only; 1: the lamp only
-  RL::Vector_3 lamp_direction{0, 0, -1}; // towards the lamp, of length 1, in the camera's frame
+  RL::Vector_3 lamp_direction{0, 0, -1}; // toward the lamp, of length 1, in the camera's frame
   bool in_linear_light = false;          // whether factors apply to linear light
 };
 
@@ -68,7 +68,7 @@ inline std::vector<RL::Vector_3> spread_directions(int number) {
   return directions;
 }
 
-// A camera that sees all of a ball, from a direction seen from its centre.
+// A camera that sees all of a ball, from a direction seen from its center.
 inline Camera camera_around(const RL::Point_3& center, double radius, RL::Vector_3 direction,
                             double field_of_view, int resolution) {
   const auto unit = [](const RL::Vector_3& v) { return v / std::sqrt(v.squared_length()); };
@@ -86,7 +86,7 @@ inline Camera camera_around(const RL::Point_3& center, double radius, RL::Vector
 // Cameras around a surface that see all of it.
 inline std::vector<Camera> cameras_around(const RL::Triangulated_surface_3& surface, int number,
                                           double field_of_view, int resolution) {
-  double squared_radius = 0; // around the centre of the bounding box
+  double squared_radius = 0; // around the center of the bounding box
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
     for(int i = 0; i < 3; ++i)
       squared_radius =
@@ -192,7 +192,7 @@ private:
   struct Hit {
     std::size_t face;
     double depth;                      // along z
-    RL::Vector_3 normal;               // of the face, in the camera's frame, towards the eye
+    RL::Vector_3 normal;               // of the face, in the camera's frame, toward the eye
     std::array<double, 3> barycentric; // in the face
   };
 
@@ -212,7 +212,7 @@ private:
     std::vector<Color> colors;
   };
 
-  // through the centre of a pixel, with z = 1
+  // through the center of a pixel, with z = 1
   static RL::Vector_3 pixel_ray(const Camera& camera, int row, int column) {
     const double pixel = 2 * camera.tangent / camera.resolution;
     return {(column + 0.5) * pixel - camera.tangent, (row + 0.5) * pixel - camera.tangent, 1};

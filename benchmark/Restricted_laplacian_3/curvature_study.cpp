@@ -17,7 +17,7 @@
 // for Gaussian curvature. The curvatures of the simplified mesh are compared at its vertices with
 // those of the original at the nearest point.
 //
-// normals: the fit of interpolated and renormalised vertex normals as in the paper's figure 5, and
+// normals: the fit of interpolated and renormalized vertex normals as in the paper's figure 5, and
 // of the normals of the faces; root mean square error, iterations to 1e-8.
 //
 // edges: mean curvature from the Laplacian of the coordinates as in the paper's figure 6, on a mesh

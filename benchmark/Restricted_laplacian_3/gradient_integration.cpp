@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How well are known colours found from their gradients? The experiment of the paper's figure 4:
-// the colours at the vertices of a mesh, divided by 255 and interpolated linearly, have a gradient
+// How well are known colors found from their gradients? The experiment of the paper's figure 4:
+// the colors at the vertices of a mesh, divided by 255 and interpolated linearly, have a gradient
 // on each triangle; integrate_gradient_field() integrates the three channels of that field, and the
-// mean of each is that of the colours.
+// mean of each is that of the colors.
 //
 // - guess: nested iteration only, a W-cycle on each level but the finest
 // - w_cycle: and a single W-cycle, without conjugate gradients, as in the paper
@@ -14,7 +14,7 @@
 // - cholmod: the cotangent system with one vertex held fast, by CHOLMOD with AMD ordering, which
 //   solves this problem exactly: the gradient of a function that is linear in each triangle is what
 //   it was made for. So its error is rounding.
-// Spaces: split is the default; paper is that of the paper, without stabilisation.
+// Spaces: split is the default; paper is that of the paper, without stabilization.
 //
 // rms is (sum_v a_v |u - g|^2 / sum_v a_v)^(1/2), with a third of the area of the faces around a
 // vertex as a_v and the sum over the three channels in |u - g|^2; rms/ch has their mean there, so

@@ -7,7 +7,7 @@
 //   and stratified, and the slopes of the lines of least squares; seconds for a million samples
 // eigenvalues: error of the eigenvalues of a sphere by samples, beside that by cubature of the same
 //   mesh at the same depth, and the standard error that is estimated from the samples
-// areas: sums and spread of the areas that are estimated for points, over the number of neighbours
+// areas: sums and spread of the areas that are estimated for points, over the number of neighbors
 // points: error of the eigenvalues l = 1 .. 5 of the unit sphere from points alone, over their
 //   number and the depth
 // scans: two range scans of the bunny, put together by their poses as a set of points, against the

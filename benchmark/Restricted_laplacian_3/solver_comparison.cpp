@@ -5,7 +5,7 @@
 // of a mesh at some depths, and for each solver and tolerance: seconds of setup and solution,
 // iterations, the residual that was reached, and memory. After the paper's section 5.4 and table 2
 // (tolerance 5e-3). With --screening A the matrix is S + A M / h^2, h the width of the cells, and
-// with --matrix mass it is M / h^2, that of a fit. (In each of them with the stabilisation.)
+// with --matrix mass it is M / h^2, that of a fit. (In each of them with the stabilization.)
 //
 // The right-hand side (--rhs) is
 // - x: the load of the x coordinate, without screening minus its mean;

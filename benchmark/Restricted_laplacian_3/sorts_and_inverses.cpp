@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Are a sort and an inverse of our own worth their code? Measures, beside what libraries have,
-// - `stable_sort_by_key()`: of the elements of sheets by their centres, and of fragments of
+// - `stable_sort_by_key()`: of the elements of sheets by their centers, and of fragments of
 //   triangles by their cells, in rows as a scanner sees them or in random order, at a depth where a
 //   sphere has 50,000 cells. Sorts that are not stable break ties by the number of the value.
 // - `Symmetric_inverse`: of the blocks of a smoother, which have up to 64 unknowns, most of them
@@ -197,7 +197,7 @@ std::vector<Fragment> fragments_in_rows(int rows) {
   return result;
 }
 
-/// the centres of the 27 elements of each cell, in the order of cells
+/// the centers of the 27 elements of each cell, in the order of cells
 std::vector<Element> elements_of_cells(const std::vector<Fragment>& fragments) {
   std::vector<std::uint64_t> cells;
   for(const auto& fragment : fragments)

@@ -78,7 +78,7 @@ if(MATHJAX_DIR)
     get_filename_component(folder "${part}" DIRECTORY)
     file(COPY "${MATHJAX_DIR}/${part}" DESTINATION "${mathjax}/${folder}")
   endforeach()
-  # Debian's text of its licence
+  # Debian's text of its license
   if(EXISTS /usr/share/doc/libjs-mathjax/copyright)
     file(COPY /usr/share/doc/libjs-mathjax/copyright DESTINATION "${mathjax}")
   endif()

@@ -45,7 +45,7 @@ def expand(text, aliases):
 
 
 def constants_of(text):
-    """constants and initialised variables, by name; the first one counts"""
+    """constants and initialized variables, by name; the first one counts"""
     return dict(reversed(re.findall(r"(\w+)\s*=\s*([\w.:+-]+)[;,]", text)))
 
 

@@ -4,7 +4,7 @@
 """Checks the spelling of the manual, of the comments that Doxygen reads, and of the Markdown files:
 check_spelling.py --root FOLDER --hunspell PROGRAM
 
-The spelling is British, with -ise. Code, formulas and what stands in quotation marks are left out,
+The spelling is American, as that of names in the code. Code, formulas and what stands in quotation marks are left out,
 and so is the bibliography, which quotes titles. Words that the dictionary does not know are in
 spelling_words.txt beside this file, one on a line, sorted, in the singular, with a small first
 letter unless it is a name; one that is used no more is an error.
@@ -16,7 +16,7 @@ import re
 import subprocess
 import sys
 
-DICTIONARY = "en_GB"
+DICTIONARY = "en_US"
 
 # What is no prose, in the order in which it is taken out. Line breaks stay, for the line numbers.
 NO_PROSE = [
@@ -45,9 +45,6 @@ NO_PROSE = [
     r"[\\@](cgalBibEntry|cgalCite|cgalPkgBib|cgalParamNBegin|cgalPkgManuals)\{[^}]*\}",
     r"[\\@]\w+",
 ]
-
-AMERICAN = re.compile(r"\w+(i[zZ](e|es|ed|er|ers|ing|able|ation|ations)|yz(e|es|ed|ing))$")
-NOT_AMERICAN = {"size", "sizes", "sized", "resize", "seize", "prize"}
 
 
 def blank(match):
@@ -141,8 +138,7 @@ def main():
             print(f"{own.name}: {word} is not used")
             errors += 1
     for word in sorted(places, key=str.lower):
-        is_american = AMERICAN.match(word) and word.lower() not in NOT_AMERICAN
-        if (is_american or word in unknown) and word not in known:
+        if word in unknown and word not in known:
             print(f"{word}: {', '.join(places[word][:5])}")
             errors += 1
     print(f"{len(places)} words in {len(files)} files, {errors} errors")

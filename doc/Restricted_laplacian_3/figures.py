@@ -285,7 +285,7 @@ def table_points_areas():
     for line in lines_of("monte_carlo_convergence"):
         match = re.match(r"(sphere|torus) +(regular|random) +(\d+) +(\S+) +\S+ +\S+$", line)
         if match:
-            values.append(((match[1], match[2]), f"{match[3]} neighbours", float(match[4])))
+            values.append(((match[1], match[2]), f"{match[3]} neighbors", float(match[4])))
     return pivot(["Surface", "Points"], values, 2, None, error)
 
 
@@ -514,7 +514,7 @@ def table_dense_seconds_two_threads():
 
 
 def same_pencil(column, text):
-    names = {"shift_invert_cholmod": "factorisation", "multigrid_eigenpairs": "multigrid"}
+    names = {"shift_invert_cholmod": "factorization", "multigrid_eigenpairs": "multigrid"}
 
     def key(r):
         pairs, tolerance = re.search(r"(\d+) pairs, tolerance (\S+)", r.heading).groups()
@@ -523,7 +523,7 @@ def same_pencil(column, text):
     return pivot(["Unknowns", "Pairs", "Residual asked"],
                  ((key(r), names[r["what"]], r.get(column, ""))
                   for r in rows("eigensolver_comparison", "what", "pairs", "MiB", comment=", depth ")
-                  if "--no-peer" not in r.command), 0, ["multigrid", "factorisation"], text)
+                  if "--no-peer" not in r.command), 0, ["multigrid", "factorization"], text)
 
 
 def table_eigenpairs_seconds():
@@ -734,7 +734,7 @@ def table_curvature_change_K():
     return curvature_change("rms_of_K")
 
 
-# ---- gradients and colours
+# ---- gradients and colors
 
 
 GRADIENTS = {"guess": "first guess", "w_cycle": "one W-cycle", "converged": "converged",

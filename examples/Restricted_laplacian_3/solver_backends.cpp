@@ -47,7 +47,7 @@ void run(const Mesh& mesh) {
   const RL::Spline_space_3 space(mesh, params::octree_depth(5));
   const double alpha = 10 / space.surface().area();
 
-  // The stabilisation is what makes the matrix well conditioned; without it, factorizations and
+  // The stabilization is what makes the matrix well conditioned; without it, factorizations and
   // incomplete ones meet pivots that are rounding errors.
   const RL::Operators operators = RL::assemble_operators(
       space, space.depth(), RL::Triangle_cubature(space), RL::default_normal_stabilization(space));

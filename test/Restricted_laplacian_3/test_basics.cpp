@@ -40,7 +40,7 @@ std::uint64_t interleaved_bits(const std::array<int, 3>& index) {
   return key;
 }
 
-/// value at `x`, in units of the cell width, of the spline that is centred on cell `i`
+/// value at `x`, in units of the cell width, of the spline that is centered on cell `i`
 double spline(int i, double x) {
   const int cell = static_cast<int>(std::floor(x));
   const int offset = i - cell;
@@ -234,7 +234,7 @@ TEST_CASE("spline_derivatives_agree_with_differences", "[basics]") {
 TEST_CASE("splines_are_c1_across_cells", "[basics]") {
   const auto v0 = RL::B_spline_1::values(0), v1 = RL::B_spline_1::values(1),
              d0 = RL::B_spline_1::derivatives(0), d1 = RL::B_spline_1::derivatives(1);
-  // A spline has offset +1 in the cell below its centre, then 0, then -1.
+  // A spline has offset +1 in the cell below its center, then 0, then -1.
   for(const auto& [at_zero, at_one] : {std::make_pair(v0, v1), std::make_pair(d0, d1)}) {
     CHECK(at_zero[2] == 0);
     CHECK(at_one[2] == at_zero[1]);
@@ -287,7 +287,7 @@ TEST_CASE("products_of_splines_are_those_of_their_pieces", "[basics]") {
     const auto [x, y, z] = Basis::pieces_of(i);
     CHECK(Basis::number(x, y, z) == i);
     CHECK(Basis::offset(i) == std::array<int, 3>{x - 1, y - 1, z - 1});
-    // the spline that is centred on the cell at the offset
+    // the spline that is centered on the cell at the offset
     const std::array<double, 3> b = {spline(x - 1, t[0]), spline(y - 1, t[1]), spline(z - 1, t[2])};
     CHECK(values[i] == Approx(b[0] * b[1] * b[2]));
     for(int axis = 0; axis < 3; ++axis) {

@@ -596,7 +596,7 @@ TEST_CASE("fills_that_rounding_makes_singular_are_refused", "[stitch]") {
 }
 
 TEST_CASE("exposures_are_found_from_overlaps", "[stitch]") {
-  // Scans 0 .. 3 overlap in a row, scan 4 overlaps with none. Some colours are wrong.
+  // Scans 0 .. 3 overlap in a row, scan 4 overlaps with none. Some colors are wrong.
   const std::array<double, 5> exposures = {0.5, 0.8, 0.7, 0.6, 0.9};
   std::vector<RL::Back_projection> scans(5);
   std::mt19937 generator(1);

@@ -129,7 +129,7 @@ TEST_CASE("constant_tensor_multiplies_the_stiffness_and_nothing_else", "[contrac
                       tensor = RL::assemble_operators(space, 4, diffusion);
   CHECK(relative_difference(tensor.stiffness, 3 * plain.stiffness) < 1e-14);
   CHECK(relative_difference(tensor.mass, plain.mass) < 1e-14);
-  // The stabilisation is made of areas and normals, which a tensor does not change.
+  // The stabilization is made of areas and normals, which a tensor does not change.
   constexpr double c = 0.1;
   const RL::Operators plain_c = RL::assemble_operators(space, 4, cubature, c),
                       tensor_c = RL::assemble_operators(space, 4, diffusion, c);

@@ -89,7 +89,7 @@ Eigen::RowVector3d weighted_mean(const RL::Spline_space_3& space,
   return integrals.transpose() * coefficients / integrals.sum();
 }
 
-/// with little stabilisation and a small tolerance
+/// with little stabilization and a small tolerance
 constexpr double small_stabilization = 1e-8;
 template <class Parameters> auto exact(double tolerance, const Parameters& np) {
   return np.normal_stabilization(small_stabilization).relative_tolerance(tolerance);
@@ -261,7 +261,7 @@ TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {
   const auto fast = systems(cubature, by_face, 0, 0.1),
              general = systems(cubature, by_face, 6, 0.1),
              of_smooth = systems(cubature, smooth, 6, 0.1);
-  // the stabilisation has the weight too
+  // the stabilization has the weight too
   const auto one = systems(
       cubature, [](const RL::Surface_point&) { return 2.; }, 0, 0.1);
   RL::internal::Elliptic_operator with_number;

@@ -87,7 +87,7 @@ std::array<double, 3> center(const RL::Fragment& fragment, const RL::Cell_3& cel
 
 } // namespace
 
-TEST_CASE("domain_cube_is_centred_on_the_bounding_box", "[octree]") {
+TEST_CASE("domain_cube_is_centered_on_the_bounding_box", "[octree]") {
   for_each_octree([](const RL::Octree_3& octree) {
     const RL::Triangulated_surface_3& surface = octree.surface();
     CHECK(octree.cell_width(0) == octree.side());

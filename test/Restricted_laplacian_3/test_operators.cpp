@@ -78,9 +78,9 @@ double integral(const RL::Triangulated_surface_3& surface,
 }
 
 /// A triquadratic polynomial on the domain cube, p(x) = product over axes of x_a^2 + c_a x_a, in
-/// units of the cube around its centre, and its coefficients in the splines: those of 1D splines
+/// units of the cube around its center, and its coefficients in the splines: those of 1D splines
 /// are the values of the blossom at the two inner knots, at half a cell on both sides of the
-/// centre.
+/// center.
 struct Triquadratic {
   const RL::Octree_3& octree;
   std::array<double, 3> c;

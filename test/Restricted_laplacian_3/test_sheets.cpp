@@ -334,7 +334,7 @@ TEST_CASE("edges_and_faces_in_walls_tear_nothing", "[sheets][slow]") {
                                    {"prism", prism(6, 1, 0.5), 0.02},
                                    {"rotor", rotor(4, 0.25), 0.04}};
   for(const auto& [name, t, tolerance] : cases) {
-    // A tiny triangle besides the shape moves the centre of the bounding box, and so the walls. It
+    // A tiny triangle besides the shape moves the center of the bounding box, and so the walls. It
     // adds one eigenvalue 0 and else only very large ones.
     double high[3] = {0, 0, 0};
     for(const RL::Point_3& p : t.points)

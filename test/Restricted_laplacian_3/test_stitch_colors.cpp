@@ -126,7 +126,7 @@ TEST_CASE("seams_of_overlapping_scans_vanish", "[stitch]") {
   for(const Case& c : {Case{true, Source::back_projection, true, 2e-4, 100},
                        Case{true, Source::back_projection, false, 1e-2, 20},
                        Case{true, Source::scans, true, 9e-3, 20},
-                       // the colours that pull are those of different exposures
+                       // the colors that pull are those of different exposures
                        Case{false, Source::back_projection, true, 3e-2, 20}}) {
     RL::internal::Color_stitching_options options;
     options.match_exposures = c.match_exposures;
@@ -279,7 +279,7 @@ TEST_CASE("uncovered_parts_are_filled_smoothly", "[stitch]") {
         low[k] = (std::min)(low[k], true_color(t.points[v])[k]);
         high[k] = (std::max)(high[k], true_color(t.points[v])[k]);
       }
-  // covered parts keep their colours, and filled ones are harmonic: nearly constant far away
+  // covered parts keep their colors, and filled ones are harmonic: nearly constant far away
   std::array<double, 3> lowest = {1, 1, 1}, highest = {0, 0, 0};
   for(std::size_t v = 0; v < t.points.size(); ++v)
     for(int k = 0; k < 3; ++k) {
@@ -523,7 +523,7 @@ TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", 
   for(int k = 0; k < 3; ++k)
     CHECK(r.scans[1].gains[k] * exposures[1] ==
           Approx(r.scans[0].gains[k] * exposures[0]).epsilon(1e-3));
-  // colours come back as they are given
+  // colors come back as they are given
   RL::Color_stitcher one = stitcher_of(space, {scans[0]}, options);
   const RL::Stitched_colors back = one.stitch();
   const RL::Vertex_colors of_scan = one.nearest_colors();

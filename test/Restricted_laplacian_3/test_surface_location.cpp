@@ -79,7 +79,7 @@ void check_ones(const RL::Spline_space_3& space, int level,
   CHECK(gradient <= 1e-13 / space.octree().cell_width(level));
 }
 
-/// the point that an element is centred on
+/// the point that an element is centered on
 RL::Point_3 center(const RL::Spline_space_3& space, int level, std::size_t element) {
   const RL::Octree_3& octree = space.octree();
   const RL::Point_3 c = space.surface().center();
@@ -127,7 +127,7 @@ TEST_CASE("function_with_coefficients_one_is_one_everywhere", "[location]") {
 }
 
 TEST_CASE("function_with_coefficients_one_is_one_on_stairs_in_walls", "[location]") {
-  // Neighbouring walls hold parts of the surface. Rounding puts points of one wall into the cells
+  // Neighboring walls hold parts of the surface. Rounding puts points of one wall into the cells
   // between the two, in which the elements of the other wall act, but not all of those of this one.
   const Mesh mesh = shapes::mesh(shapes::stairs(8, 0.1));
   for(double cube_scale : {1., 2.})

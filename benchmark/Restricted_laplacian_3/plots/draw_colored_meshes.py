@@ -125,7 +125,7 @@ def main():
     parser.add_argument("--up", type=numbers, default=[0, 1, 0], metavar="X,Y,Z",
                         help="what points up (default 0,1,0)")
     parser.add_argument("--focus", type=numbers, metavar="X,Y,Z,R",
-                        help="draw the ball with this centre and radius; default: all")
+                        help="draw the ball with this center and radius; default: all")
     parser.add_argument("--zoom", type=float, default=1, metavar="Z", help="default 1")
     parser.add_argument("--size", type=int, default=480, metavar="N",
                         help="pixels along each side of a panel (default 480)")

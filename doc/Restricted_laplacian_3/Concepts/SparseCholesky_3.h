@@ -6,7 +6,7 @@
 \ingroup PkgRestrictedLaplacian3Concepts
 \cgalConcept
 
-A factorisation \f$P K P^T = L L^T\f$ of a sparse symmetric positive definite matrix, with a
+A factorization \f$P K P^T = L L^T\f$ of a sparse symmetric positive definite matrix, with a
 permutation \f$P\f$ and a triangular matrix \f$L\f$, on which
 `CGAL::Restricted_laplacian_3::shift_invert_eigenpairs()` iterates. The two halves of a solve are
 needed by themselves.
@@ -19,14 +19,14 @@ needed by themselves.
 class SparseCholesky_3 {
 public:
   /*!
-  factorises a matrix, and gives an earlier factorisation up. Is called again, with a matrix that is
+  factorizes a matrix, and gives an earlier factorization up. Is called again, with a matrix that is
   more positive, as long as `info()` says that it failed.
   \param k symmetric; all of its entries are stored, and the rows of each column are sorted
   */
   void compute(const Eigen::SparseMatrix<double>& k);
 
   /*!
-  `Eigen::Success` if the last factorisation succeeded, that is if \f$K\f$ is positive definite
+  `Eigen::Success` if the last factorization succeeded, that is if \f$K\f$ is positive definite
   */
   Eigen::ComputationInfo info() const;
 

@@ -82,7 +82,7 @@ inline po::options_description space_options(Common_options& o) {
       "distance of T or less, in the unit of the coordinates; unsplit elements do not depend on "
       "this");
   add("paper", po::bool_switch(&o.space.paper_space),
-      "the space of the paper: only elements that are centred in the 2^D grid, unsplit");
+      "the space of the paper: only elements that are centered in the 2^D grid, unsplit");
   return description;
 }
 

@@ -143,7 +143,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of a surface from a field of normals (paper, section 5.3): the field is
 /// fitted by splines, see `Function_fitter`; the derivative of the fit \f$u\f$ is projected to the
-/// plane that is orthogonal to \f$u\f$, divided by \f$\lvert u \rvert\f$, and symmetrised.
+/// plane that is orthogonal to \f$u\f$, divided by \f$\lvert u \rvert\f$, and symmetrized.
 /// \param space the space in which the normals are fitted
 /// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
 /// about unit length

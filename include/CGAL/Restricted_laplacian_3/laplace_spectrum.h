@@ -79,7 +79,7 @@ Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange&
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorisation fails
+/// \throws Numerical_error if a factorization fails
 /// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
@@ -100,7 +100,7 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorisation fails
+/// \throws Numerical_error if a factorization fails
 /// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -146,7 +146,7 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorisation fails
+/// \throws Numerical_error if a factorization fails
 /// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,

@@ -69,7 +69,7 @@ struct Estimated_eigenvalues {
 /// The samples are drawn in batches that are independent of each other, each with its own matrix
 /// \f$A_b\f$. The result is their mean \f$\bar A\f$, whose standard error is
 /// \f[ \sqrt{ \frac{1}{B (B - 1)} \sum_{b=1}^{B} (A_b - \bar A)^2 } \f]
-/// for each entry. The matrix without stabilisation is unbiased.
+/// for each entry. The matrix without stabilization is unbiased.
 ///
 /// Takes the time of one assembly for each batch.
 /// \param space the space whose elements are integrated
@@ -97,7 +97,7 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
 /// \f$x^T (S_b - \lambda M_b)\, x\f$ has mean 0 over the batches, and the standard error of that
 /// mean is the one of \f$\lambda\f$.
 ///
-/// The error of discretisation is not in it. Nor is what is of second order. Eigenvalues that are
+/// The error of discretization is not in it. Nor is what is of second order. Eigenvalues that are
 /// equal or nearer to each other than their errors repel each other, so that the lowest is too low,
 /// and the highest too high; take the mean of such a group, whose error is right. And with few
 /// samples in a cell all eigenvalues are too small, by several standard errors for 10 samples, and
@@ -115,7 +115,7 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
 /// \cgalNamedParamsEnd
 /// \param normal_stabilization of the stiffness matrix, as in `assemble_operators()`
 /// \throws Parameter_error if `k` or a parameter is outside its domain
-/// \throws Numerical_error if a factorisation fails, or if not all eigenvalues were found
+/// \throws Numerical_error if a factorization fails, or if not all eigenvalues were found
 Estimated_eigenvalues estimate_eigenvalues(const Spline_space_3& space, int k,
                                            const internal::Monte_carlo_options& np = {},
                                            double normal_stabilization = 0);

@@ -175,8 +175,8 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
 /// \f$(S + \alpha M)\, \eta = \phi\f$. Note the sign of \f$f\f$, which is not that of
 /// `solve_poisson()`.
 ///
-/// With \f$f = \alpha g\f$ the solution minimises
-/// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled towards \f$g\f$ where
+/// With \f$f = \alpha g\f$ the solution minimizes
+/// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled toward \f$g\f$ where
 /// \f$\alpha\f$ is large, a soft constraint.
 /// \param tm the surface, a mesh or a range of oriented points
 /// \param f the right-hand side: a model of `ReadablePropertyMap` with the vertex descriptor as key

@@ -52,12 +52,12 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// Colours a mesh from several scans without visible seams, see `Color_stitcher`.
+/// Colors a mesh from several scans without visible seams, see `Color_stitcher`.
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
 /// \param tm the surface
 /// \param scans at least one
-/// \param colors a model of `WritablePropertyMap` with the vertex descriptor as key and a colour as
+/// \param colors a model of `WritablePropertyMap` with the vertex descriptor as key and a color as
 /// value: `CGAL::IO::Color`, or a `std::array`, a vector of Eigen or a 3D vector of \cgal of three
 /// components, from 0 to 1, or from 0 to 255 if they are integers
 /// \param np optional named parameters:
@@ -80,12 +80,12 @@ Stitching_report stitch_colors(const FaceGraph& tm, const std::vector<Colored_sc
 }
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// Colours a triangle soup, which need not be a manifold, from several scans.
+/// Colors a triangle soup, which need not be a manifold, from several scans.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
 /// \param scans at least one
 /// \param colors a model of `WritablePropertyMap` with the index of a point as key, a
-/// `std::size_t`, and a colour as value, as for a mesh
+/// `std::size_t`, and a color as value, as for a mesh
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space

@@ -5,7 +5,7 @@
 #define CGAL_LICENSE_RESTRICTED_LAPLACIAN_3_H
 
 // What CGAL has for each of its packages under the GPL: programs that define CGAL_LICENSE_WARNING
-// or CGAL_LICENSE_ERROR are told of the licence. There is no commercial licence for this package.
+// or CGAL_LICENSE_ERROR are told of the license. There is no commercial license for this package.
 
 #include <CGAL/config.h>
 #include <CGAL/license.h>

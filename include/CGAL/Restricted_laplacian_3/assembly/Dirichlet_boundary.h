@@ -44,7 +44,7 @@ std::vector<Face_side> boundary_sides(const Spline_space_3& space);
 /// to the stiffness matrix and to the right-hand side of \f$S \eta = \dots\f$. The solution of the
 /// differential equation satisfies the discrete equations exactly (the method is consistent), so
 /// the order of convergence is that of the space; values on the boundary are met up to the
-/// discretisation error, not to rounding.
+/// discretization error, not to rounding.
 ///
 /// \f$\beta\f$ is \f$2 \lambda\f$, one for each sheet of the finest level, with the largest
 /// \f$\lambda\f$ for which

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Prescribes values at single points by a penalty: minimises the energy plus
+/// Prescribes values at single points by a penalty: minimizes the energy plus
 /// \f$ \sum_k w_k (u(p_k) - g_k)^2 \f$, which adds \f$ \sum_k w_k b(p_k) b(p_k)^T \f$ to the matrix
 /// and \f$ \sum_k w_k g_k b(p_k) \f$ to the right-hand side.
 ///

@@ -33,7 +33,7 @@ struct Operators {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// The matrices to which `assemble_operators()` adds the stabilisation.
+/// The matrices to which `assemble_operators()` adds the stabilization.
 enum class Stabilized { stiffness_and_mass, stiffness };
 
 /// \ingroup PkgRestrictedLaplacian3Operators
@@ -45,7 +45,7 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 /// rounding they are the Galerkin products \f$P^T A P\f$ of the finer ones, if the space is not
 /// that of the paper.
 ///
-/// *Stabilisation.* Restricted splines are nearly linearly dependent, because a function that
+/// *Stabilization.* Restricted splines are nearly linearly dependent, because a function that
 /// varies only along the normal hardly shows on the surface. With \f$c > 0\f$ the matrices are
 /// \f[ S + \frac{c}{h} N, \qquad M + c\, h\, N, \qquad
 ///     N_{ij} = \sum_{\mathrm{sheets}} \int_{\mathrm{cell}} \nabla b_i^T A\, \nabla b_j, \f]
@@ -56,16 +56,16 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 /// volume, the integral is \f$h^3\f$ times the average of \f$(n \cdot \nabla b_i)(n \cdot \nabla
 /// b_j)\f$ over the sheet.) Since \f$N 1 = 0\f$, constants remain in the kernel of the stiffness
 /// matrix, and the entries of the mass matrix sum to the area. The error of the solution that it
-/// causes is of the order of the discretisation error for \f$c\f$ from the order of 1 down to that
+/// causes is of the order of the discretization error for \f$c\f$ from the order of 1 down to that
 /// of
 /// \f$h^2\f$. See J. Grande, C. Lehrenfeld, A. Reusken, *Analysis of a high-order trace finite
 /// element method for PDEs on level set surfaces*, SIAM J. Numer. Anal. 56 (2018), and E. Burman,
 /// P. Hansbo, M. G. Larson, A. Massing, *Cut finite element methods for partial differential
 /// equations on embedded manifolds of arbitrary codimensions*, ESAIM: M2AN 52 (2018).
 ///
-/// *Eigenvalue problems* are to be solved with the stiffness matrix alone stabilised. Combinations
+/// *Eigenvalue problems* are to be solved with the stiffness matrix alone stabilized. Combinations
 /// of elements that vanish on the surface are then eigenvectors for the eigenvalue infinity. With
-/// both matrices stabilised their eigenvalues are \f$1 / h^2\f$, amidst those that are looked for.
+/// both matrices stabilized their eigenvalues are \f$1 / h^2\f$, amid those that are looked for.
 ///
 /// Takes time proportional to the number of fragments of triangles in cells, plus the number of
 /// sheets; holds the matrices (about 75 entries in a row) and little else.
@@ -75,7 +75,7 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 /// result is empty
 /// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
 /// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
-/// \param stabilized which of the matrices are stabilised
+/// \param stabilized which of the matrices are stabilized
 /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`, the
 /// computation ends with an exception
 /// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
@@ -95,11 +95,11 @@ Operators assemble_operators(const Spline_space_3& space, int level,
                              Stabilized stabilized = Stabilized::stiffness_and_mass);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Stiffness and mass matrix of one level by `Default_integration`, without stabilisation.
+/// Stiffness and mass matrix of one level by `Default_integration`, without stabilization.
 Operators assemble_operators(const Spline_space_3& space, int level);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Stiffness and mass matrix of the finest level by `Default_integration`, without stabilisation.
+/// Stiffness and mass matrix of the finest level by `Default_integration`, without stabilization.
 Operators assemble_operators(const Spline_space_3& space);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
@@ -109,7 +109,7 @@ Operators assemble_operators(const Spline_space_3& space);
 /// \param sinks one for each level from `coarsest` on, coarsest first; null pointers are left out
 /// \param integration any model of `SurfaceIntegration_3`
 /// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
-/// \param stabilized which of the matrices are stabilised
+/// \param stabilized which of the matrices are stabilized
 /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`, the
 /// computation ends with an exception
 /// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
@@ -141,7 +141,7 @@ Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
 /// surface comes within a cell of the boundary of the domain cube).
 Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level);
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The stiffness matrix of the finest level, without stabilisation.
+/// The stiffness matrix of the finest level, without stabilization.
 Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space);
 
 /// \ingroup PkgRestrictedLaplacian3Operators

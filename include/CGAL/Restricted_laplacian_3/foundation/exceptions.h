@@ -113,7 +113,7 @@ public:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Errors
-/// A factorisation or an eigenvalue iteration broke down.
+/// A factorization or an eigenvalue iteration broke down.
 class Numerical_error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

@@ -13,13 +13,13 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// largest depth of an octree: coordinates of cells, shifted by one so that the elements centred
+/// largest depth of an octree: coordinates of cells, shifted by one so that the elements centered
 /// one cell outside the grid are included, take 21 bits each, and three of them one 64-bit key
 constexpr int maximum_octree_depth = 20;
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// A cell of the grid of \f$2^l \times 2^l \times 2^l\f$ cells at level \f$l\f$ of the octree.
-/// The coordinates may lie outside the grid: the element centred on such a cell can still meet the
+/// The coordinates may lie outside the grid: the element centered on such a cell can still meet the
 /// surface.
 struct Cell_3 {
   /// level \f$l\f$ of the octree, 0 for the root

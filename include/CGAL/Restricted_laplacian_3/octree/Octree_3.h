@@ -34,15 +34,15 @@ double checked_cube_scale(double cube_scale);
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// The sparse octree of the cells that meet a surface, with every level, and the sheets in them.
 ///
-/// The root is the domain cube: axis-aligned, centred on the bounding box of the surface, its side
+/// The root is the domain cube: axis-aligned, centered on the bounding box of the surface, its side
 /// `cube_scale` times the longest side of the box. Level \f$l\f$ is the grid of \f$2^l\f$ cells a
-/// side; its cells are stored as a sorted array of Morton keys, so that a neighbour is found by
+/// side; its cells are stored as a sorted array of Morton keys, so that a neighbor is found by
 /// binary search.
 ///
 /// A *sheet* is a connected piece of the surface in one cell. On the finest level fragments of two
 /// triangles belong to the same sheet if the triangles are joined along a side (see
 /// `Surface_seams`) that runs through the closed cell for more than a point. Sheets of different
-/// cells, which are then neighbours, possibly across an edge or corner, are *linked* if a triangle
+/// cells, which are then neighbors, possibly across an edge or corner, are *linked* if a triangle
 /// has a fragment in both, or if two triangles are joined along a side that lies in the wall
 /// between the cells. A triangle is convex, and so is a box of cells; therefore two fragments of
 /// the same triangle are always connected inside of any box that contains both cells. On coarser
@@ -73,7 +73,7 @@ public:
   static constexpr double largest_wall_tolerance = 1. / 64;
 
   /// Faces of at most this height, in units of the width of the finest cells, are bridged by their
-  /// neighbours, see `Surface_seams`.
+  /// neighbors, see `Surface_seams`.
   static constexpr double thin_face_height = 1e-6;
 
   /// Number of sheets beyond which an octree is refused instead of filling the memory. About 3
@@ -154,9 +154,9 @@ public:
     return m_levels[level].sheets(i);
   }
 
-  /// Whether the element centred on the neighbour of the cell of a sheet at offset (dx, dy, dz),
+  /// Whether the element centered on the neighbor of the cell of a sheet at offset (dx, dy, dz),
   /// each -1, 0 or 1, is not zero on all of the sheet. It is zero on it where the sheet is part of
-  /// the wall opposite to the neighbour.
+  /// the wall opposite to the neighbor.
   bool meets_element(int level, std::size_t sheet, int dx, int dy, int dz) const {
     CGAL_precondition(sheet < number_of_sheets(level));
     return m_levels[level].element_masks[sheet] >> internal::element_bit(dx, dy, dz) & 1;

@@ -34,7 +34,7 @@ struct Fragment {
   /// number of corners; 0 if the triangle has no part in the cell
   std::size_t size = 0;
   /// the corners in order, by the orientation of the triangle; those from `size` on are not
-  /// initialised
+  /// initialized
   std::array<Fragment_corner, capacity> corners;
 
   /// a polygon without corners
@@ -128,7 +128,7 @@ inline Fragment half_space(const Fragment& polygon, int axis, double wall, doubl
     if(da >= 0)
       result.push_back(a);
     if((da > 0 && db < 0) || (da < 0 && db > 0))
-      // From the lower end, so that both sides and both neighbours of an edge get the same point.
+      // From the lower end, so that both sides and both neighbors of an edge get the same point.
       result.push_back(a.position[axis] < b.position[axis]
                            ? cross_wall(a, b, axis, wall, tolerance)
                            : cross_wall(b, a, axis, wall, tolerance));

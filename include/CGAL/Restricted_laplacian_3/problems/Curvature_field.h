@@ -120,7 +120,7 @@ Function_fit_options curvature_options(const Spline_space_3& space, bool with_sm
   return options;
 }
 
-/// Vertex normals interpolated linearly and renormalised: where they cancel, that of the face.
+/// Vertex normals interpolated linearly and renormalized: where they cancel, that of the face.
 class Interpolated_normals {
 public:
   explicit Interpolated_normals(std::vector<Vector_3> normals) : m_normals(std::move(normals)) {}

@@ -31,7 +31,7 @@ namespace Restricted_laplacian_3 {
 struct Fit_report : Solve_report {
   /// \f$(\int (u_k - f_k)^2 / \mathrm{area})^{1/2}\f$ of each component, in units of \f$f\f$
   std::vector<double> root_mean_square_errors;
-  /// the factor \f$c\f$ of the stabilisation, for each component
+  /// the factor \f$c\f$ of the stabilization, for each component
   std::vector<double> normal_stabilizations;
 
   /// \f$(\int \lvert u - f \rvert^2 / \mathrm{area})^{1/2}\f$, all components together
@@ -63,7 +63,7 @@ struct Function_fit_options {
   double smoothing_weight = 0;
   /// how often what the fit leaves of \f$f\f$ is fitted and added
   int refinement_steps = 0;
-  /// factor \f$c\f$ of the stabilisation; without a value it is chosen for each component
+  /// factor \f$c\f$ of the stabilization; without a value it is chosen for each component
   std::optional<double> normal_stabilization;
   /// of the linear systems
   Poisson_solver_options solver;
@@ -82,7 +82,7 @@ struct Function_fit_options {
 /// \ingroup PkgRestrictedLaplacian3Fits
 /// Fits functions on a surface by splines: set up once, it fits any number of functions, each a
 /// number or a vector at each point. The fit of \f$f\f$ is the function \f$u\f$ of the space that
-/// minimises, for each component,
+/// minimizes, for each component,
 /// \f[ \int_{\mathcal M} (u - f)^2 + w \int_{\mathcal M} \lvert \nabla u \rvert^2, \qquad
 ///     (M + w S)\, \eta = \gamma, \qquad \gamma_i = \int_{\mathcal M} f\, b_i, \f]
 /// for \f$w = 0\f$ the least-squares projection \f$D \eta = \gamma\f$ of the paper (section 5.3).
@@ -95,17 +95,17 @@ struct Function_fit_options {
 /// *Refinement.* Each refinement step fits what is left, \f$f - u\f$, and adds that to \f$u\f$.
 /// After \f$n\f$ steps the factor is \f$1 - (w \lambda / (1 + w \lambda))^{n + 1}\f$: long waves
 /// are kept much better, while the shortest ones are damped as before, up to the factor \f$n + 1\f$
-/// (iterated Tikhonov regularisation).
+/// (iterated Tikhonov regularization).
 ///
-/// *Stabilisation.* The mass matrix is close to singular, see `assemble_operators()`: combinations
+/// *Stabilization.* The mass matrix is close to singular, see `assemble_operators()`: combinations
 /// of elements that vary along the normal only nearly vanish on the surface. The term \f$c\, h N\f$
 /// is added to \f$M\f$, and \f$\frac{c}{h} N\f$ to \f$S\f$. Unless \f$c\f$ is given, it is the
-/// first of 1e-4, 1e-5 and 1e-14, for each component, with which the energy of the stabilisation is
-/// at most a tenth of what \f$u\f$ minimises, or half of it if the error of \f$u\f$ is above 1 % of
+/// first of 1e-4, 1e-5 and 1e-14, for each component, with which the energy of the stabilization is
+/// at most a tenth of what \f$u\f$ minimizes, or half of it if the error of \f$u\f$ is above 1 % of
 /// \f$f\f$ (root mean squares); 1e-5 is left out where it is larger than all of that. A
 /// rough function, for example the normals of the faces, is far from the space: 1e-4 adds little to
 /// its error, and the number of iterations does not depend on the depth. The error of a smooth
-/// function would be that of the stabilisation. A smaller one takes more iterations, but then the
+/// function would be that of the stabilization. A smaller one takes more iterations, but then the
 /// error is of the order \f$h^3\f$, and a function in the space is fitted up to about 1e-7 of its
 /// size. Where 1e-14 does not converge within 60 iterations, as may happen on large plane faces,
 /// 1e-5 is taken.
@@ -154,7 +154,7 @@ public:
                    const std::function<bool(double)>& callback = {});
 
   /// The function whose loads are given, \f$\int u\, b_i = \gamma_i\f$ in the least-squares sense,
-  /// smoothed and stabilised as a fit is; without refinement. The stabilisation is 1e-4 unless it
+  /// smoothed and stabilized as a fit is; without refinement. The stabilization is 1e-4 unless it
   /// is given.
   /// \param loads \f$\gamma\f$: a row for each element of the finest level, a column for each
   /// component
@@ -197,7 +197,7 @@ private:
   Surface_integration_view m_integration;
   Options m_options;
   Eigen::VectorXd m_integrals;                             // in units of unit()
-  std::deque<std::pair<double, Poisson_solver>> m_solvers; // with their stabilisation
+  std::deque<std::pair<double, Poisson_solver>> m_solvers; // with their stabilization
   double m_assembly_seconds = 0, m_setup_seconds = 0;
 };
 

@@ -125,7 +125,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit Function_fitter::project(
   return result;
 }
 
-/// the solver with this stabilisation
+/// the solver with this stabilization
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Poisson_solver&
 Function_fitter::solver(double normal_stabilization, const Progress& progress) {
   for(const auto& [c, solver] : m_solvers)
@@ -217,7 +217,7 @@ Function_fitter::has_converged(double relative_residual) const {
   return relative_residual <= m_options.solver.relative_tolerance * (1 + 1e-12);
 }
 
-/// \param components those that were fitted with the smallest stabilisation
+/// \param components those that were fitted with the smallest stabilization
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Function_fitter::fit_again_what_did_not_converge(
     const Components& components, const Eigen::MatrixXd& loads, const Progress& progress,
     Function_fit& result, std::vector<int>& iterations) {
@@ -277,9 +277,9 @@ Function_fitter::reduce_residuals(const Poisson_solver& solver, const Eigen::Mat
   }
 }
 
-/// The energy of the stabilisation, \f$\eta^T A \eta - \int u^2 + w \lvert \nabla u \rvert^2\f$,
+/// The energy of the stabilization, \f$\eta^T A \eta - \int u^2 + w \lvert \nabla u \rvert^2\f$,
 /// over \f$\int (u - f)^2 + w \lvert \nabla u \rvert^2\f$; 0 if both are. The mean of \f$u\f$ is
-/// taken off first, to which the stabilisation is blind.
+/// taken off first, to which the stabilization is blind.
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
 Function_fitter::relative_stabilization_energy(const Poisson_solver& solver, Eigen::Index k,
                                                const Residual& of_zero, const Residual& left,
@@ -295,7 +295,7 @@ Function_fitter::relative_stabilization_energy(const Poisson_solver& solver, Eig
   return stabilization > 0 ? stabilization / (left.squares[k] + smoothing) : 0;
 }
 
-/// fits what is left, each component with its stabilisation
+/// fits what is left, each component with its stabilization
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Function_fitter::refine(const Surface_function_view& f,
                                                                 const Progress& progress,
                                                                 Function_fit& result) const {

@@ -47,7 +47,7 @@ constexpr double part_of_space = 0.15;
 
 /// with the matrices of all levels from one pass over the surface
 /// \param constant_loads if not null, on return what the matrix maps the constant 1 to
-/// \throws Parameter_error if the reaction or the stabilisation is outside its domain
+/// \throws Parameter_error if the reaction or the stabilization is outside its domain
 Poisson_solver
 elliptic_solver(const Spline_space_3& space, const Surface_integration_view& integration,
                 const Elliptic_operator& elliptic, const Poisson_solver_options& options,

@@ -17,7 +17,7 @@ namespace Restricted_laplacian_3 {
 /// of the \f$4 \times 4 \times 4\f$ elements around two cells by two by two.
 ///
 /// A group consists of the patches in one block of \f$8 \times 8 \times 8\f$ coarser cells, its
-/// colour is the parity of the coordinates of the block. Two groups of the same colour are 16 cells
+/// color is the parity of the coordinates of the block. Two groups of the same color are 16 cells
 /// apart; an element of a patch reaches 2 cells beyond the coarser cell, and elements that are 3
 /// cells apart are not coupled.
 /// \param space the space whose elements are grouped
@@ -32,7 +32,7 @@ Smoothing_patches smoothing_patches(const Spline_space_3& space, int level);
 Multigrid_levels multigrid_levels(const Spline_space_3& space, int coarsest);
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// The same from the finest level whose dense factorisation takes no time that counts.
+/// The same from the finest level whose dense factorization takes no time that counts.
 Multigrid_levels multigrid_levels(const Spline_space_3& space);
 
 } // namespace Restricted_laplacian_3

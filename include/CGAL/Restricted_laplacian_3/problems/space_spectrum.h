@@ -39,7 +39,7 @@ struct Laplace_spectrum {
   Eigen::MatrixXd vertex_values;
   /// of the surface
   double area = 0;
-  /// the algebraic problem: vectors of coefficients, residuals, shift and regularisation
+  /// the algebraic problem: vectors of coefficients, residuals, shift and regularization
   Eigenpairs pairs;
   /// convergence, iterations, largest residual, times
   Solve_report report;

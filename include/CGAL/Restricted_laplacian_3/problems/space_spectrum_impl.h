@@ -44,7 +44,7 @@ inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
 
 /// Whether `multigrid_eigenpairs()` is used.
 inline bool uses_multigrid(const Spline_space_3& space, const Space_spectrum_options& options) {
-  constexpr std::size_t smallest_dimension = 5000; // with fewer a factorisation is as fast
+  constexpr std::size_t smallest_dimension = 5000; // with fewer a factorization is as fast
   if(options.eigensolver == Eigensolver::multigrid && space.is_paper_space())
     throw Parameter_error("eigensolver", "must not be multigrid in the space of the paper, whose "
                                          "levels are not nested");

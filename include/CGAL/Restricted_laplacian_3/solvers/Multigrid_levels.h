@@ -21,9 +21,9 @@ enum class Cycle { V = 1, W = 2 };
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// Sets of unknowns of one level that are relaxed together, in the order in which this is done.
 ///
-/// Patches that follow each other form a *group*, groups that follow each other a *colour*. No
-/// unknown of a patch is coupled with one of a patch in another group of the same colour, so groups
-/// of a colour can be relaxed at the same time, with the same result.
+/// Patches that follow each other form a *group*, groups that follow each other a *color*. No
+/// unknown of a patch is coupled with one of a patch in another group of the same color, so groups
+/// of a color can be relaxed at the same time, with the same result.
 struct Smoothing_patches {
   /// the unknowns of each patch
   internal::Number_lists unknowns;
@@ -31,14 +31,14 @@ struct Smoothing_patches {
   std::size_t number_of_patches = 0;
   /// first patch of each group, and one more
   std::vector<std::uint32_t> groups = {0};
-  /// first group of each colour, and one more
+  /// first group of each color, and one more
   std::vector<std::uint32_t> colors = {0};
-  /// For each unknown the number of a neighbourhood; unknowns of one are stored together,
-  /// neighbourhoods by their numbers. It has no influence on results beyond rounding. May be empty.
+  /// For each unknown the number of a neighborhood; unknowns of one are stored together,
+  /// neighborhoods by their numbers. It has no influence on results beyond rounding. May be empty.
   ///
-  /// Rows of a neighbourhood may be read when one of them is. So where a group has an unknown of a
-  /// neighbourhood, no unknown of that neighbourhood is coupled with one of another group of the
-  /// same colour, nor belongs to one.
+  /// Rows of a neighborhood may be read when one of them is. So where a group has an unknown of a
+  /// neighborhood, no unknown of that neighborhood is coupled with one of another group of the
+  /// same color, nor belongs to one.
   std::vector<std::uint64_t> neighborhoods;
 };
 

@@ -26,7 +26,7 @@ struct Solve_report {
   double space_seconds = 0;
   /// wall-clock seconds: matrices and right-hand sides
   double assembly_seconds = 0;
-  /// wall-clock seconds: hierarchy and smoothers, or factorisation
+  /// wall-clock seconds: hierarchy and smoothers, or factorization
   double setup_seconds = 0;
   /// wall-clock seconds: iterations
   double solve_seconds = 0;

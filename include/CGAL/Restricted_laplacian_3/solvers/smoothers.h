@@ -58,7 +58,7 @@ protected:
     : m_implementation(std::move(implementation)) {}
 
 private:
-  /// relaxes the groups of all colours, in order or in reverse
+  /// relaxes the groups of all colors, in order or in reverse
   template <int K>
   void sweep(const Level_vectors<K>& b, Level_vectors<K>& x, bool is_reversed) const;
   void correct(const Eigen::MatrixXd& b, Eigen::MatrixXd& x, bool is_reversed) const;
@@ -84,7 +84,7 @@ class Patch_groups;
 class Gauss_seidel_smoother : public internal::Group_smoother<internal::Gauss_seidel_groups> {
 public:
   /// \param a the matrix, see `MultigridSmoother_3`; what is below its diagonal is not read
-  /// \param patches unknowns of a group are relaxed one after the other, groups of a colour at the
+  /// \param patches unknowns of a group are relaxed one after the other, groups of a color at the
   /// same time; there may be none
   /// \param is_parallel whether several threads are used; results do not depend on that
   Gauss_seidel_smoother(const Sparse_matrix& a, const Smoothing_patches& patches,

@@ -65,8 +65,8 @@ struct Multigrid_eigenpairs_options {
 /// are made orthonormal and all residuals computed once more, and the iteration goes on if one is
 /// too large.
 ///
-/// The stiffness matrix is to be stabilised, the mass matrix is not, see `assemble_operators()`.
-/// Without stabilisation it takes more iterations, or does not get to the tolerance.
+/// The stiffness matrix is to be stabilized, the mass matrix is not, see `assemble_operators()`.
+/// Without stabilization it takes more iterations, or does not get to the tolerance.
 ///
 /// Takes a time of the order of \f$k\f$ cycles and of \f$k^2\f$ times the number of unknowns for
 /// each iteration, of which 5 to 15 are needed on the finest level. Memory: matrices and hierarchy

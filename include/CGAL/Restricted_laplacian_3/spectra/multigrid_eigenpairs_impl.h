@@ -119,7 +119,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
     std::vector<Sparse_matrix> stiffness, std::vector<Sparse_matrix> mass,
     std::vector<Sparse_matrix> prolongations, std::vector<Smoothing_patches> patches, int k,
     const internal::Multigrid_eigenpairs_options& options) {
-  // Prolongated vectors of a coarser level are no better than its discretisation.
+  // Prolongated vectors of a coarser level are no better than its discretization.
   constexpr double tolerance_of_coarse_levels = 1e-2;
   // of the eigenvalues of the first level; what is wrong in them the next level sets right
   constexpr double tolerance_of_start = 1e-6;

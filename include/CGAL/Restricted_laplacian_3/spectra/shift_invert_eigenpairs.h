@@ -92,7 +92,7 @@ Eigen::MatrixXd all_copies(Pencil& pencil, const Eigen::MatrixXd& constants, dou
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// `smallest_eigenpairs()` with a factorisation that the caller chooses. Needs Spectra.
+/// `smallest_eigenpairs()` with a factorization that the caller chooses. Needs Spectra.
 /// \tparam SparseCholesky a model of `SparseCholesky_3`
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
@@ -104,7 +104,7 @@ Eigen::MatrixXd all_copies(Pencil& pencil, const Eigen::MatrixXd& constants, dou
 ///   \named_callback
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if `k` or a matrix is not as it must be, as in `smallest_eigenpairs()`
-/// \throws Numerical_error if no factorisation succeeds
+/// \throws Numerical_error if no factorization succeeds
 /// \throws Canceled if the callback returned `false`
 template <class SparseCholesky>
 Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
@@ -136,7 +136,7 @@ Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& 
   Eigen::MatrixXd vectors = internal::all_copies(pencil, internal::constants_in_kernel(s),
                                                  pairs.shift * mass, k, np, pairs);
   internal::finish_eigenpairs(s, m, std::move(vectors), pairs);
-  // A pair that is further off is none, whatever Spectra says: the factorisation was of no use.
+  // A pair that is further off is none, whatever Spectra says: the factorization was of no use.
   constexpr double largest_residual = 1e-3;
   pairs.converged = pairs.converged && (pairs.residuals.array() <= largest_residual).all();
   return pairs;

@@ -18,8 +18,8 @@ namespace Restricted_laplacian_3 {
 ///
 /// By Spectra, a restarted Lanczos iteration for \f$K^{-1} M\f$, in the symmetric form
 /// \f$R^{-T} M R^{-1}\f$, where \f$ R^T R = K = S - \sigma M + \tau\, \mathrm{diag}(S - \sigma M)
-/// \f$ is factorised once, by CHOLMOD if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is
-/// defined, else by Eigen; `shift_invert_eigenpairs()` takes another factorisation.
+/// \f$ is factorized once, by CHOLMOD if the macro `CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD` is
+/// defined, else by Eigen; `shift_invert_eigenpairs()` takes another factorization.
 ///
 /// *Shift.* \f$\sigma = -4 \pi / \sum_{ij} M_{ij}\f$: below the spectrum by about the mean distance
 /// of two eigenvalues of a surface of this area (Weyl's law), so \f$K\f$ is positive semi-definite
@@ -30,11 +30,11 @@ namespace Restricted_laplacian_3 {
 /// regular by \f$\tau = 10^{-12}\f$, relative to each diagonal entry. For them \f$K\f$ is then
 /// dominated by \f$\tau\f$ while \f$M\f$ is zero to rounding, so \f$K^{-1} M\f$ sends them to 0,
 /// the far end of the spectrum. The values returned are Rayleigh quotients with \f$S\f$ itself, in
-/// which \f$\tau\f$ enters squared only. Should a factorisation fail, \f$\tau\f$ is multiplied by
+/// which \f$\tau\f$ enters squared only. Should a factorization fail, \f$\tau\f$ is multiplied by
 /// 100, up to \f$10^{-8}\f$; the result reports the value used.
 ///
 /// *Kernel.* Functions that are constant on a connected component of the graph of \f$S\f$ and in
-/// its kernel are recognised and returned as they are.
+/// its kernel are recognized and returned as they are.
 ///
 /// *Multiplicity.* A second iteration, with all pairs found so far deflated, looks for copies of a
 /// multiple eigenvalue that the first one missed, and is repeated until it finds none.
@@ -42,7 +42,7 @@ namespace Restricted_laplacian_3 {
 /// Problems with fewer than 100 unknowns, or with `k` more than a third of them, are solved
 /// densely.
 ///
-/// Takes one factorisation, and two to four times \f$2 k\f$ solves with it and products with
+/// Takes one factorization, and two to four times \f$2 k\f$ solves with it and products with
 /// \f$M\f$; memory for the factor and \f$2 k\f$ vectors.
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
@@ -56,7 +56,7 @@ namespace Restricted_laplacian_3 {
 /// \throws Parameter_error if `k` is not positive, exceeds the number of independent functions, or
 /// is more than a third of more than 10,000 unknowns; if the matrices are not square and of the
 /// same size, if an entry is not finite, or the entries of `m` do not have a positive sum
-/// \throws Numerical_error if no factorisation succeeds; also for each problem that is not solved
+/// \throws Numerical_error if no factorization succeeds; also for each problem that is not solved
 /// densely, if this was compiled without Spectra
 /// \throws Canceled if the callback returned `false`
 Eigenpairs smallest_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,

@@ -20,7 +20,7 @@ namespace Restricted_laplacian_3 {
 /// \cgalModels `SparseCholesky_3`
 class Eigen_simplicial_cholesky {
 public:
-  /// factorises \f$K\f$
+  /// factorizes \f$K\f$
   void compute(const Eigen::SparseMatrix<double>& k) { m_factor.compute(k); }
   /// whether that succeeded
   Eigen::ComputationInfo info() const { return m_factor.info(); }
@@ -45,7 +45,7 @@ private:
 /// \cgalModels `SparseCholesky_3`
 class Cholmod_cholesky {
 public:
-  /// factorises \f$K\f$
+  /// factorizes \f$K\f$
   void compute(const Eigen::SparseMatrix<double>& k) { m_factor.compute(k); }
   /// whether that succeeded
   Eigen::ComputationInfo info() const { return m_factor.info(); }
@@ -61,7 +61,7 @@ public:
 private:
   /// Eigen's interface offers the whole solve only.
   struct Factor : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> {
-    // By default CHOLMOD writes a warning to the standard output when a factorisation fails.
+    // By default CHOLMOD writes a warning to the standard output when a factorization fails.
     Factor() { this->cholmod().print = 0; }
 
     Eigen::VectorXd step(int system, Eigen::VectorXd b) const {

@@ -70,7 +70,7 @@ template <class Spectrum> Eigen::VectorXd eigenvalues_of(const Spectrum& spectru
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// Number of eigenvalues that count as 0, see `zero_eigenvalue_tolerance`: for the natural boundary
 /// condition, the number of connected components of the surface. A sequence of zeros only has no
-/// scale, and is recognised if they are exactly 0.
+/// scale, and is recognized if they are exactly 0.
 /// \throws Parameter_error if there is no eigenvalue, or if they are not finite, ascending and not
 /// negative
 Eigen::Index number_of_zero_eigenvalues(const Eigen::VectorXd& eigenvalues);

@@ -10,7 +10,7 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Dev
-/// The B-spline of degree 2 on the uniform knots of a grid, centred on a cell. On one cell with
+/// The B-spline of degree 2 on the uniform knots of a grid, centered on a cell. On one cell with
 /// local coordinate \f$t \in [0,1]\f$ three of them are not zero: that of the cell below (offset
 /// \f$-1\f$), of the cell itself (0) and of the cell above (+1). Pieces are numbered by offset + 1.
 ///

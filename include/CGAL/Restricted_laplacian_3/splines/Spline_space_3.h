@@ -47,7 +47,7 @@ struct Spline_space_options {
   /// side of the domain cube over the longest side of the bounding box; without a value 1.1, or 1.2
   /// in the space of the paper
   std::optional<double> cube_scale;
-  /// only elements centred inside the grid exist, and they are not split
+  /// only elements centered inside the grid exist, and they are not split
   bool paper_space = false;
   /// an element is split into one for each connected component of the surface in its support; has
   /// no effect on the space of the paper
@@ -80,10 +80,10 @@ struct Spline_space_options {
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The spaces of restricted splines, one for each level of the octree of a surface.
 ///
-/// The element \f$b_o\f$ of a cell \f$o\f$ is the tensor product of B-splines of degree 2 centred
+/// The element \f$b_o\f$ of a cell \f$o\f$ is the tensor product of B-splines of degree 2 centered
 /// on \f$o\f$; its support is the \f$3 \times 3 \times 3\f$ cells around \f$o\f$. The space at
 /// level \f$l\f$ is spanned by the restrictions to the surface of all elements whose open support
-/// meets the surface, also of those centred one cell outside the \f$2^l\f$ grid: they sum to 1 on
+/// meets the surface, also of those centered one cell outside the \f$2^l\f$ grid: they sum to 1 on
 /// the whole surface, so the constants are in the space. The spaces are nested: each element is a
 /// combination of elements of the next finer level.
 ///
@@ -93,8 +93,8 @@ struct Spline_space_options {
 /// space between them is. All properties above remain: an element of the finer level lies in the
 /// support of its coarse ones, and its component in exactly one of theirs.
 ///
-/// With `paper_space(true)` only elements centred inside the grid exist, and they are not split, as
-/// in the paper (section 4.4).
+/// With `paper_space(true)` only elements centered inside the grid exist, and they are not split,
+/// as in the paper (section 4.4).
 ///
 /// Elements of a level are numbered in Morton order of their cells.
 class Spline_space_3 {
@@ -159,7 +159,7 @@ public:
   const Octree_3& octree() const { return m_octree; }
   /// the surface that the splines are restricted to
   const Triangulated_surface_3& surface() const { return m_octree.surface(); }
-  /// whether only elements centred inside the grid exist, unsplit
+  /// whether only elements centered inside the grid exist, unsplit
   bool is_paper_space() const { return m_options.paper_space; }
   /// whether elements are split by the components of the surface in their support
   bool is_split() const { return m_octree.is_split(); }
@@ -196,7 +196,7 @@ public:
     return {slot / Tensor_basis_3::size, static_cast<int>(slot % Tensor_basis_3::size)};
   }
 
-  /// the cell that an element is centred on; it may lie outside the grid
+  /// the cell that an element is centered on; it may lie outside the grid
   Cell_3 center(int level, std::size_t element) const {
     const auto [sheet, position] = slot(level, element);
     const auto [dx, dy, dz] = Tensor_basis_3::offset(position);

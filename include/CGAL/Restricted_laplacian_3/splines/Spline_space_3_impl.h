@@ -32,7 +32,7 @@ public:
 
   explicit Element_numbering(const Spline_space_3& space) : m_space(space) {}
 
-  /// Sorts the centres of the elements of all sheets; those of equal centre are one element for
+  /// Sorts the centers of the elements of all sheets; those of equal center are one element for
   /// each component of their sheets under the links. Chunks of sorted slots are numbered on their
   /// own, first from 0: how many elements a chunk has is known only then.
   Level operator()(int level) {
@@ -69,7 +69,7 @@ private:
     std::uint32_t sheet() const { return slot / Tensor_basis_3::size; }
   };
 
-  /// the groups of equal centre that begin in a chunk of sorted slots
+  /// the groups of equal center that begin in a chunk of sorted slots
   struct Chunk {
     std::size_t begin = 0, end = 0; // slots of these groups
     std::uint32_t first = 0;        // number of the first element
@@ -110,7 +110,7 @@ private:
     return level.elements[slot / Tensor_basis_3::size][slot % Tensor_basis_3::size];
   }
 
-  /// sorted by centre, and by sheet
+  /// sorted by center, and by sheet
   std::vector<Key_and_slot> sorted_slots(int level) const {
     const std::size_t number_of_sheets = m_space.octree().number_of_sheets(level), grain = 1 << 11;
     std::vector<std::vector<Key_and_slot>> of_chunks((number_of_sheets - 1) / grain + 1);
@@ -130,7 +130,7 @@ private:
       slots.insert(slots.end(), of_chunk.begin(), of_chunk.end());
       std::vector<Key_and_slot>().swap(of_chunk);
     }
-    // Coordinates of centres, shifted by one, are in 0 .. 2^level + 1.
+    // Coordinates of centers, shifted by one, are in 0 .. 2^level + 1.
     stable_sort_by_key(slots, 3 * (level + 2), m_space.options().is_parallel,
                        [](const Key_and_slot& s) { return s.key; });
     return slots;
@@ -153,7 +153,7 @@ private:
             slots.push_back({parts[0][dx + 1] | parts[1][dy + 1] | parts[2][dz + 1], slot});
   }
 
-  /// the components of the `size` sheets of one centre
+  /// the components of the `size` sheets of one center
   void find_components(int level, const Key_and_slot* slots, std::uint32_t size,
                        Disjoint_sets& components) const {
     components.reset(size);

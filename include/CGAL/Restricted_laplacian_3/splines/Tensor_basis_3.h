@@ -16,9 +16,9 @@ namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// The basis on one cell: the products of three pieces of `B_spline_1`, one for each axis. They are
-/// the elements centred on the cell and its 26 neighbours. Number
-/// \f$i = p_x + 3 p_y + 9 p_z\f$ is the product of pieces \f$p_x, p_y, p_z\f$, and centred on the
-/// neighbour at offset \f$(p_x - 1, p_y - 1, p_z - 1)\f$. All else in the package asks this class
+/// the elements centered on the cell and its 26 neighbors. Number
+/// \f$i = p_x + 3 p_y + 9 p_z\f$ is the product of pieces \f$p_x, p_y, p_z\f$, and centered on the
+/// neighbor at offset \f$(p_x - 1, p_y - 1, p_z - 1)\f$. All else in the package asks this class
 /// how many they are and in which order.
 struct Tensor_basis_3 {
   /// pieces along an axis
@@ -34,7 +34,7 @@ struct Tensor_basis_3 {
   static constexpr std::array<int, 3> pieces_of(int i) {
     return {i % pieces, i / pieces % pieces, i / (pieces * pieces)};
   }
-  /// offset, in cells, of the centre of an element from the cell
+  /// offset, in cells, of the center of an element from the cell
   static constexpr std::array<int, 3> offset(int i) {
     const auto p = pieces_of(i);
     return {p[0] - 1, p[1] - 1, p[2] - 1};
@@ -73,7 +73,7 @@ struct Tensor_basis_3 {
 
   /// Coefficients \f$c_i\f$ of a fine element in the coarse elements of a cell, see
   /// `B_spline_1::two_scale_coefficient()`: coarse element \f$i\f$ of `coarse_cell` contains
-  /// \f$c_i\f$ times the fine element that is centred on the cell `fine_center` of the next finer
+  /// \f$c_i\f$ times the fine element that is centered on the cell `fine_center` of the next finer
   /// level.
   static Values two_scale_coefficients(const std::array<int, 3>& fine_center,
                                        const std::array<int, 3>& coarse_cell) {

@@ -29,7 +29,7 @@ std::vector<Sparse_matrix> prolongation_matrices(const Spline_space_3& space, in
 
 namespace internal {
 
-/// The coarsest level of a hierarchy: the finest one whose dense factorisation takes no time that
+/// The coarsest level of a hierarchy: the finest one whose dense factorization takes no time that
 /// counts. It is done for each connected component of the surface, which is a sheet of level 0.
 int coarsest_multigrid_level(const Spline_space_3& space);
 

@@ -30,7 +30,7 @@ class Disjoint_sets;
 /// one seam, any number of them: non-manifold edges need no special treatment, and orientation does
 /// not matter. Beyond that,
 /// - the three sides of a thin face, whose height over its longest side is at most `thinness`, are
-///   one seam: it may have no fragment in a cell where its neighbours have one;
+///   one seam: it may have no fragment in a cell where its neighbors have one;
 /// - if a joining tolerance is given, a side that is alone so far and another side are one seam if
 ///   they run along each other: of their four ends, two that are farther apart than the tolerance
 ///   are each within the tolerance of the other side. That closes duplicate vertices and

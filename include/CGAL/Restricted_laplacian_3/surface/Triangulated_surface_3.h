@@ -71,7 +71,7 @@ public:
   /// \param points the points; their number is that of vertices and faces
   /// \param normals a normal for each point, of any length but 0
   /// \param areas the area that each point stands for, at least 0, in units of squared coordinates:
-  /// areas of other units would change the weight of the stabilisation, and with it the results
+  /// areas of other units would change the weight of the stabilization, and with it the results
   /// \throws Empty_surface_error
   /// \throws Invalid_point_error names the first point that cannot be used
   /// \throws Zero_area_error all points are the same, or all areas 0
@@ -132,7 +132,7 @@ public:
   const Point_3& bounding_box_min() const { return m_min; }
   /// upper corner of that bounding box
   const Point_3& bounding_box_max() const { return m_max; }
-  /// centre of that bounding box
+  /// center of that bounding box
   Point_3 center() const {
     return {m_min.x() / 2 + m_max.x() / 2, m_min.y() / 2 + m_max.y() / 2,
             m_min.z() / 2 + m_max.z() / 2};

@@ -13,19 +13,19 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// How many neighbours `estimate_point_areas()` looks at unless told otherwise.
+/// How many neighbors `estimate_point_areas()` looks at unless told otherwise.
 constexpr int default_number_of_neighbors = 16;
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The area that each point of a set stands for, from the density of the points around it: the
-/// Voronoi cell of the point among its `number_of_neighbors` nearest neighbours, in its tangent
+/// Voronoi cell of the point among its `number_of_neighbors` nearest neighbors, in its tangent
 /// plane.
 ///
-/// Neighbours whose normals are more than 90 degrees away from that of the point are left out: they
+/// Neighbors whose normals are more than 90 degrees away from that of the point are left out: they
 /// are on the other side of something thin. A point on the border of an open surface is told by
 /// half of the directions around it being empty; its cell reaches as far outwards as inwards. No
 /// cell is larger than a disc of twice the local distance of points.
-/// Points that are the same share their cell. A point without neighbours that agree has area 0.
+/// Points that are the same share their cell. A point without neighbors that agree has area 0.
 ///
 /// \param points the points; some may be the same
 /// \param normals of any length, oriented alike

@@ -100,7 +100,7 @@ inline Point_sites unite_same_points(const std::vector<Point_3>& points,
 
 /// \param neighbors in the tangent plane
 inline double tangent_cell_area(std::vector<std::array<double, 2>>& neighbors) {
-  // A site whose neighbours leave nearly half of the plane empty is on the border.
+  // A site whose neighbors leave nearly half of the plane empty is on the border.
   constexpr double smallest_gap_at_border = 2.8;
   constexpr double largest_radius = 2;
   if(neighbors.empty())

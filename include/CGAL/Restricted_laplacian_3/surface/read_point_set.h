@@ -123,7 +123,7 @@ auto normal_map_of(const PointRange& points, const NamedParameters& np) {
 /// Which side the normals point to does not matter, except for `estimate_point_areas()` and
 /// `split_elements(true)`, which need them to be oriented alike.
 /// \throws Empty_surface_error, Invalid_point_error, Zero_area_error
-/// \throws Parameter_error the number of neighbours or the extent is outside its domain
+/// \throws Parameter_error the number of neighbors or the extent is outside its domain
 /// \throws Input_error a `CGAL::Point_set_3` has no normals
 template <class PointRange, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>

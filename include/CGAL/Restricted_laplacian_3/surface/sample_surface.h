@@ -19,7 +19,7 @@ namespace Restricted_laplacian_3 {
 enum class Sampling {
   /// independent of each other
   independent,
-  /// The surface is put in an order in which neighbours mostly stay neighbours, and cut into as
+  /// The surface is put in an order in which neighbors mostly stay neighbors, and cut into as
   /// many parts of equal area as there are samples; each part has one. Integrals have the same mean
   /// as those of independent samples, but errors that fall nearly with the number of samples
   /// instead of its square root.

@@ -25,7 +25,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Vector_3 unit_or_zero(const Vector_3& v) {
   return length > 0 ? v / length : Vector_3(0, 0, 0);
 }
 
-/// The neighbours of the vertices that are on the boundary; others have none.
+/// The neighbors of the vertices that are on the boundary; others have none.
 inline Number_lists boundary_neighbors(const Triangulated_surface_3& surface) {
   const Surface_edges edges(surface, Surface_edges::Faces::not_degenerate);
   const std::vector<char> is_on_boundary = edges.boundary_vertices();
@@ -42,8 +42,8 @@ inline Number_lists boundary_neighbors(const Triangulated_surface_3& surface) {
 
 /// The normal at a boundary vertex by the rule of chords: along a curve on a smooth surface
 /// \f$\langle n(p) + n(q), q - p \rangle = O(\lvert q - p \rvert^3)\f$. The tangential change of
-/// the normal that satisfies it best for all neighbours, with little weight on no change: with a
-/// single neighbour, or several in one direction, part of the change is undetermined.
+/// the normal that satisfies it best for all neighbors, with little weight on no change: with a
+/// single neighbor, or several in one direction, part of the change is undetermined.
 inline Vector_3 normal_by_chords(const Triangulated_surface_3& surface, std::size_t vertex,
                                  const std::vector<Vector_3>& normals,
                                  const boost::iterator_range<const std::uint32_t*>& neighbors) {
@@ -66,7 +66,7 @@ inline Vector_3 normal_by_chords(const Triangulated_surface_3& surface, std::siz
   a += trace * (normal * normal.transpose() + weight_of_no_change * Eigen::Matrix3d::Identity());
   const Eigen::LDLT<Eigen::Matrix3d> factorization(a);
   if(factorization.info() != Eigen::Success)
-    return n; // all neighbours in the direction of the normal, up to underflow
+    return n; // all neighbors in the direction of the normal, up to underflow
   Eigen::Vector3d change = factorization.solve(b);
   const double length = change.norm();
   if(length > largest_change)
@@ -96,7 +96,7 @@ vertex_normals(const Triangulated_surface_3& surface) {
   for(Vector_3& n : normals)
     n = internal::unit_or_zero(n);
 
-  // Neighbours on the boundary change too, hence some sweeps, each from the normals of the last.
+  // Neighbors on the boundary change too, hence some sweeps, each from the normals of the last.
   constexpr int sweeps = 10;
   const internal::Number_lists neighbors = internal::boundary_neighbors(surface);
   for(int sweep = 0; sweep < sweeps && !neighbors.numbers().empty(); ++sweep) {

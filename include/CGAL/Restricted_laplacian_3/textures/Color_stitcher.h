@@ -30,10 +30,10 @@ namespace Restricted_laplacian_3 {
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Where the vector field that is integrated comes from.
 enum class Gradient_source {
-  /// gradients of the colours of the chosen scan at its points nearest to the three vertices,
+  /// gradients of the colors of the chosen scan at its points nearest to the three vertices,
   /// projected to the plane of the triangle and interpolated linearly (paper, section 5.2)
   scans,
-  /// the gradient of the linear function that takes the colours of the chosen scan at the three
+  /// the gradient of the linear function that takes the colors of the chosen scan at the three
   /// vertices
   back_projection
 };
@@ -52,7 +52,7 @@ struct Color_stitching_options {
   int quality_smoothing_steps = 5;
   /// whether each scan's channels are multiplied by factors that make overlapping scans agree
   bool match_exposures = true;
-  /// whether colours are taken to linear light before, and back to sRGB after
+  /// whether colors are taken to linear light before, and back to sRGB after
   bool linear_light = false;
   /// \f$\alpha > 0\f$, in units of 1 / area; without a value `default_screening` / area
   std::optional<double> screening_weight;
@@ -60,7 +60,7 @@ struct Color_stitching_options {
   bool vertex_details = true;
   /// relative residual of the details, if it is larger than that of the solver
   double details_tolerance = 1e-3;
-  /// factor \f$c\f$ of the stabilisation; without a value `default_normal_stabilization()`
+  /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
   std::optional<double> normal_stabilization;
   /// of the linear systems
   Poisson_solver_options solver;
@@ -103,7 +103,7 @@ struct Scan_usage {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// Colours of vertices, and where they come from.
+/// Colors of vertices, and where they come from.
 struct Vertex_colors {
   /// from 0 to 1; black at vertices without a scan
   std::vector<Rgb_color> colors;
@@ -124,11 +124,11 @@ struct Stitching_report : Gradient_report {
   std::size_t uncovered_vertices = 0;
   /// length of the sides across which the scan changes, in units of length
   double seam_length = 0;
-  /// components of colours that were outside of 0 to 1 by more than 0.001 and are cut off
+  /// components of colors that were outside of 0 to 1 by more than 0.001 and are cut off
   std::size_t clamped_values = 0;
-  /// `mean_color_jump()` of the colours of the chosen scans across their transitions
+  /// `mean_color_jump()` of the colors of the chosen scans across their transitions
   double jump_before = 0;
-  /// the same of the stitched colours across the same transitions
+  /// the same of the stitched colors across the same transitions
   double jump_after = 0;
   /// wall-clock seconds: nearest points and qualities, all scans together
   double back_projection_seconds = 0;
@@ -137,7 +137,7 @@ struct Stitching_report : Gradient_report {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// Stitched colours, and how they came about.
+/// Stitched colors, and how they came about.
 struct Stitched_colors : Stitching_report {
   /// of the vertices, from 0 to 1
   std::vector<Rgb_color> colors;
@@ -154,29 +154,29 @@ scan_transitions(const Triangulated_surface_3& surface, const std::vector<std::u
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The visible contrast of seams: the mean over edges of the length of the difference of the
-/// colours of their ends, \f$\lvert c_v - c_w \rvert_2\f$ over the three channels. What true
-/// colours have there is to be subtracted. 0 if there are no edges.
+/// colors of their ends, \f$\lvert c_v - c_w \rvert_2\f$ over the three channels. What true
+/// colors have there is to be subtracted. 0 if there are no edges.
 /// \param edges such as `scan_transitions()` returns
 /// \param colors of the vertices
-/// \throws Parameter_error an edge names a vertex without a colour
+/// \throws Parameter_error an edge names a vertex without a color
 double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
                        const std::vector<Rgb_color>& colors);
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// Colours a surface from several scans without visible seams (paper, section 5.2), in steps, so
+/// Colors a surface from several scans without visible seams (paper, section 5.2), in steps, so
 /// that progress can be shown between them: `add()` each scan, `choose()`, `stitch()`.
 ///
-/// -# The colours of each scan are taken to the vertices, see `Color_back_projector`.
+/// -# The colors of each scan are taken to the vertices, see `Color_back_projector`.
 /// -# A scan is chosen for each triangle, see the section on stitching in the User Manual.
 /// -# Exposures are matched: each channel of each scan is multiplied by a factor, such that the
-///    median of the ratios of the colours is 1 where two scans overlap, in the least-squares sense
+///    median of the ratios of the colors is 1 where two scans overlap, in the least-squares sense
 ///    over all pairs. The logarithms of the factors sum to 0; scans without overlap keep 1.
-/// -# The function \f$u\f$ is found that minimises, for each channel,
+/// -# The function \f$u\f$ is found that minimizes, for each channel,
 ///    \f[ \int_{\mathcal M} \lvert \nabla u - v \rvert^2 + \alpha \int_{\mathcal C} (u - g)^2, \f]
-///    where \f$v\f$ is the gradient of the colour of the chosen scan, see `Gradient_source`,
-///    \f$g\f$ that colour, and \f$\mathcal C\f$ the triangles that have a scan. In the others
+///    where \f$v\f$ is the gradient of the color of the chosen scan, see `Gradient_source`,
+///    \f$g\f$ that color, and \f$\mathcal C\f$ the triangles that have a scan. In the others
 ///    \f$v\f$ is the gradient of the harmonic function, linear in each triangle, that continues
-///    the colours of the chosen scans. So the colours of a scan are changed by a smooth function,
+///    the colors of the chosen scans. So the colors of a scan are changed by a smooth function,
 ///    and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
@@ -200,14 +200,14 @@ public:
   /// the values of the named parameters, as given to the constructor
   const Options& options() const { return m_options; }
 
-  /// Takes the colours of a scan to the surface. The scan is not needed any more then.
+  /// Takes the colors of a scan to the surface. The scan is not needed any more then.
   /// \return what the scan gives, as far as it is known by then: `Scan_usage::covered_vertices` may
   /// be 0
   Scan_usage add(const Colored_scan& scan);
 
   /// how many scans were added
   std::size_t number_of_scans() const { return m_projections.size(); }
-  /// The colours of a scan on the surface, in linear light if that is asked for.
+  /// The colors of a scan on the surface, in linear light if that is asked for.
   const Back_projection& back_projection(std::size_t scan) const { return m_projections[scan]; }
   /// what the scans give; all that it holds is known after `choose()`
   const std::vector<Scan_usage>& usages() const { return m_usages; }
@@ -222,15 +222,15 @@ public:
   /// the scan of each vertex, one of those of its faces, or `no_scan`; empty before `choose()`
   const std::vector<std::uint32_t>& scans_of_vertices() const { return m_scans_of_vertices; }
 
-  /// The colour of the nearest one of the scans that cover a vertex, as it is in the scan: the
+  /// The color of the nearest one of the scans that cover a vertex, as it is in the scan: the
   /// usual way, for comparison (paper, Figure 1, left). Needs no `choose()`.
   Vertex_colors nearest_colors() const;
 
-  /// The colour of the chosen scan of each vertex, as it is in the scan: what is stitched, for
+  /// The color of the chosen scan of each vertex, as it is in the scan: what is stitched, for
   /// comparison. Calls for `choose()` before.
   Vertex_colors chosen_colors() const;
 
-  /// Stitches the colours; calls `choose()` unless that was done.
+  /// Stitches the colors; calls `choose()` unless that was done.
   /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`,
   /// the computation ends with an exception
   /// \throws Input_error as `choose()`
@@ -243,11 +243,11 @@ private:
   const Triangulated_surface_3& surface() const { return m_space->surface(); }
   bool is_parallel() const { return m_space->options().is_parallel; }
 
-  /// as colours are given and returned
+  /// as colors are given and returned
   Rgb_color encoded(const Rgb_color& color) const;
   /// black at all vertices, which have no scan
   Vertex_colors black() const;
-  /// of the triangles whose three vertices have colours, as a fraction of that of the surface
+  /// of the triangles whose three vertices have colors, as a fraction of that of the surface
   double covered_area(const Back_projection& projection) const;
   /// \throws Input_error no triangle has a scan
   void check_coverage(const std::vector<std::uint32_t>& scans_of_faces) const;
@@ -255,10 +255,10 @@ private:
   /// without one. The channels, in the last dimension of `T`, are multiplied by the gains.
   /// \param value_of `Back_projection` and a position in it &rarr; `T`
   template <class T, class ValueOf> std::vector<T> corner_values(ValueOf&& value_of) const;
-  /// Colours for the triangles without a scan: harmonic functions that take the colours of the
+  /// Colors for the triangles without a scan: harmonic functions that take the colors of the
   /// chosen scans on the borders.
   void fill(std::vector<Eigen::Vector3d>& colors) const;
-  /// of the linear functions that take the colours of the corners
+  /// of the linear functions that take the colors of the corners
   Eigen::Matrix3d gradient(const Corner_colors& colors, std::size_t face) const;
   Face_function<Eigen::Matrix3d> back_projected_gradients(const Corner_colors& colors) const;
   /// Tangential parts are taken where the field is integrated.
@@ -266,7 +266,7 @@ private:
   /// the solution at the vertices
   Eigen::MatrixXd integrate(const Vector_field_view& field, const Corner_colors& target,
                             const internal::Progress& progress, Stitched_colors& result) const;
-  /// colours from the values of the solution, and what is to be reported
+  /// colors from the values of the solution, and what is to be reported
   void finish(const Eigen::MatrixXd& values, Stitched_colors& result) const;
 
   const Spline_space_3* m_space;

@@ -45,7 +45,7 @@ Scan_pose scan_pose(const std::array<double, 16>& rows);
 struct Scan_sample {
   /// at the nearest point of the scan, from 0 to 1
   Rgb_color color = {0, 0, 0};
-  /// surface gradient of the colour there, per length in the world: column \f$k\f$ is that of
+  /// surface gradient of the color there, per length in the world: column \f$k\f$ is that of
   /// channel \f$k\f$
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
   /// unit normal there, interpolated, to the side of the viewpoint; may be zero
@@ -60,22 +60,22 @@ struct Scan_sample {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// A scan: a triangulated surface or a set of oriented points with a colour at each vertex, placed
+/// A scan: a triangulated surface or a set of oriented points with a color at each vertex, placed
 /// in the world, and the point that it was seen from.
 ///
 /// Normals of a scan are turned to its viewpoint, so it does not matter how it is oriented.
 ///
-/// *Colours* are linear in each triangle, and their gradients constant. A point of a point set
-/// stands for the linear function in its tangent plane that takes its colour, and whose gradient
-/// fits the `default_number_of_neighbors` nearest neighbours best, with weights that fall with the
+/// *Colors* are linear in each triangle, and their gradients constant. A point of a point set
+/// stands for the linear function in its tangent plane that takes its color, and whose gradient
+/// fits the `default_number_of_neighbors` nearest neighbors best, with weights that fall with the
 /// distance.
 ///
 /// *Boundary* of a mesh: the vertices of sides that no other face shares; of a point set: points
-/// whose neighbours leave nearly half of the directions in the tangent plane empty. Distances to it
+/// whose neighbors leave nearly half of the directions in the tangent plane empty. Distances to it
 /// are those to the nearest of these vertices or points, interpolated.
 ///
 /// *Spacing*: the median length of the sides of the faces; of points the median of
-/// \f$r \sqrt{\pi / k}\f$, where \f$r\f$ is the distance to the \f$k\f$-th neighbour.
+/// \f$r \sqrt{\pi / k}\f$, where \f$r\f$ is the distance to the \f$k\f$-th neighbor.
 ///
 /// Construction takes \f$O(n \log n)\f$ time. Copies share what is stored.
 class Colored_scan {
@@ -87,9 +87,9 @@ public:
   /// \param viewpoint in coordinates of the scan
   /// \param is_parallel whether several threads are used, if the program is linked with TBB; the
   /// result is the same
-  /// \throws Parameter_error the number of colours is not that of the vertices, `pose` is not a
+  /// \throws Parameter_error the number of colors is not that of the vertices, `pose` is not a
   /// rotation with a scale and a translation, or `viewpoint` is not finite
-  /// \throws Invalid_vertex_error the colour of a vertex is not from 0 to 1
+  /// \throws Invalid_vertex_error the color of a vertex is not from 0 to 1
   /// \throws Input_error the surface in the world has coordinates that are not finite
   Colored_scan(const Triangulated_surface_3& surface, std::vector<Rgb_color> colors,
                const Scan_pose& pose = Scan_pose(CGAL::IDENTITY),
@@ -126,7 +126,7 @@ public:
   /// \param points a range of 3D points
   /// \param triangles a range of ranges of three indices into `points`
   /// \param color_map a model of `ReadablePropertyMap` with the index of a point as key, a
-  /// `std::size_t`, and a colour as value, as for a mesh
+  /// `std::size_t`, and a color as value, as for a mesh
   /// \param np optional named parameters:
   /// \cgalNamedParamsBegin
   ///   \named_pose

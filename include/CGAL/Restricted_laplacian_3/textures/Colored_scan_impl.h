@@ -165,7 +165,7 @@ struct Colored_scan::Data {
       sample.color[k] = std::clamp(color[k], 0., 1.);
   }
 
-  /// of the linear interpolant of the colours in a triangle
+  /// of the linear interpolant of the colors in a triangle
   Eigen::Matrix3d gradient_in_face(std::size_t face) const {
     const Eigen::Matrix3d of_hats = internal::hat_gradients(surface, face);
     const auto color = [&](int corner) {

@@ -41,7 +41,7 @@ struct Back_projection_options {
   /// value ten times the spacing of the scan
   std::optional<double> boundary_width;
   /// whether the normals of the surface point outwards; else they are turned to the viewpoint, and
-  /// a thin plate may take colours from a scan of its other side
+  /// a thin plate may take colors from a scan of its other side
   bool oriented_surface = true;
   /// whether gradients are computed
   bool with_gradients = true;
@@ -64,13 +64,13 @@ struct Back_projection_options {
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// The colours of a scan on a surface: of the vertices that it covers, in ascending order.
+/// The colors of a scan on a surface: of the vertices that it covers, in ascending order.
 struct Back_projection {
   /// numbers of the covered vertices; those of what follows are the positions in this vector
   std::vector<std::uint32_t> vertices;
   /// of the nearest points of the scan, from 0 to 1
   std::vector<Rgb_color> colors;
-  /// of the colours of the scan, in the tangent plane of the scan: column \f$k\f$ belongs to
+  /// of the colors of the scan, in the tangent plane of the scan: column \f$k\f$ belongs to
   /// channel \f$k\f$; empty if they were not asked for
   std::vector<Eigen::Matrix3d> gradients;
   /// from the scan
@@ -84,7 +84,7 @@ struct Back_projection {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// Takes colours of scans to the vertices of a surface (paper, section 5.2). A scan *covers* a
+/// Takes colors of scans to the vertices of a surface (paper, section 5.2). A scan *covers* a
 /// vertex of the surface if
 /// - the normal of the surface there faces the viewpoint, \f$\cos\theta \ge\f$
 ///   `minimum_facing_cosine`, where \f$\theta\f$ is its angle to the direction to the viewpoint,
@@ -93,7 +93,7 @@ struct Back_projection {
 /// - the vertex is not beyond the boundary of the scan, see `Scan_sample`.
 ///
 /// What hides a part of the surface from the viewpoint needs no test: a range scan does not come
-/// near what it did not see. The *quality* of the colour is
+/// near what it did not see. The *quality* of the color is
 /// \f[ q = \left(1 - \frac{d}{2 D}\right) \cos\theta\,
 ///         \min\left(1, \frac{b + s}{B + s}\right), \f]
 /// where \f$b\f$ is the distance of the nearest point from the boundary of the scan and \f$s\f$ the
@@ -116,7 +116,7 @@ public:
   explicit Color_back_projector(const Triangulated_surface_3& surface,
                                 const Options& np = Options());
 
-  /// the surface that colours are taken to
+  /// the surface that colors are taken to
   const Triangulated_surface_3& surface() const { return *m_surface; }
   /// the values of the named parameters, as given to the constructor
   const Options& options() const { return m_options; }
@@ -124,7 +124,7 @@ public:
   /// \f$D\f$ of a scan
   double maximum_distance(const Colored_scan& scan) const;
 
-  /// the colours of a scan on the surface
+  /// the colors of a scan on the surface
   Back_projection operator()(const Colored_scan& scan) const;
 
   /// The smallest distance of a vertex from a scan, also of those that it does not cover, to tell
@@ -143,7 +143,7 @@ private:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Colors
-/// The colours of one scan on a surface, see `Color_back_projector`.
+/// The colors of one scan on a surface, see `Color_back_projector`.
 /// \param surface a surface of triangles
 /// \param scan the scan
 /// \param np optional named parameters:

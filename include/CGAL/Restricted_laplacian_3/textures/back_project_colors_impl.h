@@ -41,7 +41,7 @@ inline Back_projection_options checked_options(const Back_projection_options& op
 }
 
 inline double spacing_of(const Triangulated_surface_3& surface) {
-  surface.require_triangles("the back-projection of colours");
+  surface.require_triangles("the back-projection of colors");
   return internal::median_side(surface);
 }
 

@@ -65,7 +65,7 @@ foreach(header IN LISTS headers)
   string(REGEX MATCHALL "#include <CGAL/license/${name}.h>" includes "${text}")
   list(LENGTH includes number)
   if(NOT number EQUAL 1)
-    message(SEND_ERROR "${header} includes the licence ${number} times")
+    message(SEND_ERROR "${header} includes the license ${number} times")
   endif()
 endforeach()
 
@@ -97,7 +97,7 @@ foreach(file IN LISTS files)
   endforeach()
 endforeach()
 
-# Who defines CGAL_LICENSE_ERROR is told of the licence, in CGAL's tree and in ours.
+# Who defines CGAL_LICENSE_ERROR is told of the license, in CGAL's tree and in ours.
 set(include_options "-I${package}/include" "-I${tree}/Installation/include")
 set(cgal_include_dir "")
 if(EXISTS "${CGAL_DIR}/include/CGAL/config.h")

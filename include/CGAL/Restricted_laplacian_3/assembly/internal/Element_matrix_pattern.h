@@ -86,7 +86,7 @@ public:
 
 private:
   /// The elements of a sheet, and the rows of a column, are a set of bits, of which few words are
-  /// not 0: neighbours in space have near numbers. So few numbers need to be sorted, and elements
+  /// not 0: neighbors in space have near numbers. So few numbers need to be sorted, and elements
   /// are united by the word.
   struct Word {
     std::uint32_t number;
@@ -95,7 +95,7 @@ private:
   };
   using Words = std::vector<Word>;
 
-  /// adds neighbouring bits, pairs, nibbles and bytes
+  /// adds neighboring bits, pairs, nibbles and bytes
   static int number_of_bits(std::uint64_t x) {
     x -= x >> 1 & 0x5555555555555555ull;
     x = (x & 0x3333333333333333ull) + (x >> 2 & 0x3333333333333333ull);

@@ -46,10 +46,10 @@ constexpr double part_of_pattern = 0.2;
 /// unit of work is a cell of level top - 2 with all that it contains, up to 4 x 4 x 4 cells of the
 /// top level: the moments of these few sheets are the only ones held besides those of top - 2.
 ///
-/// *Colours.* Cells of level top - 2 of the same parity along all axes, one of 8 colours, are at
+/// *Colors.* Cells of level top - 2 of the same parity along all axes, one of 8 colors, are at
 /// least 2 cells of level top - 1 (4 of top) apart. Elements reach one cell beyond the sheets that
-/// they act on, so no two cells of a colour add to the same entry: they can be done at once. The
-/// colours follow one after the other, also on one thread. So all sums are formed in the same
+/// they act on, so no two cells of a color add to the same entry: they can be done at once. The
+/// colors follow one after the other, also on one thread. So all sums are formed in the same
 /// order, whatever the number of threads.
 class Operator_assembly {
 public:
@@ -92,10 +92,10 @@ public:
 private:
   /// of the cells of a level the next stage has that many
   static constexpr double sixteenth = 1. / 16;
-  /// cells of one colour after which the progress is told
+  /// cells of one color after which the progress is told
   static constexpr std::size_t cells_of_a_step = 256;
 
-  /// moments of sheets, and those of the stabilisation alone, if the mass matrix takes it
+  /// moments of sheets, and those of the stabilization alone, if the mass matrix takes it
   struct Moments {
     std::vector<Sheet_moments> values, stabilization;
 

@@ -58,7 +58,7 @@ System_matrices assemble_system(const Spline_space_3& space, int coarsest,
                                 Stored_entries stored = Stored_entries::all,
                                 const Progress& progress = Progress());
 
-/// \throws Parameter_error if the factor of the stabilisation is negative or not finite
+/// \throws Parameter_error if the factor of the stabilization is negative or not finite
 double checked_normal_stabilization(double c);
 
 } // namespace internal

@@ -37,12 +37,12 @@ constexpr int number_of_moments = 125;
 /// those of its children.
 ///
 /// Why Bernstein polynomials and not powers: an element whose support hardly reaches the surface
-/// has entries many orders below those of its neighbours. In the Bernstein basis the spline pieces
+/// has entries many orders below those of its neighbors. In the Bernstein basis the spline pieces
 /// have non-negative coefficients, so such entries are sums without cancellation and keep their
 /// relative accuracy. With powers they would be the rounding errors of large numbers: the matrix
 /// would no longer be positive semi-definite after scaling, and no smoother would converge.
 ///
-/// The components of one moment are neighbours, so that they are multiplied and added as one or two
+/// The components of one moment are neighbors, so that they are multiplied and added as one or two
 /// vectors of the processor: the six of the tensor (xx, yy, zz, xy, xz, yz), the mass, and the mass
 /// without its weight.
 struct alignas(64) Sheet_moments {
@@ -283,7 +283,7 @@ inline void add_child_component(const Sheet_moments& child, int k, int octant,
     parent.values[i][k] += 0.25 * shifted[i];
 }
 
-/// The moments of the stabilisation of a sheet of the finest level. It adds to the stiffness block
+/// The moments of the stabilization of a sheet of the finest level. It adds to the stiffness block
 /// the integral over the *volume* of the cell of \f$c\, \nabla b_i^T N\, \nabla b_j\f$, \f$N\f$
 /// the average of \f$n n^T\f$ over the sheet: the block of the tensor moments
 /// \f$c\, N_{kl} \int B_a B_b B_c = c\, N_{kl} / 125\f$.

@@ -120,7 +120,7 @@ private:
       links.insert(links.end(), of_chunk.begin(), of_chunk.end());
   }
 
-  /// links the sheets of cell number `i` with those of one half of the 26 neighbours
+  /// links the sheets of cell number `i` with those of one half of the 26 neighbors
   static void link_with_neighbors(const Octree_level& finest, std::size_t i, Links& links) {
     const auto [first, last] = finest.sheets(i);
     const Cell_3 cell = finest.cell(first);

@@ -9,16 +9,16 @@
 
 /// \file
 /// Which of the 27 elements of a cell are not zero on all of a piece of the surface in the cell: a
-/// bit for each, those of the neighbours that they are centred on.
+/// bit for each, those of the neighbors that they are centered on.
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// the bit of the neighbour at offset (dx, dy, dz), each -1, 0 or 1
+/// the bit of the neighbor at offset (dx, dy, dz), each -1, 0 or 1
 inline int element_bit(int dx, int dy, int dz) { return (dx + 1) + 3 * (dy + 1) + 9 * (dz + 1); }
 
-/// the bits of all neighbours at an offset along an axis
+/// the bits of all neighbors at an offset along an axis
 inline std::uint32_t elements_at_offset(int axis, int offset) {
   constexpr std::array<std::uint32_t, 3> lowest = {0x1249249, 0x1c0e07, 0x1ff};
   constexpr std::array<int, 3> shift = {1, 3, 9};

@@ -24,8 +24,8 @@ namespace internal {
 /// A symmetric sparse matrix in single precision. The eight rows of a cluster share one list of the
 /// columns in which any of them has an entry, with a number of each row for each.
 ///
-/// Restricted splines of neighbouring cells act on the same sheets, so their rows have most of
-/// their columns in common: with clusters of neighbours two thirds of these numbers are entries of
+/// Restricted splines of neighboring cells act on the same sheets, so their rows have most of
+/// their columns in common: with clusters of neighbors two thirds of these numbers are entries of
 /// the matrix, and what is read of a vector serves eight rows.
 class Cluster_matrix {
 public:

@@ -37,9 +37,9 @@ struct Group_layout {
   std::vector<std::uint32_t> colors; // first group of each, and one more
 };
 
-/// For each unknown the number of a neighbourhood, such that what `Smoothing_patches` asks of
-/// neighbourhoods holds: unknowns of one are in, or coupled with, the same groups. For patches
-/// whose neighbourhoods are not known.
+/// For each unknown the number of a neighborhood, such that what `Smoothing_patches` asks of
+/// neighborhoods holds: unknowns of one are in, or coupled with, the same groups. For patches
+/// whose neighborhoods are not known.
 inline std::vector<std::uint64_t> independent_neighborhoods(const Sparse_matrix& a,
                                                             const Smoothing_patches& patches) {
   const std::size_t n = static_cast<std::size_t>(a.cols());
@@ -50,7 +50,7 @@ inline std::vector<std::uint64_t> independent_neighborhoods(const Sparse_matrix&
         pairs.emplace_back(i, group);
   const Number_lists groups(n, pairs);
   const Symmetric_rows rows(a);
-  // neighbourhoods are numbered in the order in which their lists of groups come first
+  // neighborhoods are numbered in the order in which their lists of groups come first
   std::map<std::vector<std::uint32_t>, std::uint64_t> numbers;
   std::vector<std::uint64_t> result(n);
   std::vector<std::uint32_t> nearby;

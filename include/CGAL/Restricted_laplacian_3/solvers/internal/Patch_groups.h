@@ -82,7 +82,7 @@ private:
     return (size + multiple - 1) / multiple * multiple;
   }
 
-  /// Unknowns of a neighbourhood go into the same cluster, those of one patch first if they are
+  /// Unknowns of a neighborhood go into the same cluster, those of one patch first if they are
   /// more than eight.
   void find_clusters(std::size_t n, const Smoothing_patches& patches,
                      const std::vector<std::uint64_t>& neighborhoods) {

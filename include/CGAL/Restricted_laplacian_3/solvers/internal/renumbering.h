@@ -24,7 +24,7 @@ namespace internal {
 /// Gauss-Seidel relaxes the large ones first before the coarse correction, and last after it, the
 /// small ones only have to take up what the large ones left: conjugate gradients need about half of
 /// the iterations that they need with the elements in the order of space. Octaves do as well as a
-/// full sort, and neighbours in space stay near in memory.
+/// full sort, and neighbors in space stay near in memory.
 inline std::vector<int> order_by_octave_of_diagonal(const Sparse_matrix& a) {
   const Eigen::VectorXd diagonal = a.diagonal();
   std::vector<int> octave(diagonal.size());

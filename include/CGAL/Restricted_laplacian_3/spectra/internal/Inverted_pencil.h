@@ -17,7 +17,7 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// The operator \f$C = R^{-T} M R^{-1}\f$ in the form that Spectra takes, where
-/// \f$R^T R = K = S - \sigma M + \tau D\f$, \f$D = \mathrm{diag}(S - \sigma M)\f$, is factorised.
+/// \f$R^T R = K = S - \sigma M + \tau D\f$, \f$D = \mathrm{diag}(S - \sigma M)\f$, is factorized.
 ///
 /// The eigenvalues \f$\nu = 1 / (\lambda - \sigma)\f$ of \f$C\f$ are those of \f$K^{-1} M\f$, the
 /// eigenvectors \f$y = R x\f$ are orthogonal in the plain scalar product. An iteration with

@@ -136,7 +136,7 @@ public:
   /// of the last level
   int iterations() const { return m_iterations; }
 
-  /// Moves the first vectors to `pairs`, normalised, with their values and residuals.
+  /// Moves the first vectors to `pairs`, normalized, with their values and residuals.
   void take_pairs(Eigen::Index count, Eigenpairs& pairs) {
     // copies of an eigenvalue may be out of order by rounding
     Indices order(static_cast<std::size_t>(count)), place(order.size());

@@ -71,8 +71,8 @@ inline void check_eigenproblem(const Sparse_matrix& s, const Sparse_matrix& m, i
   CGAL_precondition(is_symmetric(m));
 }
 
-/// Normalises the vectors, replaces each value by the Rayleigh quotient
-/// \f$x^T S x / x^T M x\f$ of its vector, in which the regularisation appears squared only, and
+/// Normalizes the vectors, replaces each value by the Rayleigh quotient
+/// \f$x^T S x / x^T M x\f$ of its vector, in which the regularization appears squared only, and
 /// sorts.
 inline void finish_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m,
                               Eigen::MatrixXd vectors, Eigenpairs& pairs) {

@@ -14,7 +14,7 @@
 #include <vector>
 
 /// \file
-/// Points of a set and their neighbours in the tangent plane.
+/// Points of a set and their neighbors in the tangent plane.
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -28,7 +28,7 @@ struct Point_sites {
   std::vector<Vector_3> normals; // of unit length
 };
 
-/// The neighbours of a site in coordinates of its tangent plane: those whose normals are within 90
+/// The neighbors of a site in coordinates of its tangent plane: those whose normals are within 90
 /// degrees of its own.
 inline void project_neighbors(const Point_sites& sites, std::size_t site,
                               const std::vector<std::uint32_t>& neighbors,
@@ -48,7 +48,7 @@ inline void project_neighbors(const Point_sites& sites, std::size_t site,
     }
 }
 
-/// the largest angle between two neighbours that follow each other around the origin
+/// the largest angle between two neighbors that follow each other around the origin
 inline double largest_gap(const std::vector<std::array<double, 2>>& neighbors) {
   constexpr double pi = 3.14159265358979323846;
   std::vector<double> angles;

@@ -46,7 +46,7 @@ inline std::vector<Shared_side> shared_sides(const Triangulated_surface_3& surfa
 /// Chooses a scan for each triangle among those that cover its three vertices.
 ///
 /// First the qualities of each scan are smoothed: a step replaces the quality at a vertex by the
-/// mean of itself and the mean over its neighbours, as far as the scan covers them. The quality
+/// mean of itself and the mean over its neighbors, as far as the scan covers them. The quality
 /// \f$q_s\f$ in a triangle is the smallest of its corners. Then
 /// \f[ \sum_{\mathrm{triangles}} \frac{A}{\bar A} \left(1 - q_s\right)
 ///     + w \sum_{\mathrm{seams}} \frac{\ell}{\bar\ell} \f]

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// Logarithms of ratios of the colours of pairs of scans where both cover the surface, by channel.
+/// Logarithms of ratios of the colors of pairs of scans where both cover the surface, by channel.
 class Exposure_ratios {
 public:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -66,7 +66,7 @@ private:
 
   void add(const std::vector<Back_projection>& scans, const std::vector<std::size_t>& at,
            const Pair& pair) {
-    // Where one scan sees the surface badly, and in colours that are cut off or nearly black, the
+    // Where one scan sees the surface badly, and in colors that are cut off or nearly black, the
     // ratio says little of the exposures.
     constexpr double smallest_quality = 0.1, darkest = 0.02, brightest = 0.98;
     const Back_projection &a = scans[pair.first], &b = scans[pair.second];
@@ -83,11 +83,11 @@ private:
   std::map<Pair, Ratios> m_ratios;
 };
 
-/// Factors that make the colours of scans agree where they overlap, for each scan and channel.
-/// Their logarithms \f$g_s\f$ minimise \f$\sum n_{st} (g_s + m_{st} - g_t)^2\f$ over pairs,
+/// Factors that make the colors of scans agree where they overlap, for each scan and channel.
+/// Their logarithms \f$g_s\f$ minimize \f$\sum n_{st} (g_s + m_{st} - g_t)^2\f$ over pairs,
 /// where \f$m_{st}\f$ is the median of the logarithms of the ratios of their \f$n_{st}\f$ common
-/// colours; they sum to 0 among scans that are connected by overlaps.
-/// \throws Numerical_error the factorisation fails
+/// colors; they sum to 0 among scans that are connected by overlaps.
+/// \throws Numerical_error the factorization fails
 inline std::vector<Rgb_color> exposure_gains(const std::vector<Back_projection>& scans) {
   // A weak weight of g^2 fixes what pairs leave undetermined.
   constexpr double relative_regularization = 1e-9;

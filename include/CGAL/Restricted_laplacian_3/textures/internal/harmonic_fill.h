@@ -50,10 +50,10 @@ inline Numerical_error harmonic_fill_error() {
 }
 
 /// Fills in values at vertices by functions that are linear in each triangle and harmonic: they
-/// minimise \f$\int \lvert \nabla u \rvert^2\f$ with the known values. Values on connected
+/// minimize \f$\int \lvert \nabla u \rvert^2\f$ with the known values. Values on connected
 /// components without a known vertex are left as they are.
 /// \param values a row for each vertex
-/// \throws Numerical_error the factorisation fails
+/// \throws Numerical_error the factorization fails
 inline void fill_harmonically(const Triangulated_surface_3& surface,
                               const std::vector<char>& is_known, Eigen::MatrixXd& values) {
   const std::vector<int> rows = rows_to_be_filled(surface, is_known);

@@ -80,7 +80,7 @@ inline std::vector<double> distances_to_marked(const Triangulated_surface_3& sur
   return distances;
 }
 
-/// What follows from the neighbours of the points of a set.
+/// What follows from the neighbors of the points of a set.
 struct Scan_point_properties {
   double spacing = 0;
   std::vector<char> is_on_boundary;
@@ -88,9 +88,9 @@ struct Scan_point_properties {
   std::vector<Eigen::Matrix3d> gradients;
 };
 
-/// The tangential gradients that fit the differences of colours best: weighted least squares
+/// The tangential gradients that fit the differences of colors best: weighted least squares
 /// around the weighted means, in the directions in which the points differ.
-/// \param ways from a point to its neighbours in its tangent plane
+/// \param ways from a point to its neighbors in its tangent plane
 /// \throws Numerical_error the eigenvectors of their moments are not found
 inline Eigen::Matrix3d fitted_gradient(const std::vector<Eigen::Vector3d>& ways,
                                        const std::vector<Eigen::Vector3d>& colors) {
@@ -131,7 +131,7 @@ inline Eigen::Matrix3d fitted_gradient(const std::vector<Eigen::Vector3d>& ways,
   return gradient;
 }
 
-/// Neighbours whose normals are more than 90 degrees away are left out.
+/// Neighbors whose normals are more than 90 degrees away are left out.
 /// \param normals of the points, of unit length, all to one side
 inline Scan_point_properties scan_point_properties(const Triangulated_surface_3& surface,
                                                    const std::vector<Vector_3>& normals,
