@@ -22,7 +22,7 @@ CONSTANTS = (
     ("problems/Function_fitter.h", "default_tolerance", "of_curvature"),
 )
 # Defaults that depend on others in the code: the constant that holds the usual one.
-USUAL = {"octree_depth": "default_depth", "cube_scale": "default_cube_scale"}
+USUAL = {"octree_depth": "default_smallest_depth", "cube_scale": "default_cube_scale"}
 
 
 def read_aliases(text):

@@ -8,7 +8,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iostream>
 
@@ -27,10 +27,12 @@ int main(int argc, char* argv[]) try {
   // mean, Gaussian and principal curvatures, principal directions and normals
   auto curvature = mesh.add_property_map<Mesh::Vertex_index, RL::Surface_curvature>("v:c").first;
   RL::estimate_curvature(mesh, curvature, np);
-  const auto [lowest, highest] =
-      std::minmax_element(curvature.begin(), curvature.end(),
-                          [](const auto& a, const auto& b) { return a.mean < b.mean; });
-  std::cout << "mean curvature is between " << lowest->mean << " and " << highest->mean << '\n';
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for(const RL::Surface_curvature& c : curvature) { // NaN at vertices that have no face
+    low = std::fmin(low, c.mean);
+    high = std::fmax(high, c.mean);
+  }
+  std::cout << "mean curvature is between " << low << " and " << high << '\n';
 
   // the normals of the faces, as three functions that are smooth and defined everywhere
   auto normal = mesh.add_property_map<Mesh::Vertex_index, RL::Vector_3>("v:n").first;

@@ -27,8 +27,9 @@ int main(int argc, char* argv[]) try {
   const Eigen::VectorXd times = RL::heat_kernel_times(spectrum, 5);
   const Eigen::MatrixXd hks = RL::heat_kernel_signature(spectrum, times);
   for(Eigen::Index j = 0; j < times.size(); ++j)
-    std::cout << "heat kernel signature at time " << times[j] << ": from " << hks.col(j).minCoeff()
-              << " to " << hks.col(j).maxCoeff() << '\n';
+    std::cout << "heat kernel signature at time " << times[j] << ": from "
+              << hks.col(j).minCoeff<Eigen::PropagateNumbers>() << " to "
+              << hks.col(j).maxCoeff<Eigen::PropagateNumbers>() << '\n';
 
   // the biharmonic distance of two vertices is that of their rows
   const Eigen::MatrixXd points = RL::biharmonic_embedding(spectrum);

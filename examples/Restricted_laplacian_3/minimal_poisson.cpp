@@ -7,7 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iostream>
 
@@ -26,8 +26,12 @@ int main(int argc, char* argv[]) try {
   // Laplacian u = f; the mean of f is removed, and u has mean zero
   const RL::Solve_report report = RL::solve_poisson(mesh, f, u);
 
-  const auto [low, high] = std::minmax_element(u.begin(), u.end());
-  std::cout << "u is between " << *low << " and " << *high << '\n';
+  double low = 0, high = 0;
+  for(double value : u) { // NaN, the value of vertices that have no face, is left out
+    low = std::fmin(low, value);
+    high = std::fmax(high, value);
+  }
+  std::cout << "u is between " << low << " and " << high << '\n';
   return report.converged ? 0 : 1;
 } catch(const std::exception& e) {
   std::cerr << "minimal_poisson: " << e.what() << '\n';

@@ -25,6 +25,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -187,10 +188,41 @@ TEST_CASE("defaults_are_those_of_the_manual", "[interface]") {
   CHECK(areas == RL::estimate_point_areas(points, normals, RL::default_number_of_neighbors));
   CHECK(areas != RL::estimate_point_areas(points, normals, 8));
   const RL::Triangulated_surface_3 cloud(points, normals, areas);
-  const int depth = RL::default_octree_depth_of_points(cloud, 1.1);
+  const int depth = RL::default_octree_depth(cloud, 1.1);
   CHECK(depth == 1); // 1026 points: 128 in each of 8 cells, of 56 cells less than 50 in each
   CHECK_THROWS_WITH(cloud.require_triangles("this test"), Catch::Contains("this test"));
   CHECK_NOTHROW(space.surface().require_triangles("this test"));
+}
+
+TEST_CASE("default_depth", "[interface]") {
+  // The unit square, n times split in four: sides have a mean length of (2 + sqrt(2)) / (3 2^n),
+  // half of 2.27614 / 2^n.
+  const auto depth_of = [](int n, double cube_scale, double factor = 1) {
+    shapes::Triangles t = shapes::rectangle(1, 1);
+    for(int i = 0; i < n; ++i)
+      t = shapes::split_in_four(t);
+    t = shapes::scaled(t, factor);
+    return RL::default_octree_depth(RL::Triangulated_surface_3(t.points, t.faces), cube_scale);
+  };
+  for(int n : {0, 4, 5, 6, 7, 8, 9}) {
+    CAPTURE(n);
+    const int depth = (std::min)((std::max)(n, 5), 8);
+    CHECK(depth_of(n, 1.2) == depth);
+    CHECK(depth_of(n, 2.276) == depth);
+    CHECK(depth_of(n, 2.277) == (std::min)((std::max)(n + 1, 5), 8));
+  }
+  CHECK(depth_of(6, 2.276, 1e-60) == 6);
+  CHECK(depth_of(6, 2.277, 1e60) == 7);
+  CHECK_THROWS_AS(depth_of(1, 0.5), RL::Parameter_error);
+
+  shapes::Triangles t = shapes::rectangle(1, 1);
+  for(int i = 0; i < 6; ++i)
+    t = shapes::split_in_four(t);
+  const Mesh mesh = shapes::mesh(t);
+  CHECK(RL::Spline_space_3(mesh).depth() == 5); // the side of the cube is 1.1
+  CHECK(RL::Spline_space_3(mesh, params::paper_space(true)).depth() == 6); // 1.2
+  CHECK(RL::Spline_space_3(mesh, params::cube_scale(2.3)).depth() == 7);
+  CHECK(RL::Spline_space_3(mesh, params::octree_depth(3)).depth() == 3);
 }
 
 TEST_CASE("extents_are_limited", "[interface]") {

@@ -361,7 +361,7 @@ TEST_CASE("depth_that_points_allow", "[points]") {
   CHECK(depth_of(20000) == 3);
   CHECK(depth_of(60000) == 4);
   // else the default is that of meshes
-  CHECK(RL::Spline_space_3(shapes::mesh(shapes::sphere(0))).depth() == 6);
+  CHECK(RL::Spline_space_3(shapes::mesh(shapes::sphere(0))).depth() == 5);
 }
 
 TEST_CASE("spectrum_of_many_points_on_a_sphere", "[points][slow]") {

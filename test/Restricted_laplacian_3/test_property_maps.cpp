@@ -175,7 +175,7 @@ TEST_CASE("types_of_parameters_may_differ_from_those_of_the_defaults", "[mesh_ty
   const std::size_t expected = dimension(params::octree_depth(3).cube_scale(2.));
   CHECK(dimension(params::octree_depth(std::size_t(3)).cube_scale(2)) == expected);
   CHECK(dimension(params::octree_depth(short(3)).cube_scale(2.f)) == expected);
-  CHECK(RL::Spline_space_3(mesh).depth() == 6);
+  CHECK(RL::Spline_space_3(mesh).depth() == 5);
 }
 
 TEST_CASE("solution_is_written_into_any_writable_map", "[mesh_types]") {

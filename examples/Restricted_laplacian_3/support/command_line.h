@@ -19,6 +19,7 @@
 #include <initializer_list>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,9 @@ constexpr unsigned int help_width = 92;
 
 // Of the spline space, see make_space().
 struct Space_options {
-  int octree_depth = 6;
-  double cube_scale = 0;         // the default
-  double joining_tolerance = -1; // not joined
+  std::optional<int> octree_depth; // that of the surface, see RL::default_octree_depth()
+  double cube_scale = 0;           // the default
+  double joining_tolerance = -1;   // not joined
   bool paper_space = false, split_elements = true, split_point_set = false;
 };
 
@@ -67,9 +68,16 @@ struct Help {
 inline po::options_description space_options(Common_options& o) {
   po::options_description description("Finite elements", help_width);
   auto add = description.add_options();
-  int& depth = o.space.octree_depth;
-  add("depth", po::value(&depth)->value_name("D")->default_value(depth),
-      "depth of the octree: 2^D cells along each side of the domain cube");
+  auto* depth = po::value<int>()->value_name("D");
+  depth->notifier([&o](int value) { o.space.octree_depth = value; });
+  if(o.space.octree_depth)
+    depth->default_value(*o.space.octree_depth);
+  add("depth", depth,
+      o.space.octree_depth
+          ? "depth of the octree: 2^D cells along each side of the domain cube"
+          : "depth of the octree: 2^D cells along each side of the domain cube (default: the "
+            "smallest from 5 to 8 at which sides of triangles are at least half as long as cells "
+            "are wide, in the mean)");
   add("cube-scale", po::value(&o.space.cube_scale)->value_name("S"),
       "side of the domain cube over the longest side of the bounding box "
       "(default: 1.1, or 1.2 with --paper)");

@@ -62,19 +62,13 @@ inline Mesh_input read_mesh_or_points(const std::string& file,
   return {RL::read_point_set(points, np), false};
 }
 
-// The same, with the depth for points if none is given.
-inline Mesh_input read_mesh_or_points(Common_options& o, const Point_options& p,
+// The same, for the options of a program.
+inline Mesh_input read_mesh_or_points(const Common_options& o, const Point_options& p,
                                       const po::variables_map& given) {
   Mesh_input input = read_mesh_or_points(o.mesh, p.neighbors);
   if(!input.surface.is_point_set())
     require(given["neighbors"].defaulted() && !o.space.split_point_set,
             "--neighbors and --split-points need a set of points");
-  else if(given["depth"].defaulted()) {
-    const double cube_scale = given.count("cube-scale") ? o.space.cube_scale
-                              : o.space.paper_space     ? 1.2
-                                                        : 1.1;
-    o.space.octree_depth = RL::default_octree_depth_of_points(input.surface, cube_scale);
-  }
   return input;
 }
 

@@ -289,8 +289,8 @@ test_bad_input() {
     fails "truncated.off" "$program" truncated.off
     fails "folder.off" "$program" folder.off
     fails "positional" "$program" small.off small.off
-    fails "unrecognized.*frobnicate" "$program" small.off --frobnicate
-    fails "unrecognized.*dep" "$program" small.off --dep 3
+    fails "unrecognised.*frobnicate" "$program" small.off --frobnicate
+    fails "unrecognised.*dep" "$program" small.off --dep 3
     fails "depth.*missing\|missing.*depth" "$program" small.off --depth
     fails "7x" "$program" small.off --depth 7x
     fails "7.5" "$program" small.off --depth 7.5

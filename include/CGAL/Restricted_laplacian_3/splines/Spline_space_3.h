@@ -28,21 +28,29 @@ class Element_numbering;
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// The depth that a set of points allows, for functions that are given no `octree_depth`: the
-/// largest up to 6 at which the cells that hold points have 50 of them each, on average; at least
-/// 1.
+/// The depth of the octree for functions that are given no `octree_depth`.
 ///
-/// With fewer points in a cell the sums do not determine the functions on it any more, and
-/// eigenvalues become too small: see the section on points in the User Manual.
-/// \param surface one that is given by points
-/// \param cube_scale side of the domain cube over the longest side of the bounding box
-int default_octree_depth_of_points(const Triangulated_surface_3& surface, double cube_scale);
+/// For a mesh or soup it is the smallest depth from 5 to 8 at which sides of triangles, in the
+/// mean, are at least half as long as a cell is wide. That gives about one to four unknowns for
+/// each vertex, and errors like those of the cotangent Laplacian on the same triangles, or smaller.
+/// See the section on the depth in the User Manual for what speaks for more or less.
+///
+/// For a set of points it is the largest from 1 to 6 at which the cells that hold points have 50 of
+/// them each, on average. With fewer points in a cell the sums do not determine the functions on it
+/// any more, and eigenvalues become too small.
+///
+/// Takes time linear in the number of triangles, or \f$O(n \log n)\f$ for \f$n\f$ points.
+/// \param surface triangles, or points
+/// \param cube_scale side of the domain cube over the longest side of the bounding box, from 1 to
+/// \f$10^6\f$
+/// \throws Parameter_error if `cube_scale` is out of range
+int default_octree_depth(const Triangulated_surface_3& surface, double cube_scale);
 
 namespace internal {
 
 /// the named parameters of a `Spline_space_3`, read
 struct Spline_space_options {
-  /// depth \f$d\f$ of the octree; without a value 6, or `default_octree_depth_of_points()`
+  /// depth \f$d\f$ of the octree; without a value `default_octree_depth()`
   std::optional<int> octree_depth;
   /// side of the domain cube over the longest side of the bounding box; without a value 1.1, or 1.2
   /// in the space of the paper

@@ -184,11 +184,30 @@ private:
 
 } // namespace internal
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE int
-default_octree_depth_of_points(const Triangulated_surface_3& surface, double cube_scale) {
+namespace internal {
+
+// `side` is that of the domain cube.
+inline int default_depth_of_triangles(const Triangulated_surface_3& surface, double side) {
+  constexpr int default_smallest_depth = 5;
+  constexpr int default_largest_depth = 8;
+  constexpr double least_edge_over_width = 0.5;
+  double sum = 0;
+  for(std::size_t face = 0; face < surface.number_of_faces(); ++face) {
+    for(int i = 0; i < 3; ++i) {
+      const Vector_3 edge = surface.point(face, (i + 1) % 3) - surface.point(face, i);
+      sum += std::hypot(edge.x() / side, edge.y() / side, edge.z() / side);
+    }
+  }
+  const double mean = sum / (3. * static_cast<double>(surface.number_of_faces()));
+  int depth = default_smallest_depth;
+  while(depth < default_largest_depth && std::ldexp(mean, depth) < least_edge_over_width)
+    ++depth;
+  return depth;
+}
+
+inline int default_depth_of_points(const Triangulated_surface_3& surface, double side) {
   constexpr std::size_t points_per_cell = 50;
   constexpr int largest_depth = 6;
-  const double side = internal::checked_cube_scale(cube_scale) * surface.extent();
   const Point_3 center = surface.center();
   std::vector<std::uint64_t> keys;
   keys.reserve(surface.number_of_vertices());
@@ -210,6 +229,15 @@ default_octree_depth_of_points(const Triangulated_surface_3& surface, double cub
     for(std::uint64_t& key : keys)
       key >>= 3;
   }
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_octree_depth(const Triangulated_surface_3& surface,
+                                                            double cube_scale) {
+  const double side = internal::checked_cube_scale(cube_scale) * surface.extent();
+  return surface.is_point_set() ? internal::default_depth_of_points(surface, side)
+                                : internal::default_depth_of_triangles(surface, side);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
@@ -271,14 +299,11 @@ Spline_space_3::make_octree(Triangulated_surface_3&& surface, const Options& o) 
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_space_3::Options
 Spline_space_3::checked(const Triangulated_surface_3& surface, Options options) {
-  constexpr int default_depth = 6;
   constexpr double default_cube_scale = 1.1, default_cube_scale_of_paper = 1.2;
   if(!options.cube_scale)
     options.cube_scale = options.paper_space ? default_cube_scale_of_paper : default_cube_scale;
   if(!options.octree_depth)
-    options.octree_depth = surface.is_point_set()
-                               ? default_octree_depth_of_points(surface, *options.cube_scale)
-                               : default_depth;
+    options.octree_depth = default_octree_depth(surface, *options.cube_scale);
   options.split_elements = options.split_elements && !options.paper_space;
   options.split_point_set = options.split_point_set && !options.paper_space;
   const double tolerance = options.joining_tolerance.value_or(0);
