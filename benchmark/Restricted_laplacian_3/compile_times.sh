@@ -97,7 +97,9 @@ for ((i = 0; i < repetitions; ++i)); do
   done
 done
 
-echo "# commit: $(git -C "$root" describe --always --dirty 2>/dev/null || echo unknown)"
+commit=$(git -C "$root" rev-parse --short HEAD 2>/dev/null || echo unknown)
+changed=$(git -C "$root" status --porcelain -- . ':!benchmark/Restricted_laplacian_3/results' || true)
+echo "# commit: $commit${changed:+-dirty}"
 echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores"
 echo "# compiler: $("$cxx" --version | head -n 1)"
 echo "# command: compile_times.sh${arguments[*]:+ ${arguments[*]}}"
