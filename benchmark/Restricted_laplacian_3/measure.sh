@@ -159,7 +159,11 @@ for name in "$@"; do
   fi
   rm -f "$output"
 done
-if compgen -G "$build/data/meshes/spectrum_study/*.csv" >/dev/null; then
-  cp "$build"/data/meshes/spectrum_study/*.csv "$here/results/spectrum_study/"
-fi
+# the curves that plots show
+for curve in "$here"/results/spectrum_study/*.csv; do
+  new=$build/data/meshes/spectrum_study/$(basename "$curve")
+  if [[ -e $new ]]; then
+    cp "$new" "$curve"
+  fi
+done
 exit $status
