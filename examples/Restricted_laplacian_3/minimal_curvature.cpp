@@ -28,7 +28,7 @@ int main(int argc, char* argv[]) try {
   auto curvature = mesh.add_property_map<Mesh::Vertex_index, RL::Surface_curvature>("v:c").first;
   RL::estimate_curvature(mesh, curvature, np);
   double low = HUGE_VAL, high = -HUGE_VAL;
-  for(const RL::Surface_curvature& c : curvature) { // NaN at vertices that have no face
+  for(const RL::Surface_curvature& c : curvature) { // NaN at vertices on no area
     low = std::fmin(low, c.mean);
     high = std::fmax(high, c.mean);
   }

@@ -27,7 +27,7 @@ int main(int argc, char* argv[]) try {
   const RL::Solve_report report = RL::solve_poisson(mesh, f, u);
 
   double low = 0, high = 0;
-  for(double value : u) { // NaN, the value of vertices that have no face, is left out
+  for(double value : u) { // NaN, the value of vertices on no area, is left out
     low = std::fmin(low, value);
     high = std::fmax(high, value);
   }

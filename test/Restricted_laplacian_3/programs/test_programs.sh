@@ -1321,6 +1321,15 @@ test_short_programs() {
                    if(\$i ~ /^after/) a = \$(i - 1) } }
           END { exit !(a > 0 && a < b / 2) }' out"
   fails "usage" minimal_stitching
+  # the first three vertices have one face, without an area
+  awk 'NR == 2 { n = $1; $1 += 3; ++$2; print $0 "\n7 7 7\n8 8 8\n9 9 9"; next }
+    NR > n + 2 { for(i = 2; i <= 4; ++i) $i += 3 }
+    { print }
+    END { print "3 0 1 2" }' sphere.off > needle.off
+  for program in minimal_poisson minimal_curvature minimal_descriptors; do
+    succeeds $program needle.off
+    check "$program leaves out what is no number" eval "! grep -E '(between|from|to|and) -?nan' out"
+  done
   # CGAL adds a line of its own
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh, and tells its usage" \

@@ -182,10 +182,6 @@ private:
   const Spline_space_3& m_space;
 };
 
-} // namespace internal
-
-namespace internal {
-
 // `side` is that of the domain cube.
 inline int default_depth_of_triangles(const Triangulated_surface_3& surface, double side) {
   constexpr int default_smallest_depth = 5;
