@@ -17,7 +17,7 @@ packages=(
   libopenmesh-dev libpng-dev
 )
 others=(
-  pkg-config clang libclang-rt-14-dev llvm clang-format catch2
+  pkg-config ccache clang libclang-rt-14-dev llvm clang-format catch2
   libbenchmark-dev libhypre-dev
   doxygen libjs-mathjax python3 hunspell hunspell-en-us
 )

@@ -17,12 +17,11 @@
 
 #include "sphere.h"
 #include "support/measure.h"
+#include "support/meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -94,11 +93,9 @@ void run_on_threads(const char* name, const Make& make_surface, int depth, bool 
 } // namespace
 
 int main(int argc, char* argv[]) {
-  using Mesh = CGAL::Surface_mesh<RL::Point_3>;
-  const std::string path =
-      argc > 1 ? argv[1] : std::string(RESTRICTED_LAPLACIAN_3_DATA_DIR) + "/bunny00.off";
-  Mesh mesh;
-  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(path, mesh)) {
+  const std::string path = argc > 1 ? argv[1] : benchmarks::cgal_file("bunny00.off");
+  const auto mesh = benchmarks::read_mesh_file(path);
+  if(!mesh) {
     std::fprintf(stderr, "cannot read %s\n", path.c_str());
     return 1;
   }
@@ -106,7 +103,7 @@ int main(int argc, char* argv[]) {
   std::printf("# %-7s %9s %5s %7s %9s %9s %10s %8s %8s %8s %9s %10s\n", "surface", "triangles",
               "depth", "threads", "fragments", "unknowns", "entries", "space_s", "S_s", "all_s",
               "Mfragm/s", "us/unknown");
-  const auto read = [&mesh] { return RL::read_surface(mesh); };
+  const auto read = [&mesh] { return RL::read_surface(*mesh); };
   for(int depth = 5; depth <= 8; ++depth)
     run_on_threads("mesh", read, depth);
   std::printf("\n\n");
@@ -119,14 +116,12 @@ int main(int argc, char* argv[]) {
         "sphere", [&surface] { return surface; }, 6);
   }
   std::printf("\n\n");
-  const std::string armadillo =
-      std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/armadillo_mc1m.ply";
-  Mesh large;
-  if(!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(armadillo, large)) {
+  const auto large = benchmarks::read_mesh_file(benchmarks::shared_file("armadillo_mc1m.ply"));
+  if(!large) {
     std::printf("# left out: cannot read armadillo_mc1m.ply of the shared meshes\n");
     return 0;
   }
   for(int depth = 6; depth <= 7; ++depth)
     run_on_threads(
-        "armadillo", [&large] { return RL::read_surface(large); }, depth);
+        "armadillo", [&large] { return RL::read_surface(*large); }, depth);
 }

@@ -282,7 +282,7 @@ struct Soup {
 
 Soup read_soup(const std::string& name) {
   Soup soup;
-  const std::string path = std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + name;
+  const std::string path = shared_file(name);
   if(!std::ifstream(path) || !CGAL::IO::read_polygon_soup(path, soup.points, soup.faces))
     std::fprintf(stderr, "SKIPPED: cannot read %s\n", path.c_str());
   return soup;
@@ -296,7 +296,7 @@ RL::Triangulated_surface_3 surface_of(const Soup& soup) {
 /// them: faces serve for nothing else.
 std::vector<Points> scan_points(const std::string& poses) {
   std::vector<Points> result;
-  std::ifstream in(std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + poses);
+  std::ifstream in(shared_file(poses));
   for(std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     std::string file;

@@ -19,9 +19,9 @@
 // --values also prints the eigenvalues
 
 #include "support/measure.h"
+#include "support/meshes.h"
 #include "support/spectra.h"
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <Eigen/Core>
@@ -127,20 +127,20 @@ int run_meshes(std::vector<std::string> paths, bool prints_values) {
   if(paths.empty()) {
     for(const char* file :
         {"pulley_28k", "turbine_18k", "sword_45k", "wingnut_6k", "cat_16k", "plane_holes_17k"})
-      paths.push_back(std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + file + ".ply");
-    paths.push_back(std::string(RESTRICTED_LAPLACIAN_3_DATA_DIR) + "/rotor_small.off");
+      paths.push_back(shared_file(std::string(file) + ".ply"));
+    paths.push_back(cgal_file("rotor_small.off"));
   }
   int failures = 0;
   for(const std::string& path : paths) {
     const std::size_t begin = path.find_last_of('/') + 1;
     const std::string name = path.substr(begin, path.find_last_of('.') - begin);
-    CGAL::Surface_mesh<RL::Point_3> mesh;
-    if(!std::ifstream(path) || !CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(path, mesh)) {
+    const auto mesh = read_mesh_file(path);
+    if(!mesh) {
       std::printf("# %s: cannot read %s\n\n\n", name.c_str(), path.c_str());
       continue;
     }
     try {
-      run_mesh(name, RL::read_surface(mesh), prints_values);
+      run_mesh(name, RL::read_surface(*mesh), prints_values);
     } catch(const std::exception& e) {
       std::printf("# %s: %s\n\n\n", name.c_str(), e.what());
       ++failures;

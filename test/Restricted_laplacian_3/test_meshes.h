@@ -11,6 +11,8 @@
 /// Paths of mesh files. They are empty where the file is not there, and the test that needs it says
 /// so with `SKIP_TEST()` or `SKIP_PART()`.
 
+extern const char folder_of_cgal_meshes[], folder_of_shared_meshes[];
+
 inline std::string path_of_mesh(const std::string& folder, const std::string& file) {
   const std::string path = folder + "/" + file;
   return !folder.empty() && std::ifstream(path) ? path : std::string();
@@ -18,12 +20,12 @@ inline std::string path_of_mesh(const std::string& folder, const std::string& fi
 
 /// a mesh of CGAL's data, one of those listed in cmake/Restricted_laplacian_3_test_data.cmake
 inline std::string cgal_mesh(const std::string& file) {
-  return path_of_mesh(RESTRICTED_LAPLACIAN_3_DATA_DIR, file);
+  return path_of_mesh(folder_of_cgal_meshes, file);
 }
 
 /// a mesh of the larger set
 inline std::string shared_mesh(const std::string& file) {
-  return path_of_mesh(RESTRICTED_LAPLACIAN_3_SHARED_MESHES, file);
+  return path_of_mesh(folder_of_shared_meshes, file);
 }
 
 #endif // RESTRICTED_LAPLACIAN_3_TEST_TEST_MESHES_H

@@ -7,6 +7,8 @@
 // What the comparisons share: the comment that says where their figures come from, medians, the
 // true residual, and measuring in a process of its own.
 
+#include "built_from.h"
+
 #include <Eigen/Core>
 
 #include <dlfcn.h>
@@ -27,9 +29,6 @@
 #include <vector>
 
 namespace benchmarks {
-
-// what the build generates
-extern const char built_from_commit[], built_with_flags[];
 
 /// Prints commit, machine, compiler and command as comments.
 inline void print_header(int argc, char* argv[]) {

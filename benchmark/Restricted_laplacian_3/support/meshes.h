@@ -6,11 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <cstdio>
-#include <fstream>
 #include <optional>
 #include <string>
 
@@ -18,37 +15,22 @@ namespace benchmarks {
 
 namespace RL = CGAL::Restricted_laplacian_3;
 
+/// A file in the folder of shared meshes, or among CGAL's data, whether it is there or not.
+std::string shared_file(const std::string& name);
+std::string cgal_file(const std::string& name);
+
 /// A mesh file, or the one of that name in the folder of shared meshes or among those of CGAL's
 /// data; empty, and a message, if there is none.
-inline std::string find_path(const std::string& name) {
-  for(const std::string& file :
-      {name, std::string(RESTRICTED_LAPLACIAN_3_SHARED_MESHES) + "/" + name + ".ply",
-       std::string(RESTRICTED_LAPLACIAN_3_DATA_DIR) + "/" + name + ".off"})
-    if(std::ifstream(file).good())
-      return file;
-  std::fprintf(
-      stderr,
-      "SKIPPED: there is no mesh %s, nor %s.ply in the folder of shared meshes, nor %s.off "
-      "in CGAL's data\n",
-      name.c_str(), name.c_str(), name.c_str());
-  return {};
-}
+std::string find_path(const std::string& name);
+
+/// The mesh of a file, if it can be read.
+std::optional<CGAL::Surface_mesh<RL::Point_3>> read_mesh_file(const std::string& file);
 
 /// The mesh that `find_path()` finds, if it can be read.
-inline std::optional<CGAL::Surface_mesh<RL::Point_3>> find_mesh_file(const std::string& name) {
-  const std::string file = find_path(name);
-  CGAL::Surface_mesh<RL::Point_3> mesh;
-  if(!file.empty() && CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file, mesh))
-    return mesh;
-  return std::nullopt;
-}
+std::optional<CGAL::Surface_mesh<RL::Point_3>> find_mesh_file(const std::string& name);
 
 /// the same as a surface
-inline std::optional<RL::Triangulated_surface_3> find_mesh(const std::string& name) {
-  if(const auto mesh = find_mesh_file(name))
-    return RL::read_surface(*mesh);
-  return std::nullopt;
-}
+std::optional<RL::Triangulated_surface_3> find_mesh(const std::string& name);
 
 } // namespace benchmarks
 

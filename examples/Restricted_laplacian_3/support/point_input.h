@@ -8,19 +8,10 @@
 
 #include "command_line.h"
 #include "mesh_input.h"
-#include "program.h"
-#include "vertex_data.h"
 
-#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
-
-#include <CGAL/tags.h>
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace examples {
 
@@ -28,15 +19,7 @@ struct Point_options {
   int neighbors = RL::default_number_of_neighbors;
 };
 
-inline po::options_description point_options(Point_options& p, Common_options& o) {
-  po::options_description options("Points", help_width);
-  auto add = options.add_options();
-  add("neighbors", po::value(&p.neighbors)->value_name("K")->default_value(p.neighbors),
-      "number of neighbors of a point from which the area that it stands for is estimated");
-  add("split-points", po::bool_switch(&o.space.split_point_set),
-      "split elements by components of points that are linked by distance and normals");
-  return options;
-}
+po::options_description point_options(Point_options& p, Common_options& o);
 
 const char* const about_points = R"(
 In place of a mesh, a file .xyz with lines of six numbers, x y z nx ny nz, or a PLY file
@@ -46,31 +29,12 @@ normals, and stands for a surface without any mesh. Normals must be oriented ali
 )";
 
 // A mesh, or a set of points.
-inline Mesh_input read_mesh_or_points(const std::string& file,
-                                      int neighbors = RL::default_number_of_neighbors) {
-  const std::string format = extension(file);
-  if(format != ".xyz") {
-    internal::Polygon_soup soup = internal::read_soup(file);
-    if(format != ".ply" || !soup.polygons.empty())
-      return internal::mesh_of(std::move(soup), file);
-  }
-  const Point_set points = read_points(file);
-  require(!points.empty(), "'" + file + "' holds no point");
-  require(points.has_normal_map(), "'" + file + "' has neither faces nor normals");
-  const auto np = RL::parameters::number_of_neighbors(neighbors).concurrency_tag(
-      CGAL::Parallel_if_available_tag());
-  return {RL::read_point_set(points, np), false};
-}
+Mesh_input read_mesh_or_points(const std::string& file,
+                               int neighbors = RL::default_number_of_neighbors);
 
 // The same, for the options of a program.
-inline Mesh_input read_mesh_or_points(const Common_options& o, const Point_options& p,
-                                      const po::variables_map& given) {
-  Mesh_input input = read_mesh_or_points(o.mesh, p.neighbors);
-  if(!input.surface.is_point_set())
-    require(given["neighbors"].defaulted() && !o.space.split_point_set,
-            "--neighbors and --split-points need a set of points");
-  return input;
-}
+Mesh_input read_mesh_or_points(const Common_options& o, const Point_options& p,
+                               const po::variables_map& given);
 
 } // namespace examples
 
