@@ -21,7 +21,7 @@ file(WRITE "${doc}/copyright"
 Upstream-Name: Restricted_laplacian_3
 
 Files: *
-Copyright: 2026 The Restricted_laplacian_3 developers
+Copyright: 2026 ${CPACK_PACKAGE_VENDOR}
 License: GPL-3.0+
  This package is free software: you can redistribute it and/or modify it under
  the terms of the GNU General Public License, version 3 of the License, or (at
@@ -68,13 +68,17 @@ endif()
 
 file(RENAME "${doc}/CHANGELOG.md" "${doc}/changelog")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+set(contact "${CPACK_PACKAGE_CONTACT}")
+if(NOT contact MATCHES "<.*>$")
+  string(APPEND contact " <>") # the form of a changelog
+endif()
 set(version "${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 file(WRITE "${doc}/changelog.Debian"
 "${package} (${version}) unstable; urgency=medium
 
   * Version ${CPACK_PACKAGE_VERSION}; its changes are in changelog.gz.
 
- -- ${CPACK_PACKAGE_CONTACT}  ${date}
+ -- ${contact}  ${date}
 ")
 
 file(WRITE "${share}/lintian/overrides/${package}"

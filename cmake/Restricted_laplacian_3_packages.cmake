@@ -11,7 +11,10 @@ endif()
 
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_GENERATOR DEB TGZ)
-set(CPACK_PACKAGE_VENDOR "The Restricted_laplacian_3 developers")
+# the one place for this name; what cannot read it is compared with it by the test one_name
+file(STRINGS package_info/Restricted_laplacian_3/maintainer CPACK_PACKAGE_VENDOR LIMIT_COUNT 1)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+  package_info/Restricted_laplacian_3/maintainer)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_COMPONENTS_ALL headers)
 set(CPACK_PACKAGE_FILE_NAME "Restricted_laplacian_3-${PROJECT_VERSION}-noarch")
@@ -25,7 +28,7 @@ set(CPACK_RESOURCE_FILE_README "${PROJECT_SOURCE_DIR}/README.md")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
-set(CPACK_PACKAGE_CONTACT "Unknown <unknown@localhost>")
+set(CPACK_PACKAGE_CONTACT "${CPACK_PACKAGE_VENDOR}")
 set(CPACK_PROJECT_CONFIG_FILE "${PROJECT_SOURCE_DIR}/cmake/Restricted_laplacian_3_maintainer.cmake")
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)

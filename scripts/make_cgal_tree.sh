@@ -28,17 +28,18 @@ title="Laplacian by Restricted Splines"
 prefix=cgal:rl3-
 package=$cgal/$name
 own=$root/test/$name/project/cgal_tree
+authors=$(<"$root/package_info/$name/maintainer")
 
 # with_cgal_header FILE...: CGAL's comment in place of the first two lines, and the license before all
 # else that is included
 with_cgal_header() {
   local file
   for file in "$@"; do
-    awk -v license="$license" -v name="$name" '
+    awk -v license="$license" -v name="$name" -v authors="$authors" '
       NR == 1 {
         print $0 "\n// All rights reserved.\n//\n// This file is part of CGAL (www.cgal.org)\n//"
         print "// $URL$\n// $Id$\n// SPDX-License-Identifier: " license "\n//"
-        print "// Author(s)     : The " name " developers"
+        print "// Author(s)     : " authors
       }
       NR <= 2 || /^#include <CGAL\/license\// { next }
       { print }

@@ -2,3 +2,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for_impl.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs_impl.h>

@@ -282,7 +282,7 @@ TEST_CASE("bad_meshes_of_the_larger_set", "[soups][slow]") {
     std::vector<RL::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;
     REQUIRE(CGAL::IO::read_polygon_soup(path, points, faces));
-    const RL::Spline_space_3 space(points, faces, params::octree_depth(5));
+    const RL::Spline_space_3 space(points, faces, params::octree_depth(4));
     CHECK(space.octree().number_of_sheets(0) == components);
     const RL::Operators operators = RL::assemble_operators(space);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());

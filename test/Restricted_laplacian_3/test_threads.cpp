@@ -118,8 +118,10 @@ TEST_CASE("results_do_not_depend_on_the_number_of_threads", "[threads][slow]") {
     inputs.emplace_back(std::move(rotor), 6);
   for(const auto& [mesh, depth] : inputs)
     for(bool is_split : {true, false}) {
+      if(!is_split && depth > 5)
+        continue; // what is not split differs in the numbers of elements only
       const Assembled sequential(mesh, depth, is_split, false);
-      for(int threads : {1, 2, 3}) {
+      for(int threads : {1, 3}) {
         INFO(threads << " threads" << (is_split ? ", split" : ", unsplit"));
         const Thread_limit limit(threads);
         check_identical(Assembled(mesh, depth, is_split, true), sequential);

@@ -4,7 +4,9 @@
 
 """Writes sources that show that every header compiles alone and twice over.
 
-usage: header_chains.py INCLUDE_DIR OUTPUT_DIR [HEADER LEFT OUT]...
+usage: header_chains.py --all|--public INCLUDE_DIR OUTPUT_DIR [HEADER LEFT OUT]...
+
+--public leaves out what only other headers include: folders named internal, and definitions (_impl.h).
 
 If B reaches A anyway, then B compiles alone exactly if it compiles after A: so one source that
 includes A and then B is about both. A source is a chain of such headers, and there are as few chains
@@ -68,16 +70,19 @@ def chains(reached_from):
 
 
 def main():
-    include_dir, output_dir = map(pathlib.Path, sys.argv[1:3])
+    is_public = sys.argv[1] == "--public"
+    include_dir, output_dir = map(pathlib.Path, sys.argv[2:4])
     includes = {}
     for path in include_dir.rglob("*.h"):
         header = path.relative_to(include_dir).as_posix()
-        if header not in sys.argv[3:]:
+        if header not in sys.argv[4:]:
             includes[header] = list(included_always(path.read_text()))
     output_dir.mkdir(parents=True, exist_ok=True)
     names = []
-    found = list(chains({header: reached(header, includes) for header in includes}))
-    if sum(map(len, found)) != len(includes):
+    chosen = {header for header in includes
+              if not is_public or not ("/internal/" in header or header.endswith("_impl.h"))}
+    found = list(chains({header: reached(header, includes) & chosen for header in chosen}))
+    if sum(map(len, found)) != len(chosen):
         sys.exit("some headers include each other")
     for chain in found:
         source = "".join(f"#include <{header}>\n" for header in chain)

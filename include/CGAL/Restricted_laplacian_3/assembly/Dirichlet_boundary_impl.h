@@ -6,12 +6,11 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/wall_crossings.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -53,22 +52,15 @@ boundary_sides(const Spline_space_3& space) {
 inline double largest_generalized_eigenvalue(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   // functions with less energy than this, relative, vanish on the sheet
   constexpr double relative_cutoff = 1e-10;
-  using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
-  const auto solve = [](const Eigen::MatrixXd& matrix, int options) {
-    Solver solver(matrix, options);
-    if(solver.info() != Eigen::Success)
-      throw Numerical_error("the eigenvalues at the boundary cannot be computed");
-    return solver;
-  };
-  const Solver of_b = solve(b, Eigen::ComputeEigenvectors);
-  const double cutoff = relative_cutoff * of_b.eigenvalues().maxCoeff();
-  const Eigen::Index rank = (of_b.eigenvalues().array() > cutoff).count();
+  constexpr const char* what = "a matrix at the boundary";
+  const Symmetric_eigenpairs of_b = symmetric_eigenpairs(b, what);
+  const double cutoff = relative_cutoff * of_b.values.maxCoeff();
+  const Eigen::Index rank = (of_b.values.array() > cutoff).count();
   if(rank == 0)
     return std::numeric_limits<double>::infinity();
   const Eigen::MatrixXd basis =
-      of_b.eigenvectors().rightCols(rank) *
-      of_b.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
-  return solve(basis.transpose() * a * basis, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+      of_b.vectors.rightCols(rank) * of_b.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  return symmetric_eigenpairs(basis.transpose() * a * basis, what).values.maxCoeff();
 }
 
 inline Eigen::Map<const Eigen::Matrix<double, Tensor_basis_3::size, 1>>

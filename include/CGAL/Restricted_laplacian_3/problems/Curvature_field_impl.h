@@ -36,12 +36,13 @@ inline Surface_curvature curvature_of_normals(const Eigen::Vector3d& n,
   tangents.col(1) = normal.cross(tangents.col(0));
   // the derivative of n / |n| has no other tangential part
   const Eigen::Matrix2d shape = tangents.transpose() * derivatives * tangents / length;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
-  solver.compute((shape + shape.transpose()) / 2);
+  const Eigen::Matrix2d symmetric = (shape + shape.transpose()) / 2;
   const auto vector = [](const Eigen::Vector3d& v) { return Vector_3(v[0], v[1], v[2]); };
   result.normal = vector(normal);
-  if(solver.info() != Eigen::Success)
-    return result; // derivatives that are not finite: NaN
+  if(!symmetric.allFinite())
+    return result; // NaN
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(symmetric);
   for(int i = 0; i < 2; ++i) {
     result.principal_values[i] = solver.eigenvalues()[1 - i];
     result.principal_directions[i] = vector(tangents * solver.eigenvectors().col(1 - i));

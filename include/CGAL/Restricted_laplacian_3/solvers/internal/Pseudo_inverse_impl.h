@@ -6,12 +6,10 @@
 
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse.h>
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/connected_components.h>
 
 #include <CGAL/assertions.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <cstddef>
@@ -57,17 +55,14 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd Pseudo_inverse::inverse(const
                                                                            double regularization) {
   const Eigen::VectorXd scale =
       a.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * a *
-                                                              scale.asDiagonal());
-  if(solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
-    throw Numerical_error("the eigenvalues of a matrix of the coarsest level of the multigrid "
-                          "hierarchy could not be computed");
-  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-  const Eigen::VectorXd inverse =
-      solver.eigenvalues().unaryExpr([largest, regularization](double value) {
-        return value > relative_cutoff * largest ? 1 / (value + regularization * largest) : 0.;
-      });
-  const Eigen::MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * a * scale.asDiagonal();
+  const Symmetric_eigenpairs pairs =
+      symmetric_eigenpairs(scaled, "a matrix of the coarsest level of the multigrid hierarchy");
+  const double largest = pairs.values.cwiseAbs().maxCoeff();
+  const Eigen::VectorXd inverse = pairs.values.unaryExpr([largest, regularization](double value) {
+    return value > relative_cutoff * largest ? 1 / (value + regularization * largest) : 0.;
+  });
+  const Eigen::MatrixXd vectors = scale.asDiagonal() * pairs.vectors;
   return vectors * inverse.asDiagonal() * vectors.transpose();
 }
 

@@ -6,13 +6,13 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/connected_components.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -32,18 +32,6 @@ namespace internal {
 /// The largest eigenvalue below 0 that a surface of this area would have, were the distance of
 /// two eigenvalues the same everywhere (Weyl's law).
 inline double natural_shift(double area) { return -4 * 3.14159265358979323846 / area; }
-
-/// The eigenvalues of a dense symmetric matrix, ascending, and orthonormal eigenvectors.
-/// \throws Numerical_error if the iteration for them does not converge, for example because of an
-/// entry that is not a number
-inline Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
-dense_decomposition(const Eigen::MatrixXd& a) {
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(a);
-  if(solver.info() != Eigen::Success)
-    throw Numerical_error("the eigenvalues of a matrix of " + std::to_string(a.rows()) +
-                          " rows could not be computed");
-  return solver;
-}
 
 /// whether the entries of a matrix and of its transpose agree, to rounding
 inline bool is_symmetric(const Sparse_matrix& a) {
@@ -112,20 +100,20 @@ inline void dense_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int
   constexpr double relative_cutoff = 1e-12;
   const Eigen::VectorXd scale =
       m.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
-  const auto of_mass =
-      dense_decomposition(scale.asDiagonal() * Eigen::MatrixXd(m) * scale.asDiagonal());
-  const double cutoff = relative_cutoff * of_mass.eigenvalues().maxCoeff();
-  const Eigen::Index rank = (of_mass.eigenvalues().array() > cutoff).count();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * Eigen::MatrixXd(m) * scale.asDiagonal();
+  const Symmetric_eigenpairs of_mass = symmetric_eigenpairs(scaled, "the mass matrix");
+  const double cutoff = relative_cutoff * of_mass.values.maxCoeff();
+  const Eigen::Index rank = (of_mass.values.array() > cutoff).count();
   if(k > rank)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but the space has only " +
                                    std::to_string(rank) + " independent functions on the surface");
-  const Eigen::MatrixXd basis =
-      scale.asDiagonal() * of_mass.eigenvectors().rightCols(rank) *
-      of_mass.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd basis = scale.asDiagonal() * of_mass.vectors.rightCols(rank) *
+                                of_mass.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::MatrixXd reduced = basis.transpose() * (s * basis);
-  const auto solver = dense_decomposition((reduced + reduced.transpose()) / 2);
+  const Symmetric_eigenpairs found =
+      symmetric_eigenpairs((reduced + reduced.transpose()) / 2, "the reduced stiffness matrix");
   pairs.converged = true;
-  finish_eigenpairs(s, m, basis * solver.eigenvectors().leftCols(k), pairs);
+  finish_eigenpairs(s, m, basis * found.vectors.leftCols(k), pairs);
 }
 
 /// Solves a problem that has passed `check_eigenproblem()`, if it is too small for an iteration,

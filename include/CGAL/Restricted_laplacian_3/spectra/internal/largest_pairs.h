@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_INTERNAL_LARGEST_PAIRS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -34,11 +34,11 @@ inline Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& a) {
   if(cholesky.info() == Eigen::Success &&
      (cholesky.matrixLLT().diagonal().array() > smallest_pivot).all())
     return cholesky.matrixU().solve(Eigen::MatrixXd::Identity(a.rows(), a.cols()));
-  const auto of_a = dense_decomposition(a);
-  const double cutoff = relative_cutoff * of_a.eigenvalues().maxCoeff();
-  const Eigen::Index rank = (of_a.eigenvalues().array() > cutoff).count();
-  return of_a.eigenvectors().rightCols(rank) *
-         of_a.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Symmetric_eigenpairs of_a = symmetric_eigenpairs(a, "a Gram matrix");
+  const double cutoff = relative_cutoff * of_a.values.maxCoeff();
+  const Eigen::Index rank = (of_a.values.array() > cutoff).count();
+  return of_a.vectors.rightCols(rank) *
+         of_a.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 /// The `k` largest eigenvalues of \f$M y = \nu A y\f$, and vectors with \f$y^T A y = 1\f$.
@@ -56,9 +56,10 @@ inline Dense_pairs largest_pairs(const Eigen::MatrixXd& m, const Eigen::MatrixXd
   if(basis.cols() < k)
     throw Numerical_error("the vectors of the eigenvalue iteration are linearly dependent");
   const Eigen::MatrixXd reduced = basis.transpose() * (scaled_m * basis).eval();
-  const auto solver = dense_decomposition((reduced + reduced.transpose()) / 2);
-  const Eigen::MatrixXd y = solver.eigenvectors().rightCols(k).rowwise().reverse();
-  return {solver.eigenvalues().tail(k).reverse(), scale.asDiagonal() * (basis * y).eval()};
+  const Symmetric_eigenpairs found =
+      symmetric_eigenpairs((reduced + reduced.transpose()) / 2, "a matrix of Ritz vectors");
+  const Eigen::MatrixXd y = found.vectors.rightCols(k).rowwise().reverse();
+  return {found.values.tail(k).reverse(), scale.asDiagonal() * (basis * y).eval()};
 }
 
 } // namespace internal

@@ -1,0 +1,134 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Usage: scripts/test_everything.sh [STAGE]...
+#
+# What takes too long for each change, some hours in all; to be run before a release. Stages, all of
+# them unless some are named:
+#
+#   release     all that scripts/test.sh runs, with tests of data that are large, every header alone, and
+#               each way to use the package without the compiled library; benchmarks are linked
+#   headers     the unit tests without the compiled library
+#   sanitizers  all unit tests but the slow ones with AddressSanitizer and UndefinedBehaviorSanitizer
+#   threads     ThreadSanitizer over the tests with the tag [threads]
+#   random      many random surfaces, and every allocation failing
+#   cgal_6      scripts/test_cgal_6.sh, if RESTRICTED_LAPLACIAN_3_CGAL_6_DIR in the environment is the
+#               folder of a CGALConfig.cmake of CGAL 6
+#
+# Each stage builds in build/everything/STAGE/. How it ended goes to
+# test/Restricted_laplacian_3/project/everything_log.txt, in place of what the last run of the stage left
+# there. The exit status is 0 if all went well. JOBS in the environment is the number of parallel jobs, 2
+# if not set, and ROUNDS the number of random surfaces, 1000 if not set.
+
+set -euo pipefail
+export LC_ALL=C
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+all_stages=(release headers sanitizers threads random cgal_6)
+for name in "$@"; do
+  if [[ " ${all_stages[*]} " != *" $name "* ]]; then
+    sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+  fi
+done
+jobs=${JOBS:-2}
+log=$PWD/test/Restricted_laplacian_3/project/everything_log.txt
+commit=$(git describe --always --dirty --exclude='*' 2>/dev/null || echo unknown)
+launcher=
+if command -v ccache >/dev/null; then
+  launcher=ccache
+  export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+fi
+
+# build STAGE OPTION...
+build() {
+  cmake -S . -B "build/everything/$1" -G "Unix Makefiles" \
+    -DRESTRICTED_LAPLACIAN_3_WARNINGS_AS_ERRORS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON \
+    -DRESTRICTED_LAPLACIAN_3_TEST_EVERYTHING=ON "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" "${@:2}" &&
+    cmake --build "build/everything/$1" --parallel "$jobs"
+}
+
+# run STAGE JOBS OPTION...: tests of a build, counted for the log
+run() {
+  local results=$PWD/build/everything/$1/results.xml status=0
+  rm -f "$results"
+  CMAKE_CXX_COMPILER_LAUNCHER=$launcher ctest --test-dir "build/everything/$1" --parallel "$2" \
+    --output-on-failure --no-tests=error --output-junit "$results" "${@:3}" || status=1
+  details=$(awk '
+    /<testcase / { ++all }
+    /<testcase .* status="run"/ { ++passed }
+    /<skipped message="SKIP_/ { ++skipped }
+    END { printf "%d passed, %d failed, %d skipped", passed, all - passed - skipped, skipped }
+  ' "$results")
+  return "$status"
+}
+
+release() {
+  build release -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O1 \
+    -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON -DRESTRICTED_LAPLACIAN_3_BUILD_BENCHMARKS=ON \
+    -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON &&
+    run release "$jobs"
+}
+
+headers() {
+  build headers -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1\ -DNDEBUG \
+    -DRESTRICTED_LAPLACIAN_3_COMPILED=OFF -DRESTRICTED_LAPLACIAN_3_TEST_BUNDLE=1 \
+    -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF &&
+    run headers "$jobs" --label-regex unit
+}
+
+# sanitized STAGE SANITIZERS
+sanitized() {
+  build "$1" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" "-DRESTRICTED_LAPLACIAN_3_SANITIZE=$2" \
+    -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF \
+    -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF -DRESTRICTED_LAPLACIAN_3_INSTALL=OFF
+}
+
+# Leak detection finds what tests leave.
+sanitizers() {
+  sanitized sanitizers address,undefined &&
+    ASAN_OPTIONS=detect_leaks=1:halt_on_error=1 \
+      UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 run sanitizers "$jobs"
+}
+
+# One test after the other: each has threads of its own. Libraries that are not compiled for it, such as
+# CHOLMOD with its OpenMP, do not count.
+threads() {
+  sanitized threads thread &&
+    TSAN_OPTIONS=halt_on_error=1:ignore_noninstrumented_modules=1 run threads 1
+}
+
+random() {
+  local program=build/everything/release/test/Restricted_laplacian_3 status=0
+  [[ -x $program/test_memory ]] || release || status=1
+  details="${ROUNDS:-1000} surfaces"
+  RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS=${ROUNDS:-1000} \
+    "$program/test_restricted_laplacian_3" random_hostile_surfaces || status=1
+  RESTRICTED_LAPLACIAN_3_FAIL_ALL_ALLOCATIONS=1 "$program/test_memory" || status=1
+  return "$status"
+}
+
+cgal_6() {
+  details="its log is cgal_6_log.txt"
+  bash scripts/test_cgal_6.sh "$RESTRICTED_LAPLACIAN_3_CGAL_6_DIR"
+}
+
+touch "$log"
+failed=0
+(($# > 0)) || set -- "${all_stages[@]}"
+for name in "$@"; do
+  if [[ $name == cgal_6 && -z ${RESTRICTED_LAPLACIAN_3_CGAL_6_DIR-} ]]; then
+    echo "=== cgal_6 is left out: RESTRICTED_LAPLACIAN_3_CGAL_6_DIR is not set"
+    continue
+  fi
+  echo "=== $name"
+  details="not built" result=passed start=$SECONDS
+  "$name" || result=FAILED failed=1
+  line="$result: $name, $details, $((SECONDS - start)) s, commit $commit, $(date -u +%F)"
+  { grep -v "^[a-zA-Z]*: $name," "$log" || true; echo "$line"; } >"$log.new"
+  mv "$log.new" "$log"
+done
+cat "$log"
+exit "$failed"
