@@ -74,12 +74,12 @@ double largest_difference(const RL::Spline_space_3& space, const Eigen::MatrixXd
   return result;
 }
 
-double largest_entry(const RL::Sparse_matrix& a) { return a.coeffs().cwiseAbs().maxCoeff(); }
-double largest_entry(const Eigen::MatrixXd& a) { return a.cwiseAbs().maxCoeff(); }
+double largest_coefficient(const RL::Sparse_matrix& a) { return a.coeffs().cwiseAbs().maxCoeff(); }
+double largest_coefficient(const Eigen::MatrixXd& a) { return a.cwiseAbs().maxCoeff(); }
 
 /// largest difference of the entries of two matrices over the largest entry
 template <class Matrix> double matrix_difference(const Matrix& a, const Matrix& b) {
-  return largest_entry(Matrix(a - b)) / largest_entry(a);
+  return largest_coefficient(Matrix(a - b)) / largest_coefficient(a);
 }
 
 /// the mean of each column of coefficients with a weight
