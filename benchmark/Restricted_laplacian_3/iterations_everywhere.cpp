@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Does the solver stall anywhere? The iterations to 1e-8 of
+// - Poisson problems, poisson_z and poisson_random,
+// - screened ones, alpha from 1e-6 to 1e6 over the area, screened_1e-6 ...,
+// - fits: fit_z, fit_wave (a sine of each coordinate), fit_normals (of the faces), fit_random,
+// - gradients: a vector for each face, random
+// with V- and W-cycles, where z is a coordinate, and what is random are independent normal numbers
+// at the vertices (of the faces, for vectors).
+//
+// A line for each mesh, depth, problem and cycle: unknowns; iterations, with * where the tolerance
+// was not reached; the relative residual; the root mean square of the error of a fit; seconds of
+// the iteration, and of all.
+//
+// usage: iterations_everywhere [OPTION]...
+
+#include "support/measure.h"
+#include "support/meshes.h"
+#include "support/package.h"
+
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
+
+#include <boost/program_options.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace benchmarks;
+namespace po = boost::program_options;
+namespace params = RL::parameters;
+
+struct Options {
+  std::vector<std::string> meshes, problems, cycles = {"v", "w"};
+  std::vector<int> depths = {4, 5, 6, 7, 8};
+  int limit = 200, threads = 2;
+  double tolerance = 1e-8, stabilization = -1;
+};
+
+std::vector<double> random_numbers(std::size_t number) {
+  boost::random::mt19937 engine(1);
+  boost::random::normal_distribution<double> distribution;
+  std::vector<double> result(number);
+  for(double& x : result)
+    x = distribution(engine);
+  return result;
+}
+
+class Case {
+public:
+  Case(const Options& o, const std::string& mesh, const RL::Triangulated_surface_3& surface,
+       int depth)
+    : m_options(o), m_mesh(mesh), m_surface(surface), m_depth(depth),
+      m_space(surface, space_options(depth, true, o.threads)),
+      m_at_vertices(random_numbers(surface.number_of_vertices())),
+      m_in_faces(random_numbers(3 * surface.number_of_faces())) {}
+
+  void run(const std::string& problem) {
+    for(const std::string& cycle : m_options.cycles) {
+      m_cycle = cycle == "w" ? RL::Cycle::W : RL::Cycle::V;
+      const double begin = seconds_now();
+      RL::Solve_report report;
+      double error = 0;
+      if(problem.rfind("fit_", 0) == 0) {
+        const RL::Function_fit fit = fitted(problem);
+        report = fit;
+        error = fit.root_mean_square_error();
+      } else if(problem == "gradients")
+        report = gradients();
+      else
+        report = solved(problem);
+      std::printf("%-20s %5d %-15s %s %8zu %6d%s %9.2e %9.3e %7.2f %7.2f\n", m_mesh.c_str(),
+                  m_depth, problem.c_str(), cycle.c_str(), m_space.dimension(), report.iterations,
+                  report.converged ? " " : "*", report.relative_residual, error,
+                  report.solve_seconds, seconds_now() - begin);
+      std::fflush(stdout);
+    }
+  }
+
+private:
+  auto parameters() const {
+    return params::relative_tolerance(m_options.tolerance)
+        .number_of_iterations(m_options.limit)
+        .cycle(m_cycle)
+        .concurrency_tag(CGAL::Parallel_if_available_tag());
+  }
+
+  RL::Solve_report solved(const std::string& problem) const {
+    double alpha = 0;
+    if(problem.rfind("screened_", 0) == 0)
+      alpha = std::atof(problem.c_str() + 9) / m_surface.area();
+    Eigen::VectorXd load, x;
+    if(problem == "poisson_z")
+      load = RL::assemble_load(m_space, [](const RL::Surface_point& p) { return p.point.z(); });
+    else
+      load = RL::assemble_load(m_space, RL::Linear_surface_function<double>(m_at_vertices));
+    if(m_options.stabilization >= 0)
+      return RL::make_poisson_solver(m_space, alpha,
+                                     parameters().normal_stabilization(m_options.stabilization))
+          .solve(load, x);
+    return RL::make_poisson_solver(m_space, alpha, parameters()).solve(load, x);
+  }
+
+  RL::Function_fit fitted(const std::string& problem) const {
+    const double unit = m_surface.extent() / 10;
+    if(problem == "fit_z")
+      return fit([](const RL::Surface_point& p) { return p.point.z(); });
+    if(problem == "fit_wave")
+      return fit([unit](const RL::Surface_point& p) {
+        return std::array<double, 3>{std::sin(p.point.x() / unit), std::sin(p.point.y() / unit),
+                                     std::sin(p.point.z() / unit)};
+      });
+    if(problem == "fit_normals")
+      return fit([](const RL::Surface_point& p) { return p.normal; });
+    return fit(RL::Linear_surface_function<double>(m_at_vertices));
+  }
+
+  RL::Function_fit fit(const RL::Surface_function_view& f) const {
+    if(m_options.stabilization >= 0)
+      return RL::fit_function(m_space, f,
+                              parameters().normal_stabilization(m_options.stabilization));
+    return RL::fit_function(m_space, f, parameters());
+  }
+
+  RL::Solve_report gradients() const {
+    const auto field = [this](const RL::Surface_point& p) {
+      return RL::Vector_3(m_in_faces[3 * p.face], m_in_faces[3 * p.face + 1],
+                          m_in_faces[3 * p.face + 2]);
+    };
+    const Eigen::VectorXd load = RL::assemble_gradient_load(m_space, field);
+    Eigen::VectorXd x;
+    return RL::make_poisson_solver(m_space, 0, parameters()).solve(load, x);
+  }
+
+  const Options& m_options;
+  std::string m_mesh;
+  const RL::Triangulated_surface_3& m_surface;
+  int m_depth;
+  RL::Spline_space_3 m_space;
+  std::vector<double> m_at_vertices, m_in_faces;
+  RL::Cycle m_cycle = RL::Cycle::V;
+};
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  Options o;
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("help", "print this text");
+  add("mesh", po::value(&o.meshes)->multitoken(), "files, or names of shared meshes");
+  add("depth", po::value(&o.depths)->multitoken(), "4 to 8 by default");
+  add("problem", po::value(&o.problems)->multitoken(), "all by default");
+  add("cycle", po::value(&o.cycles)->multitoken(), "v, w, or both, the default");
+  add("limit", po::value(&o.limit)->default_value(o.limit), "iterations at most");
+  add("tolerance", po::value(&o.tolerance)->default_value(o.tolerance), "relative residual");
+  add("stabilization", po::value(&o.stabilization), "that of the package by default");
+  add("threads", po::value(&o.threads)->default_value(o.threads), "at most");
+  try {
+    po::variables_map map;
+    po::store(po::parse_command_line(argc, argv, options), map);
+    po::notify(map);
+    if(map.count("help") > 0) {
+      std::cout << options;
+      return 0;
+    }
+  } catch(const po::error& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 1;
+  }
+  if(o.problems.empty())
+    o.problems = {"poisson_z", "poisson_random", "screened_1e-6", "screened_1", "screened_1e6",
+                  "fit_z",     "fit_wave",       "fit_normals",   "fit_random", "gradients"};
+  print_header(argc, argv);
+  std::printf("# %-18s %5s %-15s c %8s %6s  %9s %9s %7s %7s\n", "mesh", "depth", "problem",
+              "unknowns", "its", "residual", "rms", "solve_s", "all_s");
+  const auto limit = limit_threads(o.threads);
+  int failures = 0;
+  for(const std::string& name : o.meshes)
+    try {
+      if(const auto mesh = find_mesh(name))
+        for(const int depth : o.depths) {
+          Case c(o, name.substr(name.rfind('/') + 1), *mesh, depth);
+          for(const std::string& problem : o.problems)
+            c.run(problem);
+        }
+    } catch(const std::exception& e) {
+      std::printf("# %s: %s\n", name.c_str(), e.what());
+      ++failures;
+    }
+  return failures > 0;
+}
