@@ -7,8 +7,8 @@
 # What takes too long for each change, some hours in all; to be run before a release. Stages, all of
 # them unless some are named:
 #
-#   release     all that scripts/test.sh runs, with tests of data that are large, every header alone, and
-#               each way to use the package without the compiled library; benchmarks are linked
+#   release     all that scripts/test.sh runs without sanitizers, with every header alone, each way to use
+#               the package without the compiled library, and benchmarks by the same compiler
 #   headers     the unit tests without the compiled library
 #   sanitizers  all unit tests but the slow ones with AddressSanitizer and UndefinedBehaviorSanitizer
 #   threads     ThreadSanitizer over the tests with the tag [threads]
