@@ -128,6 +128,36 @@ inline Triangles box(double x, double y, double z, int n, unsigned seed) {
   return t;
 }
 
+/// A square of `n` x `n` squares with a triangle of random height at each side of its right and
+/// upper boundary: their tips reach into cells of which they fill little. It is flat but for waves
+/// of a height.
+inline Triangles ragged_square(int n, double height, unsigned seed) {
+  Triangles t;
+  std::mt19937 generator(seed);
+  const auto random = [&generator] { return generator() * std::ldexp(1., -32); };
+  const auto vertex = [&](double i, double j) {
+    const double x = i / n, y = j / n;
+    t.points.emplace_back(x, y, height * std::sin(7 * x) * std::cos(5 * y));
+    return static_cast<std::uint32_t>(t.points.size() - 1);
+  };
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+      vertex(i, j);
+  const auto number = [n](int i, int j) { return static_cast<std::uint32_t>(i + (n + 1) * j); };
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i) {
+      t.faces.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1)});
+      t.faces.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1)});
+    }
+  for(int i = 0; i < n; ++i) {
+    const double along = i + random(), up = n + 2 * random();
+    t.faces.push_back({number(i + 1, n), vertex(along, up), number(i, n)});
+    const double beside = i + random(), out = n + 2 * random();
+    t.faces.push_back({number(n, i), vertex(out, beside), number(n, i + 1)});
+  }
+  return t;
+}
+
 /// Reads a mesh file; the mesh is empty if there is no such file. Not inline, because the readers
 /// of all formats take long to compile.
 Mesh read(const std::string& path);

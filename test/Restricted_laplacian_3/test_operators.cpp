@@ -402,73 +402,128 @@ TEST_CASE("monte_carlo_converges_to_cubature", "[operators][slow]") {
 
 namespace {
 
-/// N of `assemble_operators()`, from the element functions themselves: the volume integrals by the
-/// Gauss rule of three nodes per axis, the average of the normals from the fragments.
-Eigen::MatrixXd normal_derivative_matrix(const RL::Spline_space_3& space) {
+/// N of `assemble_operators()`, and of how many sheets it is made that are tiny, or in a wall.
+struct Penalty {
+  Eigen::MatrixXd matrix;
+  std::size_t tiny = 0, in_walls = 0, in_several = 0;
+};
+
+/// From the element functions themselves: the integrals over cells and over faces in walls by the
+/// Gauss rule of three nodes per axis; areas, normals and walls from the fragments.
+Penalty penalty(const RL::Spline_space_3& space) {
   const RL::Octree_3& octree = space.octree();
   const int depth = space.depth();
   const double h = octree.cell_width(depth);
   const double node = std::sqrt(0.6) / 2;
-  const std::array<double, 3> nodes = {0.5 - node, 0.5, 0.5 + node},
-                              weights = {5. / 18, 4. / 9, 5. / 18};
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(space.dimension(), space.dimension());
+  Penalty result;
+  result.matrix = Eigen::MatrixXd::Zero(space.dimension(), space.dimension());
   for(std::size_t sheet = 0; sheet < octree.number_of_sheets(depth); ++sheet) {
     Eigen::Matrix3d average = Eigen::Matrix3d::Zero();
     double area = 0;
+    // at the lower and the upper end of each axis, whether a fragment lies in the wall, and whether
+    // one does not lie in any
+    std::array<std::array<bool, 2>, 3> walls = {};
+    bool is_in_walls = true;
     for(std::uint32_t face : octree.faces(sheet)) {
-      const double a = octree.fragment(octree.cell(depth, sheet), face).double_area();
+      const RL::Cell_3 cell = octree.cell(depth, sheet);
+      const auto fragment = octree.fragment(cell, face);
+      const double a = fragment.double_area() / 2;
       const RL::Vector_3& v = octree.surface().normal(face);
       const Eigen::Vector3d n(v.x(), v.y(), v.z());
       average += a * n * n.transpose();
       area += a;
+      bool is_in_wall = false;
+      for(int axis = 0; axis < 3; ++axis)
+        for(int side = 0; side < 2; ++side) {
+          bool is_in_this = true;
+          for(std::size_t corner = 0; corner < fragment.size; ++corner)
+            is_in_this =
+                is_in_this && fragment.corners[corner].position[axis] == cell.index[axis] + side;
+          walls[axis][side] = walls[axis][side] || is_in_this;
+          is_in_wall = is_in_wall || is_in_this;
+        }
+      is_in_walls = is_in_walls && is_in_wall;
     }
     average /= area;
-    for(int q = 0; q < 27; ++q) {
-      const std::array<int, 3> at = {q % 3, q / 3 % 3, q / 9};
-      std::array<std::array<double, 3>, 3> b, d;
-      for(int axis = 0; axis < 3; ++axis) {
-        b[axis] = RL::B_spline_1::values(nodes[at[axis]]);
-        d[axis] = RL::B_spline_1::derivatives(nodes[at[axis]]);
-      }
-      Eigen::Matrix<double, 3, 27> gradients;
-      for(int e = 0; e < 27; ++e) {
-        const int i = e % 3, j = e / 3 % 3, k = e / 9;
-        gradients.col(e) << d[0][i] * b[1][j] * b[2][k], b[0][i] * d[1][j] * b[2][k],
-            b[0][i] * b[1][j] * d[2][k];
-      }
-      gradients /= h;
-      const double weight = weights[at[0]] * weights[at[1]] * weights[at[2]] * h * h * h;
-      const auto& elements = space.elements(depth, sheet);
-      for(int i = 0; i < 27; ++i)
-        for(int j = 0; j < 27; ++j)
-          if(elements[i] != RL::Spline_space_3::no_element &&
-             elements[j] != RL::Spline_space_3::no_element)
-            result(elements[i], elements[j]) +=
-                weight * gradients.col(i).dot(average * gradients.col(j));
-    }
+    const double size = (std::min)(1., area / 0.03);
+    result.tiny += size < 1;
+    const Eigen::Matrix3d tensor =
+        size * (average + 0.1 * (1 - size) * Eigen::Matrix3d::Identity());
+    using Rule = std::vector<std::pair<double, double>>; // nodes and weights
+    const Rule gauss = {{0.5 - node, 5. / 18}, {0.5, 4. / 9}, {0.5 + node, 5. / 18}};
+    std::vector<std::array<Rule, 3>> rules;
+    if(is_in_walls) {
+      for(int axis = 0; axis < 3; ++axis)
+        for(int side = 0; side < 2; ++side)
+          if(walls[axis][side]) {
+            rules.push_back({gauss, gauss, gauss});
+            rules.back()[axis] = {{side, 1}};
+          }
+    } else
+      rules.push_back({gauss, gauss, gauss});
+    result.in_walls += is_in_walls;
+    result.in_several += is_in_walls && rules.size() > 1;
+    const auto& elements = space.elements(depth, sheet);
+    for(const auto& rule : rules)
+      for(const auto& x : rule[0])
+        for(const auto& y : rule[1])
+          for(const auto& z : rule[2]) {
+            const std::array<double, 3> t = {x.first, y.first, z.first};
+            std::array<std::array<double, 3>, 3> b, d;
+            for(int axis = 0; axis < 3; ++axis) {
+              b[axis] = RL::B_spline_1::values(t[axis]);
+              d[axis] = RL::B_spline_1::derivatives(t[axis]);
+            }
+            Eigen::Matrix<double, 3, 27> gradients;
+            for(int e = 0; e < 27; ++e) {
+              const int i = e % 3, j = e / 3 % 3, k = e / 9;
+              gradients.col(e) << d[0][i] * b[1][j] * b[2][k], b[0][i] * d[1][j] * b[2][k],
+                  b[0][i] * b[1][j] * d[2][k];
+            }
+            const double weight = h * x.second * y.second * z.second / rules.size();
+            for(int i = 0; i < 27; ++i)
+              for(int j = 0; j < 27; ++j)
+                if(elements[i] != RL::Spline_space_3::no_element &&
+                   elements[j] != RL::Spline_space_3::no_element)
+                  result.matrix(elements[i], elements[j]) +=
+                      weight * gradients.col(i).dot(tensor * gradients.col(j));
+          }
   }
   return result;
 }
 
 } // namespace
 
-TEST_CASE("stabilization_is_the_normal_derivative_in_the_cells", "[operators]") {
-  for(bool is_split : {true, false}) {
-    const Mesh mesh = shapes::mesh(shapes::sphere(3));
-    const RL::Spline_space_3 space(mesh, params::octree_depth(3).split_elements(is_split));
-    const RL::Triangle_cubature cubature(space);
-    const double c = 0.7, h = space.octree().cell_width(space.depth());
-    const RL::Operators plain = RL::assemble_operators(space),
-                        zero = RL::assemble_operators(space, space.depth(), cubature, 0),
-                        stabilized = RL::assemble_operators(space, space.depth(), cubature, c);
-    CHECK(relative_difference(zero.stiffness, plain.stiffness) == 0);
-    CHECK(relative_difference(zero.mass, plain.mass) == 0);
-    const Eigen::MatrixXd n = normal_derivative_matrix(space);
-    const Eigen::MatrixXd of_stiffness = (h / c) * (stabilized.stiffness - plain.stiffness),
-                          of_mass = (1 / (c * h)) * (stabilized.mass - plain.mass);
-    CHECK((of_stiffness - n).cwiseAbs().maxCoeff() <= 1e-13 * n.cwiseAbs().maxCoeff());
-    CHECK((of_mass - n).cwiseAbs().maxCoeff() <= 1e-13 * n.cwiseAbs().maxCoeff());
-  }
+TEST_CASE("stabilization_is_the_penalty_of_the_manual", "[operators]") {
+  std::size_t tiny = 0, in_walls = 0, in_several = 0, others = 0;
+  for(const auto& soup :
+      {shapes::sphere(3), shapes::box(1, 1, 1, 4, 1), shapes::ragged_square(12, 0, 1)})
+    for(bool is_split : {true, false}) {
+      const Mesh mesh = shapes::mesh(soup);
+      const RL::Spline_space_3 space(
+          mesh, params::octree_depth(3).cube_scale(8. / 6).split_elements(is_split));
+      const RL::Triangle_cubature cubature(space);
+      const double c = 0.7, h = space.octree().cell_width(space.depth());
+      const RL::Operators plain = RL::assemble_operators(space),
+                          zero = RL::assemble_operators(space, space.depth(), cubature, 0),
+                          stabilized = RL::assemble_operators(space, space.depth(), cubature, c);
+      CHECK(relative_difference(zero.stiffness, plain.stiffness) == 0);
+      CHECK(relative_difference(zero.mass, plain.mass) == 0);
+      const Penalty p = penalty(space);
+      const Eigen::MatrixXd of_stiffness = (h / c) * (stabilized.stiffness - plain.stiffness),
+                            of_mass = (1 / (c * h)) * (stabilized.mass - plain.mass);
+      const double largest = p.matrix.cwiseAbs().maxCoeff();
+      CHECK((of_stiffness - p.matrix).cwiseAbs().maxCoeff() <= 1e-13 * largest);
+      CHECK((of_mass - p.matrix).cwiseAbs().maxCoeff() <= 1e-13 * largest);
+      tiny += p.tiny;
+      in_walls += p.in_walls;
+      in_several += p.in_several;
+      others += space.octree().number_of_sheets(space.depth()) - p.in_walls;
+    }
+  CHECK(tiny >= 10);
+  CHECK(in_walls >= 10);
+  CHECK(in_several >= 10);
+  CHECK(others >= 10);
 }
 
 TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {

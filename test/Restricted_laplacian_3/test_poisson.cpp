@@ -262,6 +262,25 @@ TEST_CASE("iterations_where_the_surface_lies_in_walls_or_is_ragged", "[poisson]"
   }
 }
 
+TEST_CASE("tiny_pieces_of_surface_in_cells_do_not_slow_the_solver", "[poisson]") {
+  // Flat, in a wall between cells, and nearly flat.
+  for(const double height : {0., 0.01})
+    for(unsigned seed : {1, 2, 3}) {
+      const Mesh mesh = shapes::mesh(shapes::ragged_square(48, height, seed));
+      for(int depth : {4, 5}) {
+        const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+        Eigen::VectorXd x;
+        const RL::Solve_report report =
+            RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8))
+                .solve(random_load(space, 1), x);
+        INFO("height " << height << ", seed " << seed << ", depth " << depth << ": "
+                       << report.iterations);
+        CHECK(report.converged);
+        CHECK(report.iterations <= 9);
+      }
+    }
+}
+
 TEST_CASE("stabilization_keeps_the_order_of_the_error", "[poisson][slow]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(6));
   const auto f = [](const RL::Surface_point& p) { return harmonic(p.point); };

@@ -51,17 +51,21 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 ///     N_{ij} = \sum_{\mathrm{sheets}} \int_{\mathrm{cell}} \nabla b_i^T A\, \nabla b_j, \f]
 /// where the sum is over the sheets of the finest level of the octree, the integrals over the
 /// volumes of their cells, \f$h\f$ is the width of these cells, whatever the level of the matrix,
-/// and \f$A\f$ the average of \f$n n^T\f$ over the sheet (by area): a penalty on the derivative
-/// along the normal. (On a sheet in a wall between cells, where the elements do not sum to 1 in the
-/// volume, the integral is \f$h^3\f$ times the average of \f$(n \cdot \nabla b_i)(n \cdot \nabla
-/// b_j)\f$ over the sheet.) Since \f$N 1 = 0\f$, constants remain in the kernel of the stiffness
-/// matrix, and the entries of the mass matrix sum to the area. The error of the solution that it
-/// causes is of the order of the discretization error for \f$c\f$ from the order of 1 down to that
-/// of
-/// \f$h^2\f$. See J. Grande, C. Lehrenfeld, A. Reusken, *Analysis of a high-order trace finite
-/// element method for PDEs on level set surfaces*, SIAM J. Numer. Anal. 56 (2018), and E. Burman,
-/// P. Hansbo, M. G. Larson, A. Massing, *Cut finite element methods for partial differential
-/// equations on embedded manifolds of arbitrary codimensions*, ESAIM: M2AN 52 (2018).
+/// and
+/// \f[ A = \min(1, a / a_0)\, \bigl(\overline{n n^T} + q\, \max(0, 1 - a / a_0)\, I\bigr),
+///     \qquad a_0 = 0.03, \quad q = 0.1, \f]
+/// with the average of \f$n n^T\f$ over the sheet (by area), whose area is \f$a\, h^2\f$: a penalty
+/// on the derivative along the normal, and, where a cell has a tiny piece of the surface only, a
+/// smaller one on the whole gradient, because functions hardly vary on such a piece. (On a sheet in
+/// a wall between cells, where the elements do not sum to 1 in the volume, the integral is \f$h\f$
+/// times that over the face of the cell; in several walls, the mean of such integrals.) Since \f$N 1 = 0\f$, constants remain in the kernel of
+/// the stiffness matrix, and the entries of the mass matrix sum to the area. The error of the
+/// solution that it causes is of the order of the discretization error for \f$c\f$ from the order of
+/// 1 down to that of \f$h^2\f$. See J. Grande,
+/// C. Lehrenfeld, A. Reusken, *Analysis of a high-order trace finite element method for PDEs on
+/// level set surfaces*, SIAM J. Numer. Anal. 56 (2018), and E. Burman, P. Hansbo, M. G. Larson,
+/// A. Massing, *Cut finite element methods for partial differential equations on embedded manifolds
+/// of arbitrary codimensions*, ESAIM: M2AN 52 (2018).
 ///
 /// *Eigenvalue problems* are to be solved with the stiffness matrix alone stabilized. Combinations
 /// of elements that vanish on the surface are then eigenvectors for the eigenvalue infinity. With

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -192,8 +193,7 @@ private:
       m = integrals.moments;
       if(m_normal_stabilization == 0)
         continue;
-      const Sheet_stabilization added(integrals, m_normal_stabilization,
-                                      lies_in_wall(sheets.begin + i));
+      const Sheet_stabilization added(integrals, m_normal_stabilization, walls(sheets.begin + i));
       const double area = integrals.area();
       // the mean in the sheet; no sample in the cell
       const double mass_weight = area > 0 ? m.sum(Sheet_moments::mass) / area : 0;
@@ -206,16 +206,22 @@ private:
     }
   }
 
-  /// Whether an element vanishes on a sheet of the finest level, because all of it lies in a wall.
-  /// Then the elements that are left do not sum to 1 in the volume of the cell, but do on the
-  /// sheet, together with their derivatives along the normal.
-  bool lies_in_wall(std::size_t sheet) const {
+  /// The walls in which a sheet of the finest level lies. An element beside its cell vanishes on the
+  /// walls opposite to it, and only there: where the sheet does not meet it, it lies in these walls.
+  /// Of several such elements that with the fewest walls counts.
+  Sheet_stabilization::Walls walls(std::size_t sheet) const {
+    Sheet_stabilization::Walls result = {0, 0, 0};
+    int fewest = 4;
     for(int dz = -1; dz <= 1; ++dz)
       for(int dy = -1; dy <= 1; ++dy)
-        for(int dx = -1; dx <= 1; ++dx)
-          if(!m_octree.meets_element(m_octree.depth(), sheet, dx, dy, dz))
-            return true;
-    return false;
+        for(int dx = -1; dx <= 1; ++dx) {
+          const int number = std::abs(dx) + std::abs(dy) + std::abs(dz);
+          if(number < fewest && !m_octree.meets_element(m_octree.depth(), sheet, dx, dy, dz)) {
+            fewest = number;
+            result = {-dx, -dy, -dz};
+          }
+        }
+    return result;
   }
 
   /// \param offset,parent_offset numbers of the sheets whose moments are the first ones

@@ -284,27 +284,55 @@ inline void add_child_component(const Sheet_moments& child, int k, int octant,
 }
 
 /// The moments of the stabilization of a sheet of the finest level. It adds to the stiffness block
-/// the integral over the *volume* of the cell of \f$c\, \nabla b_i^T N\, \nabla b_j\f$, \f$N\f$
-/// the average of \f$n n^T\f$ over the sheet: the block of the tensor moments
-/// \f$c\, N_{kl} \int B_a B_b B_c = c\, N_{kl} / 125\f$.
+/// the integral over the *volume* of the cell of \f$c\, \nabla b_i^T A\, \nabla b_j\f$: the block
+/// of the tensor moments \f$c\, A_{kl} \int B_a B_b B_c = c\, A_{kl} / 125\f$, with
+/// \f[ A = \min(1, a / a_0)\, \bigl(N + q\, \max(0, 1 - a / a_0)\, I\bigr), \f]
+/// \f$N\f$ the average of \f$n n^T\f$ over the sheet, \f$a\f$ its area in units of the squared cell
+/// width.
 ///
-/// On a sheet in a wall between cells, where the elements do not sum to 1 in the volume, it is
-/// the integral over the *surface*, over its area: \f$c\, N_{kl}\, m_{abc} / a\f$.
+/// *Tiny sheets* are those below \f$a_0\f$. The surface itself has no more energy than \f$a\f$ in
+/// such a cell: a penalty that did not shrink with it would tie the elements of neighboring cells
+/// together. On a piece of the diameter \f$d \ll 1\f$ all functions are nearly constant: what is
+/// linear along the surface has \f$d^2\f$ of the scaled diagonal, what is quadratic has
+/// \f$d^4\f$, which single precision does not see. So the whole gradient is penalized there, by a
+/// fraction \f$q\f$.
+///
+/// *Walls.* Where a sheet lies in a wall between cells, the elements that act on it do not sum to 1
+/// in the volume, but do on the wall, together with their derivatives across: there it is the
+/// integral over the face of the cell. In two walls or three, at an edge or a corner of a box, it is
+/// the mean of the integrals over their faces.
 class Sheet_stabilization {
 public:
+  /// \f$a_0\f$: 0.01 is too small for \f$c = 10^{-2}\f$, 0.1 costs good meshes an iteration
+  static constexpr double tiny_area = 0.03;
+  /// \f$q\f$: 1 would show in the error of the solution
+  static constexpr double part_of_tangents = 0.1;
+
+  /// Of each axis, -1 if a part of the sheet lies in the lower wall across it, 1 if in the upper one,
+  /// else 0. If one of them is not 0, all of the sheet lies in walls.
+  using Walls = std::array<int, 3>;
+
   Sheet_stabilization(const Sheet_integrals& integrals, double normal_stabilization,
-                      bool is_in_wall) {
+                      const Walls& walls) {
     const double area = integrals.area();
     if(!(area > 0)) // no sample in the cell
       return;
+    const double size = (std::min)(area / tiny_area, 1.);
     for(int k = 0; k < 6; ++k)
-      m_tensor[k] = normal_stabilization / area * integrals.normals[k];
-    if(is_in_wall) {
-      m_factors = integrals.moments.component(Sheet_moments::area);
-      for(double& factor : m_factors)
-        factor /= area;
-    } else
+      m_tensor[k] = normal_stabilization * size *
+                    (integrals.normals[k] / area + (k < 3 ? part_of_tangents * (1 - size) : 0));
+    const auto number_of_walls = 3 - std::count(walls.begin(), walls.end(), 0);
+    if(number_of_walls == 0) {
       m_factors.fill(1. / number_of_moments);
+      return;
+    }
+    // Of the five polynomials along an axis one is not 0 in a wall.
+    for(int i = 0; i < number_of_moments; ++i) {
+      const std::array<int, 3> number = {i % 5, i / 5 % 5, i / 25};
+      for(int axis = 0; axis < 3; ++axis)
+        if(walls[axis] != 0 && number[axis] == (walls[axis] < 0 ? 0 : 4))
+          m_factors[i] += 1. / 25 / static_cast<double>(number_of_walls);
+    }
   }
 
   /// component `k` of moment `i`
