@@ -158,6 +158,41 @@ inline Triangles ragged_square(int n, double height, unsigned seed) {
   return t;
 }
 
+/// A square of `n` x `n` squares with bumps of random directions, half as long from octave to
+/// octave: a level of the octree whose cells are much larger cuts it into many pieces.
+inline Triangles bumpy_square(int n, double height, int octaves, unsigned seed) {
+  std::mt19937 generator(seed);
+  const auto random_angle = [&generator] {
+    return 2 * CGAL_PI * generator() * std::ldexp(1., -32);
+  };
+  struct Wave {
+    double x, y, phase, height;
+  };
+  std::vector<Wave> waves;
+  for(int octave = 0; octave < octaves; ++octave)
+    for(int k = 0; k < 6; ++k) {
+      const double frequency = std::ldexp(6., octave), angle = random_angle();
+      waves.push_back({frequency * std::cos(angle), frequency * std::sin(angle), random_angle(),
+                       height * std::pow(0.7, octave)});
+    }
+  Triangles t;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i) {
+      const double x = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
+      double z = 0;
+      for(const Wave& wave : waves)
+        z += wave.height * std::sin(wave.x * x + wave.y * y + wave.phase);
+      t.points.emplace_back(x, y, z);
+    }
+  const auto number = [n](int i, int j) { return static_cast<std::uint32_t>(i + (n + 1) * j); };
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i) {
+      t.faces.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1)});
+      t.faces.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1)});
+    }
+  return t;
+}
+
 /// Reads a mesh file; the mesh is empty if there is no such file. Not inline, because the readers
 /// of all formats take long to compile.
 Mesh read(const std::string& path);

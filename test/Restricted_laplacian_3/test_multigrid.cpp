@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Constant_deflation.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Patch_groups.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_inverse.h>
 
@@ -521,6 +522,69 @@ TEST_CASE("solution_is_in_double_precision", "[multigrid][threads]") {
       CHECK(solver.solve(b, x, 0.1).iterations < report.iterations);
       CHECK_THROWS_AS(solver.solve(b, x, 0.), RL::Parameter_error);
     }
+}
+
+TEST_CASE("constants_of_singular_components_are_removed_from_loads", "[multigrid]") {
+  // two paths whose constants are in the kernel, one with a term of order zero
+  const int n = 13;
+  std::vector<Eigen::Triplet<double>> entries;
+  for(int part = 0; part < 3; ++part)
+    for(int i = 0; i + 1 < n; ++i) {
+      const int first = 3 * i + part, second = first + 3;
+      const double weight = std::pow(10., part * i);
+      entries.emplace_back(first, first, weight);
+      entries.emplace_back(second, second, weight);
+      entries.emplace_back(first, second, -weight);
+      if(part == 1)
+        entries.emplace_back(first, first, 1e-3 * weight);
+    }
+  Sparse_matrix a(3 * n, 3 * n);
+  a.setFromTriplets(entries.begin(), entries.end());
+  const RL::internal::Level_positions positions =
+      RL::internal::Level_positions::consecutive(static_cast<std::size_t>(a.cols()));
+  const std::vector<double> scale = RL::internal::balancing_scale(a);
+  const RL::internal::Constant_deflation deflation(a, positions, scale);
+  RL::internal::Level_vectors<8> b;
+  b.set_zero(positions.number_of_positions);
+  const Eigen::MatrixXd load = Eigen::MatrixXd::Random(a.cols(), 8);
+  for(int i = 0; i < a.cols(); ++i)
+    for(int k = 0; k < 8; ++k)
+      b.position(i)[k] = static_cast<float>(load(i, k));
+  deflation.remove_from<8>(b);
+  for(int k = 0; k < 8; ++k)
+    for(int part = 0; part < 3; ++part) {
+      double sum = 0, sum_of_squares = 0, changed = 0, along = 0;
+      for(int i = part; i < a.cols(); i += 3) {
+        sum += b.position(i)[k] / scale[i];
+        sum_of_squares += 1 / (scale[i] * scale[i]);
+        along += load(i, k) / scale[i];
+      }
+      for(int i = part; i < a.cols(); i += 3) {
+        const double removed = part == 1 ? 0 : along / sum_of_squares / scale[i];
+        changed = (std::max)(changed, std::abs(load(i, k) - removed - b.position(i)[k]));
+      }
+      CHECK(changed <= 1e-6);
+      if(part != 1)
+        CHECK(std::abs(sum) <= 1e-5 * std::sqrt(sum_of_squares));
+    }
+}
+
+TEST_CASE("scales_balance_the_diagonal_within_limits", "[multigrid]") {
+  const std::vector<double> diagonal = {3e40, 1e40, 2e20, 5e10, 1e-40, 0, -1};
+  Sparse_matrix a(7, 7);
+  for(int i = 0; i < 7; ++i)
+    a.insert(i, i) = diagonal[i];
+  const std::vector<double> scale = RL::internal::balancing_scale(a);
+  for(int i = 0; i < 4; ++i) {
+    CHECK(diagonal[i] * scale[i] * scale[i] >= 0.5);
+    CHECK(diagonal[i] * scale[i] * scale[i] <= 2);
+  }
+  for(int i = 4; i < 7; ++i) {
+    CHECK(3e10 * scale[i] * scale[i] >= 0.5);
+    CHECK(3e10 * scale[i] * scale[i] <= 2);
+  }
+  for(const double s : RL::internal::balancing_scale(Sparse_matrix(3, 3)))
+    CHECK(s == 1);
 }
 
 TEST_CASE("one_patch_of_everything_is_the_inverse", "[multigrid]") {

@@ -281,6 +281,31 @@ TEST_CASE("tiny_pieces_of_surface_in_cells_do_not_slow_the_solver", "[poisson]")
     }
 }
 
+TEST_CASE("w_cycles_take_no_more_iterations_than_v_cycles", "[poisson]") {
+  // Many pieces in few cells: the coarsest level is that of the root of the octree, the next one
+  // has one patch, the whole surface, and is visited 64 times by each cycle.
+  const Mesh mesh = shapes::mesh(shapes::bumpy_square(60, 0.003, 5, 1));
+  const int depth = 7;
+  const RL::Spline_space_3 space(mesh, params::octree_depth(depth).cube_scale(2.2));
+  REQUIRE(space.dimension(1) > 300);
+  const Eigen::VectorXd b = random_load(space, 1);
+  for(const auto& [c, alpha] :
+      {std::make_pair(1e-3, 0.), std::make_pair(1e-3, 1e-6), std::make_pair(1e-5, 0.)}) {
+    const auto report = [&, c = c, alpha = alpha](RL::Cycle cycle) {
+      Eigen::VectorXd x;
+      return RL::make_poisson_solver(
+                 space, alpha,
+                 params::relative_tolerance(1e-8).cycle(cycle).normal_stabilization(c))
+          .solve(b, x);
+    };
+    const RL::Solve_report v = report(RL::Cycle::V), w = report(RL::Cycle::W);
+    INFO("c " << c << ", alpha " << alpha << ": " << v.iterations << ", " << w.iterations);
+    CHECK(v.converged);
+    CHECK(w.converged);
+    CHECK(w.iterations <= v.iterations);
+  }
+}
+
 TEST_CASE("stabilization_keeps_the_order_of_the_error", "[poisson][slow]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(6));
   const auto f = [](const RL::Surface_point& p) { return harmonic(p.point); };

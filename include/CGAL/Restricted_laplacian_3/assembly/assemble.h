@@ -58,14 +58,14 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 /// on the derivative along the normal, and, where a cell has a tiny piece of the surface only, a
 /// smaller one on the whole gradient, because functions hardly vary on such a piece. (On a sheet in
 /// a wall between cells, where the elements do not sum to 1 in the volume, the integral is \f$h\f$
-/// times that over the face of the cell; in several walls, the mean of such integrals.) Since \f$N 1 = 0\f$, constants remain in the kernel of
-/// the stiffness matrix, and the entries of the mass matrix sum to the area. The error of the
-/// solution that it causes is of the order of the discretization error for \f$c\f$ from the order of
-/// 1 down to that of \f$h^2\f$. See J. Grande,
+/// times that over the face of the cell; in several walls, the mean of such integrals.) Since
+/// \f$N 1 = 0\f$, constants remain in the kernel of the stiffness matrix, and the entries of the
+/// mass matrix sum to the area. The error of the solution that it causes is of the order of the
+/// discretization error for \f$c\f$ from the order of 1 down to that of \f$h^2\f$. See J. Grande,
 /// C. Lehrenfeld, A. Reusken, *Analysis of a high-order trace finite element method for PDEs on
-/// level set surfaces*, SIAM J. Numer. Anal. 56 (2018), and E. Burman, P. Hansbo, M. G. Larson,
-/// A. Massing, *Cut finite element methods for partial differential equations on embedded manifolds
-/// of arbitrary codimensions*, ESAIM: M2AN 52 (2018).
+/// level set surfaces*, SIAM J. Numer. Anal. 56 (2018), and E. Burman, P. Hansbo, M. G. Larson, A.
+/// Massing, *Cut finite element methods for partial differential equations on embedded manifolds of
+/// arbitrary codimensions*, ESAIM: M2AN 52 (2018).
 ///
 /// *Eigenvalue problems* are to be solved with the stiffness matrix alone stabilized. Combinations
 /// of elements that vanish on the surface are then eigenvectors for the eigenvalue infinity. With

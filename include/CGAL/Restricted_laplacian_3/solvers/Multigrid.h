@@ -10,6 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Constant_deflation.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Natural_smoother.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse.h>
@@ -104,7 +105,7 @@ public:
     m_smoothers.reserve(finest);
     set_coarsest(matrices[0]);
     for(std::size_t level = 0; level <= finest; ++level) {
-      take_matrix(matrices[level], level > 0 ? &levels.patches[level - 1] : nullptr,
+      take_matrix(level, matrices[level], level > 0 ? &levels.patches[level - 1] : nullptr,
                   level == finest && is_matrix_kept);
       if(level == 0)
         continue;
@@ -194,8 +195,7 @@ public:
     std::vector<internal::Level_vectors<K>> loads(m_levels.size());
     const internal::Block_row<K> scale = import_load<K>(finest, b, loads[finest]);
     for(std::size_t level = finest; level > 0; --level)
-      m_levels[level].restriction.template multiply<K, false>(m_is_parallel, loads[level],
-                                                              loads[level - 1]);
+      restrict_load<K>(level, loads[level], loads[level - 1]);
     internal::Level_vectors<K> solution, fine, correction;
     solve_coarsest<K>(loads[0], solution, workspace);
     for(std::size_t level = 1;; ++level) {
@@ -214,6 +214,7 @@ public:
 private:
   struct Level {
     internal::Level_matrix prolongation, restriction; // from and to the next coarser level
+    internal::Constant_deflation deflation;           // of levels between coarsest and finest
   };
 
   static constexpr bool has_layout = internal::Has_layout<Smoother>::value;
@@ -248,12 +249,15 @@ private:
 
   /// Makes the smoother of a level, if there are patches. A smoother with a layout reads one half
   /// of the matrix, so the other one is given up first: what it makes of it takes the most memory.
-  void take_matrix(Sparse_matrix& a, const Smoothing_patches* patches, bool is_kept) {
+  void take_matrix(std::size_t level, Sparse_matrix& a, const Smoothing_patches* patches,
+                   bool is_kept) {
     if constexpr(has_layout) {
       internal::Symmetric_matrix half;
       half.take_half_of(a);
-      if(patches)
+      if(patches) {
         m_smoothers.emplace_back(half.upper_half(), *patches, m_is_parallel);
+        set_deflation(level, half.upper_half());
+      }
       if(is_kept)
         m_finest_matrix.swap(half);
     } else {
@@ -261,10 +265,17 @@ private:
         Sparse_matrix copy = a;
         m_finest_matrix.take_half_of(copy);
       }
-      if(patches)
+      if(patches) {
         m_smoothers.emplace_back(internal::whole(a), *patches, m_is_parallel);
+        set_deflation(level, a);
+      }
     }
     Sparse_matrix().swap(a);
+  }
+
+  void set_deflation(std::size_t level, const Sparse_matrix& a) {
+    if(level + 1 < m_levels.size())
+      m_levels[level].deflation = internal::Constant_deflation(a, positions(level), scale(level));
   }
 
   void set_coarsest(const Sparse_matrix& a) {
@@ -355,6 +366,14 @@ private:
         x.position(i)[c] = static_cast<float>(workspace.coarse_x(i, c) / m_coarse_scale[i]);
   }
 
+  /// the load of the next coarser level
+  template <int K>
+  void restrict_load(std::size_t level, const internal::Level_vectors<K>& fine,
+                     internal::Level_vectors<K>& coarse) const {
+    m_levels[level].restriction.template multiply<K, false>(m_is_parallel, fine, coarse);
+    m_levels[level - 1].deflation.template remove_from<K>(coarse);
+  }
+
   template <int K>
   void run(std::size_t level, const internal::Level_vectors<K>& b, internal::Level_vectors<K>& x,
            Cycle cycle, int steps, Workspace<K>& workspace) const {
@@ -367,13 +386,14 @@ private:
     auto& r = workspace.levels[level].r;
     auto& coarse = workspace.levels[level - 1];
     smoother.template pre_smooth<K>(b, x, r, steps);
-    transfer.restriction.template multiply<K, false>(m_is_parallel, r, coarse.b);
+    restrict_load<K>(level, r, coarse.b);
     run<K>(level - 1, coarse.b, coarse.x, cycle, steps, workspace);
     transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
     if(cycle == Cycle::W && level > 1) {
       // The second visit corrects what the first one left.
       internal::Level_vectors<K> left;
       level_smoother(level - 1).template residual<K>(coarse.b, coarse.x, left);
+      m_levels[level - 1].deflation.template remove_from<K>(left);
       run<K>(level - 1, left, coarse.x, cycle, steps, workspace);
       transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
     }

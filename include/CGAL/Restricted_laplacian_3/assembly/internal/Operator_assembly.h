@@ -206,9 +206,9 @@ private:
     }
   }
 
-  /// The walls in which a sheet of the finest level lies. An element beside its cell vanishes on the
-  /// walls opposite to it, and only there: where the sheet does not meet it, it lies in these walls.
-  /// Of several such elements that with the fewest walls counts.
+  /// The walls in which a sheet of the finest level lies. An element beside its cell vanishes on
+  /// the walls opposite to it, and only there: where the sheet does not meet it, it lies in these
+  /// walls. Of several such elements that with the fewest walls counts.
   Sheet_stabilization::Walls walls(std::size_t sheet) const {
     Sheet_stabilization::Walls result = {0, 0, 0};
     int fewest = 4;

@@ -299,8 +299,8 @@ inline void add_child_component(const Sheet_moments& child, int k, int octant,
 ///
 /// *Walls.* Where a sheet lies in a wall between cells, the elements that act on it do not sum to 1
 /// in the volume, but do on the wall, together with their derivatives across: there it is the
-/// integral over the face of the cell. In two walls or three, at an edge or a corner of a box, it is
-/// the mean of the integrals over their faces.
+/// integral over the face of the cell. In two walls or three, at an edge or a corner of a box, it
+/// is the mean of the integrals over their faces.
 class Sheet_stabilization {
 public:
   /// \f$a_0\f$: 0.01 is too small for \f$c = 10^{-2}\f$, 0.1 costs good meshes an iteration
@@ -308,8 +308,8 @@ public:
   /// \f$q\f$: 1 would show in the error of the solution
   static constexpr double part_of_tangents = 0.1;
 
-  /// Of each axis, -1 if a part of the sheet lies in the lower wall across it, 1 if in the upper one,
-  /// else 0. If one of them is not 0, all of the sheet lies in walls.
+  /// Of each axis, -1 if a part of the sheet lies in the lower wall across it, 1 if in the upper
+  /// one, else 0. If one of them is not 0, all of the sheet lies in walls.
   using Walls = std::array<int, 3>;
 
   Sheet_stabilization(const Sheet_integrals& integrals, double normal_stabilization,

@@ -83,16 +83,20 @@ struct Level_positions {
   }
 };
 
-/// Powers of two \f$d_i\f$ with \f$1/2 \le d_i^2 A_{ii} \le 2\f$; 1 where the diagonal entry is not
-/// positive. \f$D A D\f$ fits into single precision, also where elements hardly reach the surface.
+/// Powers of two \f$d_i\f$ with \f$1/2 \le d_i^2 A_{ii} \le 2\f$, so that \f$D A D\f$ fits into
+/// single precision, also where elements hardly reach the surface. A diagonal entry below 1e-30 of
+/// the largest, which has no significant digit left beside it, counts as one of that size: scaled
+/// prolongations would leave the range of numbers otherwise.
 inline std::vector<double> balancing_scale(const Sparse_matrix& a) {
   const Eigen::VectorXd diagonal = a.diagonal();
   const double largest = diagonal.size() > 0 ? diagonal.maxCoeff() : 0;
   std::vector<double> scale(static_cast<std::size_t>(diagonal.size()), 1.);
-  for(Eigen::Index i = 0; i < diagonal.size(); ++i)
-    // What is smaller than this has no significant digit left beside the large entries.
-    if(diagonal[i] > 1e-30 * largest)
-      scale[i] = std::ldexp(1., -static_cast<int>(std::lround(std::log2(diagonal[i]) / 2)));
+  if(!(largest > 0))
+    return scale;
+  for(Eigen::Index i = 0; i < diagonal.size(); ++i) {
+    const double entry = (std::max)(diagonal[i], 1e-30 * largest);
+    scale[i] = std::ldexp(1., -static_cast<int>(std::lround(std::log2(entry) / 2)));
+  }
   return scale;
 }
 
