@@ -152,8 +152,7 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
   result.values_at = [owned_space, field](const std::vector<RL::Surface_location>& locations) {
     return table(field.at_locations(locations));
   };
-  if(!report.converged)
-    result.failure = ": the residual is " + std::to_string(report.relative_residual);
+  result.failure = failure_of(report);
   return result;
 }
 

@@ -128,7 +128,9 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
   const Eigen::Index columns = all.coefficients.cols();
   all.coefficients.conservativeResize(fit.coefficients.rows(), columns + fit.coefficients.cols());
   all.coefficients.rightCols(fit.coefficients.cols()) = fit.coefficients;
-  all.converged = (columns == 0 || all.converged) && fit.converged;
+  if(columns == 0)
+    all.set_status(fit.status);
+  all.worsen_status(fit.status);
   all.iterations = std::max(all.iterations, fit.iterations);
   all.relative_residual = std::max(all.relative_residual, fit.relative_residual);
   all.setup_seconds = fit.setup_seconds;
@@ -213,8 +215,7 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   result.values = RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
   result.paint = [&o](const Eigen::MatrixXd& u) { return colors(o, u); };
   result.set_splines(owned_space, fit.coefficients);
-  if(!fit.converged)
-    result.failure = ": the residual is " + std::to_string(fit.relative_residual);
+  result.failure = failure_of(fit);
   return result;
 }
 

@@ -42,7 +42,8 @@ int main() try {
   const auto saddle = [](const RL::Surface_point& p) {
     return p.point.x() * p.point.x() - p.point.y() * p.point.y();
   };
-  RL::solve_poisson(mesh, zero, u, params::octree_depth(4).boundary_values(saddle));
+  bool converged =
+      RL::solve_poisson(mesh, zero, u, params::octree_depth(4).boundary_values(saddle)).converged;
   std::cout << "boundary values, largest error: "
             << largest_difference(mesh, u,
                                   [](const Point& p) { return p.x() * p.x() - p.y() * p.y(); })
@@ -58,9 +59,9 @@ int main() try {
       value[v] = p.x();
     }
   }
-  RL::solve_poisson(
-      mesh, zero, u,
-      params::octree_depth(4).constraint_values(value).vertex_is_constrained_map(is_fixed));
+  const auto np =
+      params::octree_depth(4).constraint_values(value).vertex_is_constrained_map(is_fixed);
+  converged = RL::solve_poisson(mesh, zero, u, np).converged && converged;
   for(Vertex v : mesh.vertices())
     if(is_fixed[v])
       std::cout << "fixed vertex: wanted " << value[v] << ", got " << u[v] << '\n';
@@ -70,13 +71,15 @@ int main() try {
   const auto weighted_target = [&](const RL::Surface_point& p) {
     return weight(p) * p.point.x() * p.point.y();
   };
-  RL::solve_screened_poisson(mesh, weighted_target, weight, u, params::octree_depth(4));
+  converged = RL::solve_screened_poisson(mesh, weighted_target, weight, u, params::octree_depth(4))
+                  .converged &&
+              converged;
   double on_the_left = 0;
   for(Vertex v : mesh.vertices())
     if(mesh.point(v).x() < -0.2)
       on_the_left = std::max(on_the_left, std::abs(u[v] - mesh.point(v).x() * mesh.point(v).y()));
   std::cout << "weights, largest difference where they are large: " << on_the_left << '\n';
-  return 0;
+  return converged ? 0 : 1;
 } catch(const std::exception& e) {
   std::cerr << "prescribed_values: " << e.what() << '\n';
   return 1;

@@ -195,9 +195,7 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
   summary.add("mean", surface_mean(surface, u));
   Outcome result = outcome(u);
   result.set_splines(owned_space, coefficients);
-  if(!report.converged)
-    result.failure = ": " + std::to_string(report.iterations) +
-                     " iterations left the relative residual above the tolerance";
+  result.failure = failure_of(report);
   return result;
 }
 

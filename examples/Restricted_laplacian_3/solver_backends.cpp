@@ -56,7 +56,10 @@ void run(const Mesh& mesh) {
       RL::assemble_load(space, [](const RL::Surface_point& s) { return s.point.x(); });
 
   Eigen::VectorXd reference;
-  RL::make_poisson_solver(space, alpha, params::relative_tolerance(1e-10)).solve(b, reference);
+  const RL::Solve_report report =
+      RL::make_poisson_solver(space, alpha, params::relative_tolerance(1e-10)).solve(b, reference);
+  if(!report.converged)
+    throw std::runtime_error("the multigrid solver " + to_string(report.status));
   const auto norm = [&](const Eigen::VectorXd& x) { return std::sqrt(x.dot(operators.mass * x)); };
   const auto compare = [&](const char* name, const Eigen::VectorXd& x) {
     std::cout << name << ": differs by " << norm(x - reference) / norm(reference) << " in L2\n";

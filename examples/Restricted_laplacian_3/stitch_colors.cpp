@@ -235,8 +235,7 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
         progress.step("stitching with " + std::to_string(space.dimension()) + " unknowns"));
     found.colors = std::move(stitched.colors);
     add_stitching(summary, stitched, space_seconds);
-    if(!stitched.converged)
-      result.failure = ": the residual is " + std::to_string(stitched.relative_residual);
+    result.failure = failure_of(stitched);
   }
   if(!truth.empty())
     add_error(summary, surface, found, truth);

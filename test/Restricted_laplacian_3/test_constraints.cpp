@@ -108,10 +108,11 @@ TEST_CASE("boundary_values_through_named_parameters", "[constraints]") {
     REQUIRE(u[v] == Approx(g[v]).margin(1e-5));
 
   // with screening: u - 0.1 Laplacian u = g is solved by g as well
-  RL::solve_screened_poisson(mesh,
-                             boost::make_function_property_map<Mesh::Vertex_index>(
-                                 [&](Mesh::Vertex_index v) { return 10 * g[v]; }),
-                             10., u, params::octree_depth(4).boundary_values(g));
+  static_cast<void>(RL::solve_screened_poisson(
+      mesh, boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) {
+        return 10 * g[v];
+      }),
+      10., u, params::octree_depth(4).boundary_values(g)));
   for(Mesh::Vertex_index v : mesh.vertices())
     REQUIRE(u[v] == Approx(g[v]).margin(1e-5));
 
@@ -186,11 +187,12 @@ TEST_CASE("weights_pull_the_solution", "[constraints]") {
   const auto np = params::octree_depth(4).relative_tolerance(1e-5);
   std::vector<double> by_number(sphere.points.size()), by_map = by_number, pulled = by_number;
   const auto f = [](const RL::Surface_point& p) { return 8 * p.point.z(); };
-  RL::solve_screened_poisson(sphere.points, sphere.faces, f, 2., CGAL::make_property_map(by_number),
-                             np);
+  static_cast<void>(RL::solve_screened_poisson(sphere.points, sphere.faces, f, 2.,
+                                               CGAL::make_property_map(by_number), np));
   std::vector<double> twos(sphere.points.size(), 2);
-  RL::solve_screened_poisson(sphere.points, sphere.faces, f, CGAL::make_property_map(twos),
-                             CGAL::make_property_map(by_map), np);
+  static_cast<void>(RL::solve_screened_poisson(sphere.points, sphere.faces, f,
+                                               CGAL::make_property_map(twos),
+                                               CGAL::make_property_map(by_map), np));
   for(std::size_t i = 0; i < by_map.size(); ++i) {
     // 2 u - Laplacian u = 8 z: u = 2 z
     REQUIRE(by_number[i] == Approx(2 * sphere.points[i].z()).margin(0.02));

@@ -275,7 +275,7 @@ TEST_CASE("half_of_the_matrix_is_enough", "[multigrid]") {
     const RL::Poisson_solver of_half(upper(a), l, integrals);
     CHECK(of_half.kernel_dimension() == 1);
     Eigen::VectorXd x, same;
-    of_whole.solve(b, x);
+    static_cast<void>(of_whole.solve(b, x));
     CHECK(of_half.solve(b, same).converged);
     CHECK((x - same).norm() <= 1e-10 * x.norm());
   }
@@ -342,8 +342,9 @@ TEST_CASE("matrices_that_are_not_compressed_give_the_same", "[multigrid]") {
 
   const Eigen::VectorXd integrals = Eigen::VectorXd::Ones(size_of_finest);
   Eigen::VectorXd solution, same_solution;
-  RL::Poisson_solver(a, path_levels(), integrals).solve(load.col(0), solution);
-  RL::Poisson_solver(loose, loose_levels(), integrals).solve(load.col(0), same_solution);
+  static_cast<void>(RL::Poisson_solver(a, path_levels(), integrals).solve(load.col(0), solution));
+  static_cast<void>(
+      RL::Poisson_solver(loose, loose_levels(), integrals).solve(load.col(0), same_solution));
   CHECK(solution == same_solution);
 }
 
@@ -585,6 +586,118 @@ TEST_CASE("scales_balance_the_diagonal_within_limits", "[multigrid]") {
   }
   for(const double s : RL::internal::balancing_scale(Sparse_matrix(3, 3)))
     CHECK(s == 1);
+}
+
+TEST_CASE("error_in_the_report_is_that_of_four_steps_before", "[multigrid]") {
+  const int finest = size_of_finest;
+  const Sparse_matrix a = path_matrix(finest, 0.01);
+  const Eigen::VectorXd expected = random_vector(finest, 5), b = a * expected;
+  const auto energy = [&](const Eigen::VectorXd& x) { return x.dot(a * x); };
+  RL::internal::Poisson_solver_options options;
+  options.relative_tolerance = 1e-14;
+  options.smoother = RL::Smoother_type::point; // slower, so that there are steps to look at
+  const auto solver = [&] {
+    return RL::Poisson_solver(a, path_levels(), Eigen::VectorXd::Zero(finest), 0, options);
+  };
+  std::vector<Eigen::VectorXd> solutions;
+  for(options.maximum_iterations = 0; options.maximum_iterations <= 9;
+      ++options.maximum_iterations) {
+    Eigen::VectorXd x;
+    const RL::Solve_report report = solver().solve(b, x);
+    const int steps = options.maximum_iterations;
+    INFO(steps << " steps");
+    REQUIRE(report.iterations == steps);
+    CHECK(report.status == RL::Solve_status::iteration_limit);
+    CHECK(!report.converged);
+    solutions.push_back(x);
+    if(steps == 0) {
+      CHECK(std::isnan(report.relative_energy_error));
+      continue;
+    }
+    const double before =
+        std::sqrt(energy(expected - solutions[(std::max)(0, steps - 4)]) / energy(expected));
+    CHECK(report.relative_energy_error <= 1.01 * before);
+    if(steps >= 4)
+      CHECK(report.relative_energy_error >= 0.98 * before);
+    // what it was before the last step is less
+    CHECK(report.relative_energy_error > std::sqrt(energy(expected - x) / energy(expected)));
+  }
+  // it can be asked for
+  options.maximum_iterations = 100;
+  options.energy_tolerance = 1e-3;
+  Eigen::VectorXd x;
+  const RL::Solve_report report = solver().solve(b, x);
+  CHECK(report.converged);
+  CHECK(report.iterations >= 4);
+  CHECK(report.iterations < 9);
+  CHECK(report.relative_energy_error <= 1e-3);
+  CHECK(report.relative_residual > 1e-14);
+  CHECK(energy(expected - x) <= 1e-6 * energy(expected));
+  for(const double wrong : {-1e-3, 1., std::nan("")}) {
+    options.energy_tolerance = wrong;
+    CHECK_THROWS_AS(solver(), RL::Parameter_error);
+  }
+}
+
+TEST_CASE("status_tells_how_an_iteration_ended", "[multigrid]") {
+  const int finest = size_of_finest;
+  const Sparse_matrix a = path_matrix(finest, 0.01);
+  const Eigen::VectorXd b = random_vector(finest, 5);
+  RL::internal::Poisson_solver_options options;
+  const auto report = [&](double coarse_factor) {
+    RL::Multigrid_levels levels = path_levels();
+    const Sparse_matrix middle = RL::galerkin_product(a, levels.prolongations[1], false),
+                        coarse = RL::galerkin_product(middle, levels.prolongations[0], false);
+    levels.coarse_matrices = {coarse_factor * coarse, coarse_factor * middle};
+    const RL::Poisson_solver solver(a, std::move(levels), Eigen::VectorXd::Zero(finest), 0,
+                                    options);
+    Eigen::VectorXd x;
+    const RL::Solve_report result = solver.solve(b, x);
+    CHECK(x.allFinite());
+    CHECK(result.relative_residual ==
+          Approx((b - a * x).norm() / b.norm()).epsilon(1e-3).margin(1e-13));
+    CHECK(result.converged == (result.status == RL::Solve_status::converged));
+    return result;
+  };
+  options.relative_tolerance = 1e-10;
+  CHECK(report(1).status == RL::Solve_status::converged);
+  options.maximum_iterations = 2;
+  CHECK(report(1).status == RL::Solve_status::iteration_limit);
+  options.maximum_iterations = 1000;
+  options.relative_tolerance = 1e-30;
+  const RL::Solve_report stalled = report(1);
+  CHECK(stalled.status == RL::Solve_status::stalled);
+  CHECK(stalled.iterations < 100);
+  CHECK(stalled.relative_residual < 1e-13);
+  // Coarse corrections that are ten times too large: cycles alone diverge, conjugate gradients do
+  // not, and W-cycles, which are worse, become V-cycles.
+  options.relative_tolerance = 1e-10;
+  const RL::Solve_report v = report(0.1);
+  CHECK(v.converged);
+  options.cycle = RL::Cycle::W;
+  const RL::Solve_report w = report(0.1);
+  CHECK(w.converged);
+  CHECK(w.iterations <= v.iterations + 5);
+  for(const RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W}) {
+    options.cycle = cycle;
+    options.stand_alone_multigrid = true;
+    const RL::Solve_report alone = report(0.1);
+    CHECK(alone.status == RL::Solve_status::diverged);
+    CHECK(alone.iterations < 20);
+  }
+  // a report of several parts is as good as the worst
+  RL::Solve_report several;
+  CHECK(!several.converged);
+  several.set_status(RL::Solve_status::converged);
+  CHECK(several.converged);
+  several.worsen_status(RL::Solve_status::stalled);
+  CHECK(!several.converged);
+  several.worsen_status(RL::Solve_status::iteration_limit);
+  CHECK(several.status == RL::Solve_status::stalled);
+  CHECK(to_string(RL::Solve_status::converged) == "converged");
+  CHECK(to_string(RL::Solve_status::iteration_limit) == "reached the largest number of iterations");
+  CHECK(to_string(RL::Solve_status::stalled) == "stalled");
+  CHECK(to_string(RL::Solve_status::diverged) == "diverged");
 }
 
 TEST_CASE("one_patch_of_everything_is_the_inverse", "[multigrid]") {

@@ -114,7 +114,7 @@ public:
 
   Eigen::VectorXd step() {
     Eigen::VectorXd u;
-    m_solver.solve(m_load / m_tau, u);
+    static_cast<void>(m_solver.solve(m_load / m_tau, u));
     m_load = m_mass * u;
     return u;
   }

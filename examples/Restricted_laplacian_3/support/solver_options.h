@@ -12,6 +12,7 @@
 
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
+#include <sstream>
 #include <string>
 
 namespace examples {
@@ -38,6 +39,16 @@ inline po::options_description solver_options(Solver_options& o,
 inline void check_solver_options(const Solver_options& o, const po::variables_map& given) {
   require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
   require_not_negative(given, "stabilization");
+}
+
+// how a solver failed, to follow on "the solver did not converge"; empty if it converged
+inline std::string failure_of(const RL::Solve_report& report) {
+  if(report.converged)
+    return {};
+  std::ostringstream text;
+  text << ": the iteration " << to_string(report.status) << ", with a relative residual of "
+       << report.relative_residual << " after " << report.iterations << " iterations";
+  return text.str();
 }
 
 // \param space_seconds for the spline space, which count as setup

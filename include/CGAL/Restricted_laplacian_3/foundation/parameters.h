@@ -31,6 +31,7 @@
   PARAMETER(joining_tolerance)                                                                     \
   PARAMETER(relative_tolerance)                                                                    \
   PARAMETER(cycle)                                                                                 \
+  PARAMETER(energy_tolerance)                                                                      \
   PARAMETER(smoothing_steps)                                                                       \
   PARAMETER(stand_alone_multigrid)                                                                 \
   PARAMETER(eigensolver)                                                                           \

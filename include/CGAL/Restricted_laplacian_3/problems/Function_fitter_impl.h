@@ -135,6 +135,8 @@ Function_fitter::solver(double normal_stabilization, const Progress& progress) {
   timer.start();
   using internal::Fit_stabilization;
   internal::Poisson_solver_options options = m_options.solver;
+  if(!m_options.normal_stabilization)
+    options.energy_tolerance = 0; // stages are compared by their residuals
   if(!m_options.normal_stabilization && normal_stabilization == Fit_stabilization::factors.back())
     options.maximum_iterations =
         (std::min)(options.maximum_iterations, Fit_stabilization::maximum_iterations_of_smallest);
@@ -208,7 +210,11 @@ Function_fitter::fit_with_chosen_stabilization(const Surface_function_view& f,
   result.iterations = *std::max_element(iterations.begin(), iterations.end());
   result.relative_residual =
       *std::max_element(result.relative_residuals.begin(), result.relative_residuals.end());
-  result.converged = has_converged(result.relative_residual);
+  result.set_status(has_converged(result.relative_residual) ? Solve_status::converged
+                    : !(result.relative_residual <= 1)      ? Solve_status::diverged
+                    : result.iterations < m_options.solver.maximum_iterations
+                        ? Solve_status::stalled
+                        : Solve_status::iteration_limit);
 }
 
 /// A residual is the product of those of two solves, and may be rounded up.
@@ -314,7 +320,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Function_fitter::refine(const Surface_fu
                      solver.options().relative_tolerance, progress.callback());
     for(std::size_t i = 0; i < components.size(); ++i)
       result.coefficients.col(components[i]) += x.col(static_cast<Eigen::Index>(i));
-    result.converged = result.converged && report.converged;
+    result.worsen_status(report.status);
   }
 }
 

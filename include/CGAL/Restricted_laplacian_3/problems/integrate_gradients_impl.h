@@ -279,7 +279,7 @@ add_details(const Spline_space_3& space, const Vector_field_view& v, const Scree
   const Vertex_details_report report =
       add_vertex_details(system, options.relative_tolerance, options.maximum_iterations, values);
   shift_to_means(components, measures, solution.means, values);
-  solution.fit.converged = solution.fit.converged && report.converged;
+  solution.fit.worsen_status(report.status);
   solution.fit.details_iterations = report.iterations;
   solution.fit.details_seconds = timer.time();
 }

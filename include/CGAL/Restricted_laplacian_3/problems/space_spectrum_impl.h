@@ -34,7 +34,8 @@ namespace internal {
 inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
   spectrum.pairs = std::move(pairs);
   spectrum.eigenvalues = spectrum.pairs.values;
-  spectrum.report.converged = spectrum.pairs.converged;
+  spectrum.report.set_status(spectrum.pairs.converged ? Solve_status::converged
+                                                      : Solve_status::iteration_limit);
   spectrum.report.iterations = spectrum.pairs.iterations;
   for(double residual : spectrum.pairs.residuals) {
     spectrum.report.relative_residuals.push_back(residual);

@@ -31,6 +31,9 @@ struct Poisson_solver_options {
   static constexpr double default_tolerance = 1e-3;
   /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration
   double relative_tolerance = default_tolerance;
+  /// the iteration also ends at an estimated error of that size, relative to the solution, in the
+  /// norm of the energy; 0: never
+  double energy_tolerance = 0;
   /// the iteration ends after this many cycles, converged or not
   int maximum_iterations = 1000;
   /// shape of the multigrid cycle
@@ -50,6 +53,7 @@ struct Poisson_solver_options {
     : relative_tolerance(tolerance),
       is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
     read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
+    read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
     read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
     read_parameter(np, internal_np::cycle, cycle);
     read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
@@ -68,7 +72,12 @@ struct Poisson_solver_options {
 /// `make_poisson_solver()` makes one of a `Spline_space_3`.
 ///
 /// *Precision.* The iteration is in double precision, the cycle in single precision. The iteration
-/// ends by the true residual, computed anew from the solution.
+/// ends by the true residual, computed anew from the solution; or, if an `energy_tolerance` is
+/// given, by the estimated error.
+///
+/// *Cycles that diverge* are found out: steps \f$\alpha < 1/2\f$ of conjugate gradients prove that
+/// \f$B A\f$ has an eigenvalue above 2. Three of them, or a first guess whose residual is larger
+/// than the right-hand side, turn W-cycles into V-cycles. The report says how the iteration ended.
 ///
 /// *Singular systems.* If \f$A\f$ annihilates the functions that are constant on a connected
 /// component (of the graph of the matrix), the system has a solution only for right-hand sides

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
@@ -60,6 +61,8 @@ inline Poisson_solver_options checked(const Sparse_matrix& a, const Eigen::Vecto
     throw Parameter_error("number_of_iterations", "must not be negative");
   if(options.smoothing_steps < 1)
     throw Parameter_error("smoothing_steps", "must be positive");
+  if(!(options.energy_tolerance >= 0 && options.energy_tolerance < 1))
+    throw Parameter_error("energy_tolerance", "must be from 0 to 1, and less than that");
   return options;
 }
 
@@ -106,7 +109,8 @@ struct Poisson_solver::Impl {
                      double relative_tolerance, const internal::Progress& progress) const {
     check(b, relative_tolerance);
     Solve_report report;
-    report.converged = true;
+    report.set_status(Solve_status::converged);
+    report.relative_energy_error = 0;
     report.setup_seconds = setup_seconds;
     CGAL::Real_timer timer;
     timer.start();
@@ -139,27 +143,28 @@ struct Poisson_solver::Impl {
         [&](const auto& hierarchy) {
           typename std::decay_t<decltype(hierarchy)>::template Workspace<K> workspace;
           using Block = internal::Block_vector<K>;
+          Cycle cycle = options.cycle;
           iterate<K>(
               [&](const Block& p, Block& q) {
-                hierarchy.template nested_iteration<K>(p, q, options.cycle, options.smoothing_steps,
+                hierarchy.template nested_iteration<K>(p, q, cycle, options.smoothing_steps,
                                                        workspace);
               },
               [&](const Block& p, Block& q) {
-                hierarchy.template apply<K>(p, q, options.cycle, options.smoothing_steps,
-                                            workspace);
+                hierarchy.template apply<K>(p, q, cycle, options.smoothing_steps, workspace);
               },
-              relative_tolerance, b, x, progress, report);
+              cycle, relative_tolerance, b, x, progress, report);
         },
         multigrid);
   }
 
   /// \param guess makes the first guess
   /// \param precondition one cycle
+  /// \param cycle its shape; W-cycles that are found to diverge become V-cycles
   template <int K>
   void iterate(internal::Block_operator<K> guess, internal::Block_operator<K> precondition,
-               double relative_tolerance, const Eigen::Ref<const Eigen::MatrixXd>& b_all,
-               Eigen::Ref<Eigen::MatrixXd> x_all, const internal::Progress& progress,
-               Solve_report& report) const {
+               Cycle& cycle, double relative_tolerance,
+               const Eigen::Ref<const Eigen::MatrixXd>& b_all, Eigen::Ref<Eigen::MatrixXd> x_all,
+               const internal::Progress& progress, Solve_report& report) const {
     using Block = internal::Block_vector<K>;
     using Row = internal::Block_row<K>;
     const Eigen::Index count = (std::min)(b_all.cols(), Eigen::Index(K));
@@ -195,39 +200,69 @@ struct Poisson_solver::Impl {
     // The recursively updated residual drifts away from the true one. Start again from the true one
     // as long as that helps.
     int iterations = 0;
+    internal::Conjugate_gradient_record<K> record(options.energy_tolerance);
     Row residual = internal::dot<K>(r, r).sqrt();
-    for(int k = 0; k < K; ++k)
-      if(!std::isfinite(residual[k])) {
-        // Cycles may diverge on a near-kernel.
-        x.col(k).setZero();
-        r.col(k) = b.col(k);
-        residual[k] = norm[k];
-      }
-    while((residual > target).any() && iterations < options.maximum_iterations) {
+    // A first guess that is worse than none comes from cycles that diverge, on a near-kernel or by
+    // rounding.
+    const auto start_at_zero_where_worse = [&] {
+      bool was_worse = false;
+      for(int k = 0; k < K; ++k)
+        if(!(residual[k] <= norm[k])) {
+          was_worse = true;
+          x.col(k).setZero();
+          r.col(k) = b.col(k);
+          residual[k] = norm[k];
+        }
+      return was_worse;
+    };
+    if(start_at_zero_where_worse())
+      cycle = Cycle::V;
+    const auto is_left = [&] {
+      for(int k = 0; k < K; ++k)
+        if(residual[k] > target[k] && !record.has_converged(k))
+          return true;
+      return false;
+    };
+    bool has_improved = true;
+    while(has_improved && is_left() && iterations < options.maximum_iterations) {
+      record.ends_if_it_amplifies = cycle == Cycle::W;
+      record.start(internal::dot<K>(x, b + r));
       if(options.stand_alone_multigrid)
         internal::stationary_iteration<K>(multiply, precondition, project, r, x, target, iterations,
                                           options.maximum_iterations);
       else
         internal::conjugate_gradient<K>(multiply, precondition, project, r, x, target, iterations,
-                                        options.maximum_iterations);
+                                        options.maximum_iterations, record);
       matrix.template residual<K>(b, x, r, options.is_parallel);
       project(r);
       const Row next = internal::dot<K>(r, r).sqrt();
-      const bool improved = (next.max(target) < residual.max(target) * restart_gain).any();
+      has_improved = (next.max(target) < residual.max(target) * restart_gain).any();
       residual = next;
-      if(!improved)
-        break;
+      if(cycle == Cycle::W && (record.amplifies() || !(next <= norm).all())) {
+        cycle = Cycle::V;
+        start_at_zero_where_worse();
+        has_improved = true;
+      }
     }
 
     means.template shift_solution<K>(load, x);
     x = x * scale.matrix().asDiagonal();
     x_all.leftCols(count) = x.leftCols(count);
     report.iterations = (std::max)(report.iterations, iterations);
-    for(Eigen::Index k = 0; k < count; ++k) {
+    for(int k = 0; k < static_cast<int>(count); ++k) {
       const double relative = norm[k] > 0 ? residual[k] / norm[k] : 0;
       report.relative_residuals.push_back(relative);
       report.relative_residual = (std::max)(report.relative_residual, relative);
-      report.converged = report.converged && relative <= relative_tolerance;
+      if(norm[k] > 0)
+        report.relative_energy_error =
+            record.knows_error(k)
+                ? (std::max)(report.relative_energy_error, std::sqrt(record.squared_error(k)))
+                : std::numeric_limits<double>::quiet_NaN();
+      if(relative <= relative_tolerance || record.has_converged(k))
+        continue;
+      report.worsen_status(!(relative <= 1) ? Solve_status::diverged
+                           : has_improved   ? Solve_status::iteration_limit
+                                            : Solve_status::stalled);
     }
   }
 

@@ -4,16 +4,48 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SOLVE_REPORT_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SOLVE_REPORT_H
 
+#include <algorithm>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
+/// How an iteration ended, from good to bad. (One that is canceled ends with the exception
+/// `Canceled`.)
+enum class Solve_status {
+  /// the tolerance is reached
+  converged,
+  /// after the largest number of iterations that was permitted; more would go on
+  iteration_limit,
+  /// more iterations do not help: what is left is rounding, or what the multigrid method does not
+  /// reduce
+  stalled,
+  /// the residual is larger than the right-hand side, or the numbers left the range of numbers
+  diverged
+};
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// The status in words that follow on "the iteration".
+inline std::string to_string(Solve_status status) {
+  switch(status) {
+  case Solve_status::converged: return "converged";
+  case Solve_status::iteration_limit: return "reached the largest number of iterations";
+  case Solve_status::stalled: return "stalled";
+  default: return "diverged";
+  }
+}
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// What a solver did. A solver that does not reach its tolerance says so here; it does not throw.
-struct Solve_report {
-  /// whether the relative residual is at most the tolerance, for every right-hand side
+struct [[nodiscard]] Solve_report {
+  /// whether the tolerance is reached for every right-hand side: the relative residual is at most
+  /// the tolerance, or the estimated error at most the `energy_tolerance`
   bool converged = false;
+  /// how the iteration ended; the worst one, if there are several right-hand sides
+  Solve_status status = Solve_status::iteration_limit;
   /// number of iterations; the largest one, if there are several right-hand sides
   int iterations = 0;
   /// \f$ \|b - A x\|_2 / \|b\|_2 \f$, recomputed from the returned solution; the largest one, if
@@ -22,6 +54,15 @@ struct Solve_report {
   double relative_residual = 0;
   /// relative residual of each right-hand side
   std::vector<double> relative_residuals;
+  /// An estimate of the error of the solution in the norm of the energy,
+  /// \f$ (e^T A\, e / x^T A\, x)^{1/2} \f$ with \f$e = A^{-1} b - x\f$: for conjugate gradients
+  /// \f$e^T A\, e\f$ before a step is the sum of \f$\alpha\, r^T z\f$ over all steps that follow,
+  /// see M. R. Hestenes, E. Stiefel, *Methods of conjugate gradients for solving linear systems*,
+  /// J. Res. Nat. Bur. Standards 49 (1952), and Z. Strakos, P. Tichy, *On error estimation in the
+  /// conjugate gradient method*, ETNA 13 (2002). Here it is that of the last four steps, so the
+  /// error four steps before the end. The largest one, if there are several right-hand sides; 0 for
+  /// a solution that is 0; NaN where there was no step, as with `stand_alone_multigrid`.
+  double relative_energy_error = std::numeric_limits<double>::quiet_NaN();
   /// wall-clock seconds: reading the surface, octree and numbering
   double space_seconds = 0;
   /// wall-clock seconds: matrices and right-hand sides
@@ -30,6 +71,14 @@ struct Solve_report {
   double setup_seconds = 0;
   /// wall-clock seconds: iterations
   double solve_seconds = 0;
+
+  /// sets the status, and whether that is `Solve_status::converged`
+  void set_status(Solve_status s) {
+    status = s;
+    converged = s == Solve_status::converged;
+  }
+  /// the same if the status is worse than the one that is set
+  void worsen_status(Solve_status s) { set_status((std::max)(status, s)); }
 };
 
 } // namespace Restricted_laplacian_3

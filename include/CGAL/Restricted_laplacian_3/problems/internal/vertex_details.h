@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/conjugate_gradient.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
@@ -100,7 +101,7 @@ inline Vertex_system vertex_system(const Triangulated_surface_3& surface,
 
 /// What the iteration for details did.
 struct Vertex_details_report {
-  bool converged = false;
+  Solve_status status = Solve_status::converged;
   int iterations = 0;
   /// of the system scaled to a unit diagonal, relative to its right-hand side, for each channel
   std::vector<double> relative_residuals;
@@ -130,15 +131,19 @@ void solve_vertex_system(const Eigen::SparseMatrix<double>& a, const Incomplete_
   const Block_row<K> norm = dot<K>(b, b).sqrt(), target = relative_tolerance * norm;
   Block_vector<K> r = b - a * y;
   int iterations = 0;
+  Conjugate_gradient_record<K> record;
   conjugate_gradient<K>(multiply, precondition, project, r, y, target, iterations,
-                        maximum_iterations);
+                        maximum_iterations, record);
   report.iterations = (std::max)(report.iterations, iterations);
   r = b - a * y;
   const Block_row<K> residual = dot<K>(r, r).sqrt();
   for(Eigen::Index k = 0; k < count; ++k) {
     report.relative_residuals.push_back(norm[k] > 0 ? residual[k] / norm[k] : 0);
     // The residual of the recursion, which ends the iteration, differs by rounding.
-    report.converged = report.converged && !(residual[k] > 1.1 * target[k]);
+    if(residual[k] > 1.1 * target[k])
+      report.status = (std::max)(report.status, iterations < maximum_iterations
+                                                    ? Solve_status::stalled
+                                                    : Solve_status::iteration_limit);
   }
   for(Eigen::Index i = 0; i < n; ++i)
     if(scale[i] > 0)
@@ -170,7 +175,6 @@ inline Vertex_details_report add_vertex_details(const Vertex_system& system,
   if(factor.info() != Eigen::Success)
     throw Numerical_error("the incomplete Cholesky factorization of the details failed");
   Vertex_details_report report;
-  report.converged = true;
   // as many channels at a time as share a pass over the matrix
   constexpr int most = 4;
   for(Eigen::Index first = 0; first < x.cols(); first += most) {

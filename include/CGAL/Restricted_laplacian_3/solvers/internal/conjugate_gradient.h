@@ -7,6 +7,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace CGAL {
@@ -32,6 +34,58 @@ Block_row<K> safe_quotient(const Block_row<K>& numerator, const Block_row<K>& de
   return result;
 }
 
+/// What the steps of conjugate gradients tell, column by column.
+///
+/// *The error.* In the norm of the energy, \f$e^T A\, e\f$, it is reduced by \f$\alpha\, r^T z\f$
+/// by each step: what the last four steps reduced it by is an estimate of what it was before them.
+///
+/// *The preconditioner.* Of a cycle that converges on its own, all eigenvalues of \f$B A\f$ lie
+/// between 0 and 2, so \f$\alpha \ge 1/2\f$ in exact arithmetic. Three smaller ones prove that it
+/// amplifies.
+template <int K> class Conjugate_gradient_record {
+public:
+  /// \param tolerance columns whose error, relative to the solution, is estimated as that small
+  /// have converged; 0 for none
+  explicit Conjugate_gradient_record(double tolerance = 0) : m_tolerance(tolerance) {}
+
+  /// \param energies \f$ x^T (b + r) \f$, which grows to \f$x^T A\, x\f$ of the solution by what
+  /// the energy of the error shrinks
+  void start(const Block_row<K>& energies) { m_energies = energies; }
+
+  /// a step of a column, and what it reduced the energy by
+  void add(int k, double alpha, double reduction) {
+    m_reductions[k][m_numbers[k]++ % m_reductions[k].size()] = reduction;
+    m_energies[k] += reduction;
+    m_small_steps[k] += alpha < 0.5;
+  }
+
+  /// what the last four steps reduced the energy of the error by, over that of the solution
+  double squared_error(int k) const {
+    double sum = 0;
+    for(double reduction : m_reductions[k])
+      sum += reduction;
+    return sum > 0 && m_energies[k] > 0 ? sum / m_energies[k] : 0;
+  }
+  /// whether there was a step
+  bool knows_error(int k) const { return m_numbers[k] > 0; }
+  bool has_converged(int k) const {
+    return m_tolerance > 0 && m_numbers[k] >= static_cast<int>(m_reductions[k].size()) &&
+           squared_error(k) <= m_tolerance * m_tolerance;
+  }
+
+  bool amplifies() const {
+    return *std::max_element(m_small_steps.begin(), m_small_steps.end()) >= 3;
+  }
+  /// whether the iteration ends if the preconditioner is found to amplify
+  bool ends_if_it_amplifies = false;
+
+private:
+  double m_tolerance;
+  std::array<std::array<double, 4>, K> m_reductions = {};
+  std::array<int, K> m_numbers = {}, m_small_steps = {};
+  Block_row<K> m_energies = Block_row<K>::Zero();
+};
+
 /// Preconditioned conjugate gradients for `K` right-hand sides at once, each with its own
 /// coefficients: the iterates of a column are those of a solve of its own. Columns that have
 /// converged stand still.
@@ -42,17 +96,22 @@ Block_row<K> safe_quotient(const Block_row<K>& numerator, const Block_row<K>& de
 /// \param r the residual of the initial `x`, on return the recursively updated residual
 /// \param target norms of the residuals at which the columns have converged
 /// \param iterations counts on from its value up to `maximum_iterations`
+/// \param record is told each step; columns that have converged by it stand still, too
 template <int K>
 void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> precondition,
                         Function_view<void(Block_vector<K>&)> project, Block_vector<K>& r,
                         Block_vector<K>& x, const Block_row<K>& target, int& iterations,
-                        int maximum_iterations) {
+                        int maximum_iterations, Conjugate_gradient_record<K>& record) {
   Block_vector<K> z, p, q;
   Block_row<K> rho = Block_row<K>::Zero();
   for(bool first = true; iterations < maximum_iterations; ++iterations, first = false) {
     const Block_row<K> norm = dot<K>(r, r).sqrt();
     // written so that a NaN ends the iteration
-    if(!(norm > target).any())
+    std::array<bool, K> is_left;
+    for(int k = 0; k < K; ++k)
+      is_left[k] = norm[k] > target[k] && !record.has_converged(k);
+    if(std::none_of(is_left.begin(), is_left.end(), [](bool is) { return is; }) ||
+       (record.ends_if_it_amplifies && record.amplifies()))
       return;
     precondition(r, z);
     const Block_row<K> next_rho = dot<K>(r, z);
@@ -73,7 +132,12 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
         q.col(k).setZero();
       }
     Block_row<K> alpha = safe_quotient<K>(rho, curvature);
-    alpha = (norm > target).select(alpha, 0);
+    for(int k = 0; k < K; ++k) {
+      if(!is_left[k])
+        alpha[k] = 0;
+      if(alpha[k] != 0)
+        record.add(k, alpha[k], alpha[k] * rho[k]);
+    }
     if((alpha == 0).all())
       return;
     x += p * alpha.matrix().asDiagonal();
@@ -83,15 +147,18 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
 }
 
 /// The iteration \f$ x \leftarrow x + B (b - A x) \f$; parameters as in `conjugate_gradient()`.
+/// Ends where a residual grows to a hundred times what it was at first.
 template <int K>
 void stationary_iteration(Block_operator<K> multiply, Block_operator<K> precondition,
                           Function_view<void(Block_vector<K>&)> project, Block_vector<K>& r,
                           Block_vector<K>& x, const Block_row<K>& target, int& iterations,
                           int maximum_iterations) {
+  constexpr double largest_growth = 100;
   Block_vector<K> z, q;
+  const Block_row<K> limit = largest_growth * dot<K>(r, r).sqrt();
   for(; iterations < maximum_iterations; ++iterations) {
     const Block_row<K> norm = dot<K>(r, r).sqrt();
-    if(!(norm > target).any())
+    if(!(norm > target).any() || (norm > limit).any())
       return;
     precondition(r, z);
     multiply(z, q);
