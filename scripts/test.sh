@@ -7,10 +7,11 @@
 # What a change must pass. Installs what is missing; builds with warnings as errors, in build/ the
 # library, tests and examples, and in build/sanitizers/ the benchmarks, and with AddressSanitizer and
 # UndefinedBehaviorSanitizer the library and tests of what touches raw memory, input or threads; and runs
-# the tests, which build and check the manual, too. Where ccache is installed, it answers for what has been compiled before. Prints how long
-# each stage took, what took longest, and what was compiled with too much memory, which counts as a
-# failure: more than 1.5 GB, or 2.5 GB for tests, benchmarks and headers only. The last line counts all
-# tests. JOBS in the environment is the number of parallel jobs, 2 if not set.
+# the tests, which build and check the manual, too. Where ccache is installed, it answers for what has
+# been compiled before. Prints how long each stage took, what took longest, and what was compiled with
+# too much memory, which counts as a failure: more than 1.5 GB, or 2.5 GB for tests, benchmarks and
+# headers only. The last line counts all tests. JOBS in the environment is the number of parallel jobs, 2
+# if not set.
 
 set -euo pipefail
 export LC_ALL=C

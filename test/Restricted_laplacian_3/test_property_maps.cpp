@@ -108,6 +108,7 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
     const RL::internal::Poisson_solver_options options =
         RL::make_poisson_solver(space, RL::assemble_operators(space), 0, np).options();
     CHECK(options.relative_tolerance == 1e-4);
+    CHECK(options.energy_tolerance == 0.25);
     CHECK(options.maximum_iterations == 7);
     CHECK(options.cycle == RL::Cycle::W);
     CHECK(options.smoothing_steps == 3);
@@ -121,11 +122,15 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
             .number_of_iterations(7)
             .paper_space(true)
             .relative_tolerance(1e-4)
+            .energy_tolerance(0.25)
             .cycle(w)
             .smoothing_steps(3)
             .stand_alone_multigrid(true));
-  const auto solver =
-      params::stand_alone_multigrid(true).smoothing_steps(3).cycle(w).relative_tolerance(1e-4);
+  const auto solver = params::stand_alone_multigrid(true)
+                          .smoothing_steps(3)
+                          .cycle(w)
+                          .relative_tolerance(1e-4)
+                          .energy_tolerance(0.25);
   check(solver.paper_space(true)
             .octree_depth(2)
             .cube_scale(1.5)
@@ -144,6 +149,7 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
             .cycle(w)
             .smoothing_steps(3)
             .relative_tolerance(1e-4)
+            .energy_tolerance(0.25)
             .number_of_iterations(7)
             .cube_scale(1.5)
             .stand_alone_multigrid(true));

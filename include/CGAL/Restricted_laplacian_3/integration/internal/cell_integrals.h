@@ -303,9 +303,11 @@ inline void add_child_component(const Sheet_moments& child, int k, int octant,
 /// is the mean of the integrals over their faces.
 class Sheet_stabilization {
 public:
-  /// \f$a_0\f$: 0.01 is too small for \f$c = 10^{-2}\f$, 0.1 costs good meshes an iteration
+  /// \f$a_0\f$: a larger one changes the operator on more sheets, a smaller one leaves some for
+  /// which the penalty is too large
   static constexpr double tiny_area = 0.03;
-  /// \f$q\f$: 1 would show in the error of the solution
+  /// \f$q\f$: enough for single precision to see, and small beside the penalty along the normal,
+  /// so that it does not show in the error of the solution
   static constexpr double part_of_tangents = 0.1;
 
   /// Of each axis, -1 if a part of the sheet lies in the lower wall across it, 1 if in the upper
