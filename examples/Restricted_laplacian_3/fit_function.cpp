@@ -136,10 +136,9 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
   all.setup_seconds = fit.setup_seconds;
   all.assembly_seconds = fit.assembly_seconds;
   all.solve_seconds += fit.solve_seconds;
-  for(std::size_t k = 0; k < fit.root_mean_square_errors.size(); ++k) {
-    all.root_mean_square_errors.push_back(fit.root_mean_square_errors[k]);
-    all.normal_stabilizations.push_back(fit.normal_stabilizations[k]);
-  }
+  all.normal_stabilization = fit.normal_stabilization;
+  for(double error : fit.root_mean_square_errors)
+    all.root_mean_square_errors.push_back(error);
 }
 
 // Three functions take hardly longer together than one of them; others are fitted one by one.
@@ -204,8 +203,7 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
 
   add_space(summary, space, "each component is fitted on its own");
   add_solve(summary, fit, space_seconds, fit.assembly_seconds);
-  for(std::size_t k = 0; k < functions.names.size(); ++k)
-    summary.add_detail("stabilization_" + functions.names[k], fit.normal_stabilizations[k]);
+  summary.add_detail("stabilization", fit.normal_stabilization);
   summary.add("rms_error", fit.root_mean_square_error());
 
   Outcome result;

@@ -53,20 +53,20 @@ TEST_CASE("functions_in_the_space_are_fitted_to_the_tolerance", "[fit]") {
   for(double& x : eta)
     x = normal(generator);
   const RL::Spline_function_3 u(space, eta);
-  const auto spline = [&](const RL::Surface_point& p) { return u.value(p); };
+  const auto spline =
+      RL::function_of_degree([&](const RL::Surface_point& p) { return u.value(p); }, 6);
   const auto quadric = [](const RL::Surface_point& p) {
     return 1e3 + p.point.x() * p.point.y() - 2 * p.point.z() + p.point.z() * p.point.z();
   };
   const RL::Function_fit fit = RL::fit_function(space, spline);
   CHECK(fit.converged);
-  CHECK(fit.relative_residual <= 1e-8);
   CHECK(fit_difference(mass, fit.coefficients, eta) < 1e-6);
   // values, not only their norm
   const std::vector<double> fitted =
       RL::Spline_function_3(space, fit.coefficients).values_at_vertices();
   const std::vector<double> expected = u.values_at_vertices();
   for(std::size_t v = 0; v < fitted.size(); ++v)
-    CHECK(std::abs(fitted[v] - expected[v]) < 1e-5);
+    CHECK(std::abs(fitted[v] - expected[v]) < 5e-5);
   CHECK(RL::fit_function(space, quadric).root_mean_square_error() < 1e-6);
 }
 
@@ -108,12 +108,9 @@ TEST_CASE("vectors_are_fitted_as_their_components", "[fit]") {
     return std::array<double, 2>{first(p), smooth_test_function(p)};
   });
   REQUIRE(both.coefficients.cols() == 2);
-  CHECK(both.normal_stabilizations[0] == one.normal_stabilizations[0]);
-  CHECK(both.normal_stabilizations[1] == other.normal_stabilizations[0]);
-  CHECK(both.normal_stabilizations[0] > both.normal_stabilizations[1]);
   const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
-  CHECK(fit_difference(mass, both.coefficients.col(0), one.coefficients) < 1e-6);
-  CHECK(fit_difference(mass, both.coefficients.col(1), other.coefficients) < 1e-6);
+  CHECK(fit_difference(mass, both.coefficients.col(0), one.coefficients) < 1e-5);
+  CHECK(fit_difference(mass, both.coefficients.col(1), other.coefficients) < 1e-5);
   CHECK(both.root_mean_square_errors[0] == Approx(one.root_mean_square_error()));
   CHECK(both.root_mean_square_error() ==
         Approx(std::hypot(one.root_mean_square_error(), other.root_mean_square_error())));
@@ -125,7 +122,7 @@ TEST_CASE("vectors_are_fitted_as_their_components", "[fit]") {
   const RL::Function_fit normal =
       RL::fit_function(space, [](const RL::Surface_point& p) { return p.normal; });
   REQUIRE(normal.coefficients.cols() == 3);
-  CHECK(fit_difference(mass, normal.coefficients.col(0), one.coefficients) < 1e-6);
+  CHECK(fit_difference(mass, normal.coefficients.col(0), one.coefficients) < 1e-5);
 }
 
 TEST_CASE("smoothing_leads_from_the_function_to_its_mean", "[fit]") {
@@ -166,36 +163,75 @@ TEST_CASE("fits_of_normals_take_few_iterations", "[fit][slow]") {
         RL::fit_function(space, [](const RL::Surface_point& p) { return p.normal; });
     INFO("depth " << depth << ", " << fit.iterations << " iterations");
     CHECK(fit.converged);
-    CHECK(fit.relative_residual <= 1e-8);
-    CHECK(fit.iterations <= 15);
+    CHECK(fit.iterations <= 10);
   }
 }
 
-TEST_CASE("fits_that_resist_get_more_stabilization", "[fit][slow]") {
-  const std::string path = shared_mesh("wingnut_6k.ply");
-  if(path.empty())
-    SKIP_TEST("wingnut_6k.ply");
-  const RL::Triangulated_surface_3 wingnut = RL::read_surface(shapes::read(path));
-  RL::internal::Spline_space_options options;
-  options.octree_depth = 5;
-  const RL::Spline_space_3 space(wingnut, options);
+TEST_CASE("fits_end_when_their_iteration_does_not_show", "[fit][slow]") {
+  // Plane faces and creases: residuals of the unstabilized systems shrink slowly there. The box is
+  // not aligned with the grid.
+  shapes::Triangles box = shapes::box(1, 0.7, 0.4, 8, 1);
+  for(RL::Point_3& p : box.points)
+    p = RL::Point_3(p.x() + 0.3 * p.y(), p.y() - 0.3 * p.x(), p.z() + 0.2 * p.x());
+  const RL::Spline_space_3 space = fitting_space(box, 4);
+  const auto wave = [](const RL::Surface_point& p) {
+    return 1e3 + std::sin(9 * p.point.x()) * std::cos(8 * p.point.y()) + p.point.z();
+  };
+  const auto normal = [](const RL::Surface_point& p) { return p.normal; };
+  const auto check = [&](const RL::Surface_function_view& f) {
+    const RL::Function_fit fit = RL::fit_function(space, f),
+                           best = RL::fit_function(space, f, params::energy_tolerance(0.003));
+    CHECK(fit.status == RL::Solve_status::converged);
+    CHECK(best.converged);
+    CHECK(fit.iterations <= 15);
+    CHECK(best.iterations > fit.iterations);
+    CHECK(fit.relative_residual > 1e-8);
+    CHECK(best.relative_energy_error < fit.relative_energy_error);
+    CHECK(fit.normal_stabilization == RL::default_fit_stabilization(space));
+    for(std::size_t k = 0; k < fit.root_mean_square_errors.size(); ++k) {
+      const double least = best.root_mean_square_errors[k];
+      // errors add as squares, and the one that is left is estimated before the last four steps
+      CHECK(fit.root_mean_square_errors[k] <= std::sqrt(1 + 0.1 * 0.1) * least);
+      CHECK(fit.root_mean_square_errors[k] >= (1 - 1e-5) * least);
+    }
+    // the difference is as large as it may be: the estimate is not far from the truth
+    const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
+    const Eigen::MatrixXd difference = fit.coefficients - best.coefficients;
+    for(Eigen::Index k = 0; k < difference.cols(); ++k) {
+      const double error =
+          std::sqrt(difference.col(k).dot(mass * difference.col(k)) / space.surface().area());
+      CHECK(error <= 0.1 * fit.root_mean_square_errors[k]);
+      CHECK(error > 0);
+    }
+  };
+  check(wave);
+  check(normal);
 
-  // one component of the normals is constant on large plane faces
-  const RL::Function_fit of_normals = RL::fit_function(
-      space, RL::Linear_surface_function<RL::Vector_3>(RL::vertex_normals(wingnut)));
-  CHECK(of_normals.converged);
-  CHECK(of_normals.iterations <= 15);
+  // by the residual alone
+  const RL::Function_fit by_residual = RL::fit_function(
+      space, wave,
+      params::energy_tolerance(0.).normal_stabilization(1e-4).relative_tolerance(1e-6));
+  CHECK(by_residual.converged);
+  CHECK(by_residual.relative_residual <= 1e-6);
+}
 
-  // does not converge with 1e-14
-  const double length = wingnut.extent();
-  const RL::Function_fit of_waves = RL::fit_function(space, [length](const RL::Surface_point& p) {
-    return std::sin(6 * p.point.x() / length) * std::cos(5 * p.point.y() / length);
-  });
-  CHECK(of_waves.converged);
-  CHECK(of_waves.relative_residual <= 1e-8);
-  CHECK(of_waves.iterations <= 100);
-  CHECK(of_waves.normal_stabilizations == std::vector<double>{1e-5});
-  CHECK(of_waves.root_mean_square_error() <= 2e-4);
+TEST_CASE("stabilization_of_fits_follows_their_smoothing", "[fit]") {
+  const RL::Spline_space_3 space = fitting_space(shapes::sphere(2), 3);
+  const double h = space.octree().cell_width(3), unit = h * h;
+  CHECK(RL::default_fit_stabilization(space) == 1e-14);
+  CHECK(RL::default_fit_stabilization(space, 1e-3 * unit) == Approx(1e-6));
+  CHECK(RL::default_fit_stabilization(space, unit) == 1e-4);
+  const auto x = [](const RL::Surface_point& p) { return p.point.x(); };
+  const auto fit = [&](double w) {
+    return RL::fit_function(space, x, params::smoothing_weight(w * unit));
+  };
+  CHECK(fit(0.01).normal_stabilization == Approx(1e-5));
+  CHECK(fit(0.01).relative_residual <= 1e-8);
+  const RL::Default_integration integration(space);
+  const RL::Function_fit projected =
+      RL::Function_fitter(space, integration).project(RL::assemble_load(space, x));
+  CHECK(projected.normal_stabilization == RL::default_projection_stabilization);
+  CHECK(projected.relative_residual <= 1e-8);
 }
 
 TEST_CASE("property_maps_are_fitted_on_meshes_and_soups", "[fit]") {
@@ -283,6 +319,8 @@ TEST_CASE("fits_of_bad_input_are_refused", "[fit]") {
   refused(params::smoothing_weight(std::numeric_limits<double>::quiet_NaN()));
   refused(params::refinement_steps(-1));
   refused(params::normal_stabilization(-1.));
+  refused(params::energy_tolerance(-0.1));
+  refused(params::energy_tolerance(1.));
   refused(params::relative_tolerance(0.));
   const auto nan = [](const RL::Surface_point& p) {
     return p.face == 5 ? std::numeric_limits<double>::quiet_NaN() : 1.;

@@ -31,8 +31,8 @@ namespace Restricted_laplacian_3 {
 struct Fit_report : Solve_report {
   /// \f$(\int (u_k - f_k)^2 / \mathrm{area})^{1/2}\f$ of each component, in units of \f$f\f$
   std::vector<double> root_mean_square_errors;
-  /// the factor \f$c\f$ of the stabilization, for each component
-  std::vector<double> normal_stabilizations;
+  /// the factor \f$c\f$ of the stabilization
+  double normal_stabilization = 0;
 
   /// \f$(\int \lvert u - f \rvert^2 / \mathrm{area})^{1/2}\f$, all components together
   double root_mean_square_error() const {
@@ -63,8 +63,11 @@ struct Function_fit_options {
   double smoothing_weight = 0;
   /// how often what the fit leaves of \f$f\f$ is fitted and added
   int refinement_steps = 0;
-  /// factor \f$c\f$ of the stabilization; without a value it is chosen for each component
+  /// factor \f$c\f$ of the stabilization; without a value `default_fit_stabilization()`
   std::optional<double> normal_stabilization;
+  /// estimated error in the norm of the energy, over the square root of what is minimized; without
+  /// a value `default_fit_tolerance()`
+  std::optional<double> energy_tolerance;
   /// of the linear systems
   Poisson_solver_options solver;
 
@@ -74,6 +77,8 @@ struct Function_fit_options {
     read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
     read_parameter(np, internal_np::refinement_steps, refinement_steps);
     read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
+    solver.energy_tolerance = 0; // relative to the solution
   }
 };
 
@@ -99,16 +104,19 @@ struct Function_fit_options {
 ///
 /// *Stabilization.* The mass matrix is close to singular, see `assemble_operators()`: combinations
 /// of elements that vary along the normal only nearly vanish on the surface. The term \f$c\, h N\f$
-/// is added to \f$M\f$, and \f$\frac{c}{h} N\f$ to \f$S\f$. Unless \f$c\f$ is given, it is the
-/// first of 1e-4, 1e-5 and 1e-14, for each component, with which the energy of the stabilization is
-/// at most a tenth of what \f$u\f$ minimizes, or half of it if the error of \f$u\f$ is above 1 % of
-/// \f$f\f$ (root mean squares); 1e-5 is left out where it is larger than all of that. A
-/// rough function, for example the normals of the faces, is far from the space: 1e-4 adds little to
-/// its error, and the number of iterations does not depend on the depth. The error of a smooth
-/// function would be that of the stabilization. A smaller one takes more iterations, but then the
-/// error is of the order \f$h^3\f$, and a function in the space is fitted up to about 1e-7 of its
-/// size. Where 1e-14 does not converge within 60 iterations, as may happen on large plane faces,
-/// 1e-5 is taken.
+/// is added to \f$M\f$, and \f$\frac{c}{h} N\f$ to \f$S\f$, with a very small factor:
+/// `default_fit_stabilization()`.
+///
+/// *End of the iteration.* Such combinations make residuals that no iteration reduces soon, but
+/// they hardly change the function. The iteration ends when its estimated error, in the norm of the
+/// energy \f$ (\int e^2 + w \lvert \nabla e \rvert^2)^{1/2} \f$, is a tenth of the square root of
+/// what \f$u\f$ minimizes (`energy_tolerance`): in a least-squares problem errors add as squares,
+/// so the root mean square error is larger than the least possible one by half a percent. For a
+/// function of the space what is minimized vanishes, and the iteration goes on to the
+/// `relative_tolerance` of the residual, or an error of 1e-8 of \f$u\f$. With smoothing, from
+/// \f$w = h^2 / 1000\f$ on, the residual alone counts unless `energy_tolerance` is given. The
+/// estimate is described with `Solve_report::relative_energy_error`, which a fit reports, too,
+/// relative to \f$u\f$.
 ///
 /// The systems are solved by conjugate gradients with a multigrid preconditioner, a
 /// `Poisson_solver`, for up to eight components at a time.
@@ -154,8 +162,8 @@ public:
                    const std::function<bool(double)>& callback = {});
 
   /// The function whose loads are given, \f$\int u\, b_i = \gamma_i\f$ in the least-squares sense,
-  /// smoothed and stabilized as a fit is; without refinement. The stabilization is 1e-4 unless it
-  /// is given.
+  /// smoothed and stabilized as a fit is; without refinement. The stabilization is
+  /// `default_projection_stabilization` unless it is given, and the residual ends the iteration.
   /// \param loads \f$\gamma\f$: a row for each element of the finest level, a column for each
   /// component
   /// \param callback as above
@@ -167,31 +175,16 @@ public:
 
 private:
   using Residual = internal::Fit_residual;
-  using Components = std::vector<Eigen::Index>;
   using Progress = internal::Progress;
 
   double unit() const;
-  Residual residual(const Surface_function_view& f, const Function_fit& fit,
-                    bool with_gradients = false) const;
+  Residual residual(const Surface_function_view& f, const Function_fit& fit) const;
   const Poisson_solver& solver(double normal_stabilization, const Progress& progress);
-  void project(const Eigen::MatrixXd& loads, double normal_stabilization, const Progress& progress,
-               Function_fit& result);
-  void fit_with_chosen_stabilization(const Surface_function_view& f, const Residual& of_zero,
-                                     const Progress& progress, Function_fit& result);
-  bool has_converged(double relative_residual) const;
-  void fit_again_what_did_not_converge(const Components& components, const Eigen::MatrixXd& loads,
-                                       const Progress& progress, Function_fit& result,
-                                       std::vector<int>& iterations);
-  void solve_roughly(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
-                     const Components& components, const Progress& progress, Function_fit& result,
-                     std::vector<int>& iterations) const;
-  void reduce_residuals(const Poisson_solver& solver, const Eigen::MatrixXd& loads,
-                        const Components& components, const Progress& progress,
-                        Function_fit& result, std::vector<int>& iterations) const;
-  double relative_stabilization_energy(const Poisson_solver& solver, Eigen::Index k,
-                                       const Residual& of_zero, const Residual& left,
-                                       const Function_fit& fit) const;
-  void refine(const Surface_function_view& f, const Progress& progress, Function_fit& result) const;
+  double stabilization() const;
+  double energy_tolerance() const;
+  Solve_report solve_least_squares(const Residual& residual, const Progress& progress,
+                                   Eigen::MatrixXd& x);
+  void refine(const Surface_function_view& f, const Progress& progress, Function_fit& result);
 
   const Spline_space_3* m_space;
   Surface_integration_view m_integration;

@@ -8,9 +8,6 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
-#include <array>
-#include <cstddef>
-
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
@@ -30,6 +27,20 @@ double default_normal_stabilization(const Spline_space_3& space);
 /// by no more than the discretization changes them.
 double default_spectrum_stabilization(const Spline_space_3& space);
 
+/// \ingroup PkgRestrictedLaplacian3Fits For fits, `Function_fitter::fit()`: 1e-14, as small as
+/// rounding permits, so that the error is that of the space. The iteration ends by what shows on
+/// the surface, see there, and need not resolve what the stabilization is for. Smoothing with the
+/// weight \f$w\f$ is iterated up to small residuals; then \f$10^{-3}\, w / h^2\f$ with the cell
+/// width \f$h\f$, as in the Poisson problem, but not more than 1e-4.
+/// \param space the space of the fit
+/// \param smoothing_weight \f$w\f$, in units of length^2
+double default_fit_stabilization(const Spline_space_3& space, double smoothing_weight = 0);
+
+/// \ingroup PkgRestrictedLaplacian3Fits
+/// Factor of the stabilization for `Function_fitter::project()`: nothing is known there of the
+/// functions but their loads, so the iteration ends by the residual.
+constexpr double default_projection_stabilization = 1e-4;
+
 /// \ingroup PkgRestrictedLaplacian3Fits
 /// Factor of the stabilization for `estimate_curvature()`: larger than for other fits, because it
 /// is the derivatives that count.
@@ -37,32 +48,12 @@ constexpr double default_curvature_stabilization = 0.01;
 
 namespace internal {
 
-/// Fits choose among several factors, for each component of a function: with the first one the
-/// number of iterations does not depend on the depth; the last one is as small as rounding permits.
-/// A factor is good enough if the energy of the stabilization is at most a fraction of what is
-/// minimized.
-struct Fit_stabilization {
-  static constexpr std::array<double, 3> factors = {1e-4, 1e-5, 1e-14};
-  /// of one solve with the smallest factor; what does not converge then gets the factor before it
-  static constexpr int maximum_iterations_of_smallest = 60;
-
-  /// which factor comes after number `i`, or `i` itself if it is good enough
-  /// \param energy of the stabilization, over what is minimized
-  /// \param function_square,error_square integrals of the squares of a function and of its error
-  static std::size_t next(std::size_t i, double energy, double function_square,
-                          double error_square) {
-    // Rough functions are those whose root mean square error is above 1 % of their own root mean
-    // square: they are far from the space, and the stabilization adds little to their error.
-    constexpr double squared_error_of_rough = 1e-4;
-    constexpr double small_of_rough = 0.5, small_of_smooth = 0.1, large = 1;
-    const double small =
-        error_square > squared_error_of_rough * function_square ? small_of_rough : small_of_smooth;
-    const std::size_t last = factors.size() - 1;
-    if(i == last || energy <= small)
-      return i;
-    return energy > large ? last : i + 1;
-  }
-};
+/// The end of the iteration of a fit: the estimated error in the norm of the energy, over the
+/// square root of what is minimized; 0 if the residual alone counts. In a least-squares problem
+/// errors add as squares: with 0.1, the root mean square error is larger than the least one by 0.5
+/// %. Where there is smoothing, of waves as long as cells are wide by more than about a thousandth,
+/// what is minimized says nothing of the error that is wanted.
+double default_fit_tolerance(const Spline_space_3& space, double smoothing_weight);
 
 /// the value of `normal_stabilization`, by default that of the space
 template <class NamedParameters>

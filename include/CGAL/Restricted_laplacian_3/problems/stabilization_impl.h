@@ -6,6 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 
+#include <algorithm>
+
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
@@ -17,6 +19,29 @@ default_normal_stabilization(const Spline_space_3& space) {
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
 default_spectrum_stabilization(const Spline_space_3& space) {
   return space.is_paper_space() ? 0 : 1e-5;
+}
+
+namespace internal {
+
+/// the smoothing weight in units of the squared cell width
+inline double smoothing_in_cells(const Spline_space_3& space, double smoothing_weight) {
+  const double h = space.octree().cell_width(space.depth());
+  return smoothing_weight / (h * h);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double default_fit_tolerance(const Spline_space_3& space,
+                                                                double smoothing_weight) {
+  constexpr double least_smoothing = 1e-3;
+  return smoothing_in_cells(space, smoothing_weight) <= least_smoothing ? 0.1 : 0;
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double default_fit_stabilization(const Spline_space_3& space,
+                                                                    double smoothing_weight) {
+  constexpr double smallest = 1e-14, largest = 1e-4, of_smoothing = 1e-3;
+  return std::clamp(of_smoothing * internal::smoothing_in_cells(space, smoothing_weight), smallest,
+                    largest);
 }
 
 } // namespace Restricted_laplacian_3

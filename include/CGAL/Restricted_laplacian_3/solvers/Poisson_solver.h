@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -59,6 +60,21 @@ struct Poisson_solver_options {
     read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
     read_parameter(np, internal_np::stand_alone_multigrid, stand_alone_multigrid);
     read_parameter(np, internal_np::smoother, smoother);
+  }
+};
+
+/// When the iteration for a least-squares problem ends, at the latest: the solution \f$x\f$ of
+/// \f$A x = b\f$ minimizes \f$x^T A\, x - 2\, b^T x + s\f$, and an error well below the square
+/// root of the minimum does not show.
+struct Least_squares_end {
+  /// \f$s\f$ of each right-hand side
+  Eigen::VectorXd squares;
+  /// largest estimated error in the norm of the energy, over the square root of the minimum; 0: any
+  double tolerance = 0;
+
+  /// for the right-hand sides from this one on
+  Least_squares_end from(Eigen::Index first) const {
+    return {squares.tail((std::max)(squares.size() - first, Eigen::Index(0))), tolerance};
   }
 };
 
@@ -184,6 +200,11 @@ public:
   /// The same for each column with another tolerance, and a callback as above.
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
                      double relative_tolerance,
+                     const std::function<bool(double)>& callback = {}) const;
+
+  /// The same for least-squares problems.
+  Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
+                     double relative_tolerance, const internal::Least_squares_end& end,
                      const std::function<bool(double)>& callback = {}) const;
 
 private:

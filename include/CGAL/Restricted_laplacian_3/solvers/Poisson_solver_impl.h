@@ -106,7 +106,8 @@ struct Poisson_solver::Impl {
   /// \param x a vector or a matrix, gets the size of `b`
   template <class Vectors>
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Vectors& x,
-                     double relative_tolerance, const internal::Progress& progress) const {
+                     double relative_tolerance, const internal::Least_squares_end& end,
+                     const internal::Progress& progress) const {
     check(b, relative_tolerance);
     Solve_report report;
     report.set_status(Solve_status::converged);
@@ -124,10 +125,12 @@ struct Poisson_solver::Impl {
       const internal::Progress of_block =
           progress.part(part(first), part(first + internal::vectors_of_a_block));
       if(left == 1)
-        solve_block<1>(relative_tolerance, b.rightCols(left), x.rightCols(left), of_block, report);
+        solve_block<1>(relative_tolerance, end.from(first), b.rightCols(left), x.rightCols(left),
+                       of_block, report);
       else
-        solve_block<internal::vectors_of_a_block>(relative_tolerance, b.rightCols(left),
-                                                  x.rightCols(left), of_block, report);
+        solve_block<internal::vectors_of_a_block>(relative_tolerance, end.from(first),
+                                                  b.rightCols(left), x.rightCols(left), of_block,
+                                                  report);
     }
     progress(1);
     report.solve_seconds = timer.time();
@@ -136,9 +139,9 @@ struct Poisson_solver::Impl {
 
   /// solves for the first columns of `b`, at most `K`, and adds to the report
   template <int K>
-  void solve_block(double relative_tolerance, const Eigen::Ref<const Eigen::MatrixXd>& b,
-                   Eigen::Ref<Eigen::MatrixXd> x, const internal::Progress& progress,
-                   Solve_report& report) const {
+  void solve_block(double relative_tolerance, const internal::Least_squares_end& end,
+                   const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x,
+                   const internal::Progress& progress, Solve_report& report) const {
     std::visit(
         [&](const auto& hierarchy) {
           typename std::decay_t<decltype(hierarchy)>::template Workspace<K> workspace;
@@ -152,7 +155,7 @@ struct Poisson_solver::Impl {
               [&](const Block& p, Block& q) {
                 hierarchy.template apply<K>(p, q, cycle, options.smoothing_steps, workspace);
               },
-              cycle, relative_tolerance, b, x, progress, report);
+              cycle, relative_tolerance, end, b, x, progress, report);
         },
         multigrid);
   }
@@ -162,7 +165,7 @@ struct Poisson_solver::Impl {
   /// \param cycle its shape; W-cycles that are found to diverge become V-cycles
   template <int K>
   void iterate(internal::Block_operator<K> guess, internal::Block_operator<K> precondition,
-               Cycle& cycle, double relative_tolerance,
+               Cycle& cycle, double relative_tolerance, const internal::Least_squares_end& end,
                const Eigen::Ref<const Eigen::MatrixXd>& b_all, Eigen::Ref<Eigen::MatrixXd> x_all,
                const internal::Progress& progress, Solve_report& report) const {
     using Block = internal::Block_vector<K>;
@@ -201,6 +204,14 @@ struct Poisson_solver::Impl {
     // as long as that helps.
     int iterations = 0;
     internal::Conjugate_gradient_record<K> record(options.energy_tolerance);
+    if(end.tolerance > 0) {
+      Block constants = Block::Zero(load.rows(), K);
+      means.template shift_solution<K>(load, constants);
+      Row squares = Row::Zero();
+      squares.head(count) = end.squares.head(count);
+      record.compare_with_least_squares(
+          squares / scale.square() - internal::dot<K>(constants, load), end.tolerance);
+    }
     Row residual = internal::dot<K>(r, r).sqrt();
     // A first guess that is worse than none comes from cycles that diverge, on a near-kernel or by
     // rounding.
@@ -346,7 +357,7 @@ Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorX
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Poisson_solver::solve(
     const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x, double relative_tolerance,
     const std::function<bool(double)>& callback) const {
-  return m_impl->solve(b, x, relative_tolerance, internal::Progress(callback));
+  return m_impl->solve(b, x, relative_tolerance, {}, internal::Progress(callback));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
@@ -357,7 +368,13 @@ Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixX
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Poisson_solver::solve(
     const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x, double relative_tolerance,
     const std::function<bool(double)>& callback) const {
-  return m_impl->solve(b, x, relative_tolerance, internal::Progress(callback));
+  return m_impl->solve(b, x, relative_tolerance, {}, internal::Progress(callback));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Poisson_solver::solve(
+    const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x, double relative_tolerance,
+    const internal::Least_squares_end& end, const std::function<bool(double)>& callback) const {
+  return m_impl->solve(b, x, relative_tolerance, end, internal::Progress(callback));
 }
 
 } // namespace Restricted_laplacian_3

@@ -23,17 +23,13 @@ struct Fit_residual {
   Eigen::MatrixXd loads;
   /// \f$\int (f_k - u_k)^2\f$, in units of the squared cell width
   Eigen::VectorXd squares;
-  /// \f$\int \nabla u_k^T A\, \nabla u_k\f$ with the metric \f$A\f$ of the integration
-  Eigen::VectorXd gradient_squares;
 };
 
 /// \param f as in `assemble_component_loads()`
 /// \param coefficients of \f$u\f$ on the finest level; without columns, \f$u = 0\f$
-/// \param with_gradients whether `gradient_squares` are computed; else they are 0
 /// \throws Parameter_error if a value of `f` is not finite; names the face
 Fit_residual fit_residual(const Spline_space_3& space, const Surface_integration_view& integration,
-                          const Surface_function_view& f, const Eigen::MatrixXd& coefficients,
-                          bool with_gradients);
+                          const Surface_function_view& f, const Eigen::MatrixXd& coefficients);
 
 /// \f$(\int \lvert \nabla u_k - v_k \rvert^2 / \mathrm{area})^{1/2}\f$ of the tangential parts, for
 /// each channel \f$k\f$ of a vector field; by a rule of few nodes

@@ -18,15 +18,9 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// \f$\nabla u^T A\, \nabla u\f$
-inline double squared_gradient(const Symmetric_tensor_3& a, double x, double y, double z) {
-  return a[0] * x * x + a[1] * y * y + a[2] * z * z +
-         2 * (a[3] * x * y + a[4] * x * z + a[5] * y * z);
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual fit_residual(
-    const Spline_space_3& space, const Surface_integration_view& integration,
-    const Surface_function_view& f, const Eigen::MatrixXd& coefficients, bool with_gradients) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual
+fit_residual(const Spline_space_3& space, const Surface_integration_view& integration,
+             const Surface_function_view& f, const Eigen::MatrixXd& coefficients) {
   constexpr std::size_t capacity = Integration_node_block::capacity;
   const int number = f.components(), depth = space.depth();
   const double h = space.octree().cell_width(depth);
@@ -35,8 +29,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual fit_residual(
   const int degree = is_zero ? 6 + f.degree() : 12;
   const Eigen::Index sheets = static_cast<Eigen::Index>(space.number_of_sheets(depth));
   // a column for each sheet
-  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(number, sheets),
-                  gradient_squares = Eigen::MatrixXd::Zero(with_gradients ? number : 0, sheets);
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(number, sheets);
   Fit_residual result;
   result.loads =
       sum_loads(space, depth, number, h * h, [&](std::size_t sheet, Cell_load::Load* loads) {
@@ -58,21 +51,12 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual fit_residual(
             for(std::size_t i = 0; i < block.size; ++i)
               squares(k, sheet) += weighted[i] * values[number * i + k];
             moments[k].add(block.positions, weighted);
-            if(!with_gradients || is_zero)
-              continue;
-            const Node_values x = u.derivatives(k, 0), y = u.derivatives(k, 1),
-                              z = u.derivatives(k, 2);
-            for(std::size_t i = 0; i < block.size; ++i)
-              gradient_squares(k, sheet) +=
-                  block.weights[i] * squared_gradient(block.metrics[i], x[i], y[i], z[i]);
           }
         });
         for(int k = 0; k < number; ++k)
           moments[k].add_values_to(loads[k]);
       });
   result.squares = squares.rowwise().sum();
-  result.gradient_squares = with_gradients ? Eigen::VectorXd(gradient_squares.rowwise().sum())
-                                           : Eigen::VectorXd(Eigen::VectorXd::Zero(number));
   return result;
 }
 

@@ -48,6 +48,15 @@ public:
   /// have converged; 0 for none
   explicit Conjugate_gradient_record(double tolerance = 0) : m_tolerance(tolerance) {}
 
+  /// For least squares, where \f$ x^T A\, x - 2\, b^T x + s \f$ is minimized: columns have
+  /// converged, too, if the error is small relative to the square root of that.
+  /// \param squares \f$s\f$
+  /// \param tolerance of the error; 0 for none
+  void compare_with_least_squares(const Block_row<K>& squares, double tolerance) {
+    m_squares = squares;
+    m_least_squares_tolerance = tolerance;
+  }
+
   /// \param energies \f$ x^T (b + r) \f$, which grows to \f$x^T A\, x\f$ of the solution by what
   /// the energy of the error shrinks
   void start(const Block_row<K>& energies) { m_energies = energies; }
@@ -59,6 +68,11 @@ public:
     m_small_steps[k] += alpha < 0.5;
   }
 
+  /// Directions may have a part along what `project` removes, a mean: it lengthens them, so a step
+  /// ends short of the minimum, where the residual still has a part along its direction. Sums of
+  /// reductions feel that where they are compared with what is left of a function.
+  bool wants_exact_reductions() const { return m_least_squares_tolerance > 0; }
+
   /// what the last four steps reduced the energy of the error by, over that of the solution
   double squared_error(int k) const {
     double sum = 0;
@@ -69,8 +83,14 @@ public:
   /// whether there was a step
   bool knows_error(int k) const { return m_numbers[k] > 0; }
   bool has_converged(int k) const {
-    return m_tolerance > 0 && m_numbers[k] >= static_cast<int>(m_reductions[k].size()) &&
-           squared_error(k) <= m_tolerance * m_tolerance;
+    if(m_numbers[k] < static_cast<int>(m_reductions[k].size()))
+      return false;
+    const double square = squared_error(k),
+                 left = m_energies[k] > 0 ? m_squares[k] / m_energies[k] - 1 : 0;
+    const auto is_small = [square](double tolerance, double reference) {
+      return tolerance > 0 && square <= tolerance * tolerance * reference;
+    };
+    return is_small(m_tolerance, 1) || is_small(m_least_squares_tolerance, left);
   }
 
   bool amplifies() const {
@@ -80,10 +100,10 @@ public:
   bool ends_if_it_amplifies = false;
 
 private:
-  double m_tolerance;
+  double m_tolerance, m_least_squares_tolerance = 0;
   std::array<std::array<double, 4>, K> m_reductions = {};
   std::array<int, K> m_numbers = {}, m_small_steps = {};
-  Block_row<K> m_energies = Block_row<K>::Zero();
+  Block_row<K> m_energies = Block_row<K>::Zero(), m_squares = Block_row<K>::Zero();
 };
 
 /// Preconditioned conjugate gradients for `K` right-hand sides at once, each with its own
@@ -103,7 +123,8 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
                         Block_vector<K>& x, const Block_row<K>& target, int& iterations,
                         int maximum_iterations, Conjugate_gradient_record<K>& record) {
   Block_vector<K> z, p, q;
-  Block_row<K> rho = Block_row<K>::Zero();
+  // the product of the residual with the search direction is rho but for rounding, or a mean in it
+  Block_row<K> rho = Block_row<K>::Zero(), slope = rho;
   for(bool first = true; iterations < maximum_iterations; ++iterations, first = false) {
     const Block_row<K> norm = dot<K>(r, r).sqrt();
     // written so that a NaN ends the iteration
@@ -120,7 +141,9 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
     else {
       const Block_row<K> beta = safe_quotient<K>(next_rho, rho);
       p = z + p * beta.matrix().asDiagonal();
+      slope *= beta;
     }
+    slope += next_rho;
     rho = next_rho;
     multiply(p, q);
     Block_row<K> curvature = dot<K>(p, q);
@@ -132,17 +155,20 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
         q.col(k).setZero();
       }
     Block_row<K> alpha = safe_quotient<K>(rho, curvature);
-    for(int k = 0; k < K; ++k) {
+    for(int k = 0; k < K; ++k)
       if(!is_left[k])
         alpha[k] = 0;
-      if(alpha[k] != 0)
-        record.add(k, alpha[k], alpha[k] * rho[k]);
-    }
     if((alpha == 0).all())
       return;
     x += p * alpha.matrix().asDiagonal();
     r -= q * alpha.matrix().asDiagonal();
     project(r);
+    Block_row<K> reduction = alpha * slope;
+    slope = record.wants_exact_reductions() ? dot<K>(r, p) : Block_row<K>(Block_row<K>::Zero());
+    reduction += alpha * slope;
+    for(int k = 0; k < K; ++k)
+      if(alpha[k] != 0)
+        record.add(k, alpha[k], reduction[k]);
   }
 }
 
