@@ -76,7 +76,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       .add(space_options(o))
       .add(integration_options(o))
       .add(point_options(o, o))
-      .add(solver_options(o, "by default it is chosen for each function: small for smooth ones"))
+      .add(solver_options(o, "by default as small as rounding permits, more with --smoothing"))
       .add(spline_output_options(o, "vertex and, for each function, fit_NAME",
                                  "a property fit_NAME for each function"))
       .add(general_options(o));

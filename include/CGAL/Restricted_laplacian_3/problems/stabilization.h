@@ -27,11 +27,12 @@ double default_normal_stabilization(const Spline_space_3& space);
 /// by no more than the discretization changes them.
 double default_spectrum_stabilization(const Spline_space_3& space);
 
-/// \ingroup PkgRestrictedLaplacian3Fits For fits, `Function_fitter::fit()`: 1e-14, as small as
-/// rounding permits, so that the error is that of the space. The iteration ends by what shows on
-/// the surface, see there, and need not resolve what the stabilization is for. Smoothing with the
-/// weight \f$w\f$ is iterated up to small residuals; then \f$10^{-3}\, w / h^2\f$ with the cell
-/// width \f$h\f$, as in the Poisson problem, but not more than 1e-4.
+/// \ingroup PkgRestrictedLaplacian3Fits
+/// For fits, `Function_fitter::fit()`: 1e-14, as small as rounding permits, so that the error is
+/// that of the space. The iteration ends by what shows on the surface, see there, and need not
+/// resolve what the stabilization is for. Smoothing with the weight \f$w\f$ is iterated up to small
+/// residuals; then \f$10^{-3}\, w / h^2\f$ with the cell width \f$h\f$, as in the Poisson problem,
+/// but not more than 1e-4.
 /// \param space the space of the fit
 /// \param smoothing_weight \f$w\f$, in units of length^2
 double default_fit_stabilization(const Spline_space_3& space, double smoothing_weight = 0);
@@ -50,8 +51,8 @@ namespace internal {
 
 /// The end of the iteration of a fit: the estimated error in the norm of the energy, over the
 /// square root of what is minimized; 0 if the residual alone counts. In a least-squares problem
-/// errors add as squares: with 0.1, the root mean square error is larger than the least one by 0.5
-/// %. Where there is smoothing, of waves as long as cells are wide by more than about a thousandth,
+/// errors add as squares: with 0.1, the root mean square error is larger than the least one by half
+/// a percent. Where there is smoothing, of waves as long as cells are wide by more than about a thousandth,
 /// what is minimized says nothing of the error that is wanted.
 double default_fit_tolerance(const Spline_space_3& space, double smoothing_weight);
 

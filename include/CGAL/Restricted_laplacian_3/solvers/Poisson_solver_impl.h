@@ -208,7 +208,8 @@ struct Poisson_solver::Impl {
       Block constants = Block::Zero(load.rows(), K);
       means.template shift_solution<K>(load, constants);
       Row squares = Row::Zero();
-      squares.head(count) = end.squares.head(count);
+      for(int k = 0; k < static_cast<int>(count); ++k)
+        squares[k] = end.squares[k];
       record.compare_with_least_squares(
           squares / scale.square() - internal::dot<K>(constants, load), end.tolerance);
     }
