@@ -52,7 +52,7 @@ namespace internal {
 /// The end of the iteration of a fit: the estimated error in the norm of the energy, over the
 /// square root of what is minimized; 0 if the residual alone counts. In a least-squares problem
 /// errors add as squares: with 0.1, the root mean square error is larger than the least one by half
-/// a percent. Where there is smoothing, of waves as long as cells are wide by more than about a thousandth,
+/// a percent. Where waves as long as cells are wide are smoothed by more than a thousandth or so,
 /// what is minimized says nothing of the error that is wanted.
 double default_fit_tolerance(const Spline_space_3& space, double smoothing_weight);
 
