@@ -4,7 +4,8 @@
 // Does the solver stall anywhere? The iterations to 1e-8 of
 // - Poisson problems, poisson_z and poisson_random,
 // - screened ones, alpha from 1e-6 to 1e6 over the area, screened_1e-6 ...,
-// - fits: fit_z, fit_wave (a sine of each coordinate), fit_normals (of the faces), fit_random,
+// - fits, which may end before by their own error: fit_z, fit_wave (a sine of each coordinate),
+//   fit_normals (of the faces), fit_random,
 // - gradients: a vector for each face, random
 // with V- and W-cycles, where z is a coordinate, and what is random are independent normal numbers
 // at the vertices (of the faces, for vectors).
@@ -33,6 +34,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,7 +48,7 @@ struct Options {
   std::vector<std::string> meshes, problems, cycles = {"v", "w"};
   std::vector<int> depths = {4, 5, 6, 7, 8};
   int limit = 200, threads = 2;
-  double tolerance = 1e-8, stabilization = -1;
+  double tolerance = 1e-8, stabilization = -1, energy_tolerance = -1;
 };
 
 std::vector<double> random_numbers(std::size_t number) {
@@ -128,10 +130,11 @@ private:
   }
 
   RL::Function_fit fit(const RL::Surface_function_view& f) const {
-    if(m_options.stabilization >= 0)
-      return RL::fit_function(m_space, f,
-                              parameters().normal_stabilization(m_options.stabilization));
-    return RL::fit_function(m_space, f, parameters());
+    const auto given = [](double x) { return x >= 0 ? std::optional<double>(x) : std::nullopt; };
+    return RL::fit_function(m_space, f,
+                            parameters()
+                                .normal_stabilization(given(m_options.stabilization))
+                                .energy_tolerance(given(m_options.energy_tolerance)));
   }
 
   RL::Solve_report gradients() const {
@@ -167,6 +170,8 @@ int main(int argc, char* argv[]) {
   add("limit", po::value(&o.limit)->default_value(o.limit), "iterations at most");
   add("tolerance", po::value(&o.tolerance)->default_value(o.tolerance), "relative residual");
   add("stabilization", po::value(&o.stabilization), "that of the package by default");
+  add("energy-tolerance", po::value(&o.energy_tolerance),
+      "of fits, relative to what they leave; that of the package by default");
   add("threads", po::value(&o.threads)->default_value(o.threads), "at most");
   try {
     po::variables_map map;
