@@ -111,7 +111,8 @@ struct Function_fit_options {
 /// they hardly change the function. The iteration ends when its estimated error, in the norm of the
 /// energy \f$ (\int e^2 + w \lvert \nabla e \rvert^2)^{1/2} \f$, is a tenth of the square root of
 /// what \f$u\f$ minimizes (`energy_tolerance`): in a least-squares problem errors add as squares,
-/// so the root mean square error is larger than the least possible one by half a percent. For a
+/// so the root mean square error is larger than the least possible one by half a percent, or a few
+/// times that where the iteration is slow, and the estimate too small. For a
 /// function of the space what is minimized vanishes, and the iteration goes on to the
 /// `relative_tolerance` of the residual, or an error of 1e-8 of \f$u\f$. With smoothing, from
 /// \f$w = h^2 / 1000\f$ on, the residual alone counts unless `energy_tolerance` is given. The
