@@ -231,7 +231,8 @@ void run_areas() {
   std::printf("# %zu points; sum: relative error of the sum of all areas; spread: standard "
               "deviation over mean\n",
               n);
-  std::printf("# %-14s %9s %11s %11s %9s\n", "points", "neighbors", "sum", "spread", "seconds");
+  std::printf("# %-6s %-7s %9s %11s %11s %9s\n", "shape", "points", "neighbors", "sum", "spread",
+              "seconds");
   for(const std::string shape : {"sphere", "torus"})
     for(bool is_random : {false, true}) {
       const Points p = shape == "sphere" ? sphere_points(n, is_random) : torus_points(n, is_random);
@@ -242,7 +243,7 @@ void run_areas() {
         const std::vector<double> areas = RL::estimate_point_areas(p.points, p.normals, neighbors);
         const double seconds = timer.time();
         const auto a = Eigen::Map<const Eigen::ArrayXd>(areas.data(), n);
-        std::printf("%-6s %-9s %9d %11.2e %11.3f %9.2f\n", shape.c_str(),
+        std::printf("%-8s %-7s %9d %11.2e %11.3f %9.2f\n", shape.c_str(),
                     is_random ? "random" : "regular", neighbors, a.sum() / exact - 1,
                     std::sqrt((a / a.mean() - 1).square().mean()), seconds);
       }
@@ -446,13 +447,13 @@ void run_scans() {
   std::printf("# per_cell: points; poisson: difference of the solution of Laplacian u = y from "
               "that on the part, relative; then the first %d eigenvalues above 0\n",
               count - 1);
-  std::printf("# %-14s %5s %8s %10s %8s %8s\n", "surface", "depth", "unknowns", "components",
-              "per_cell", "poisson");
+  std::printf("# %-6s %-7s %5s %8s %10s %8s %8s\n", "surface", "space", "depth", "unknowns",
+              "components", "per_cell", "poisson");
   const auto run = [&](const std::string& name, const RL::Triangulated_surface_3& surface,
                        int depth, bool is_split) {
     const RL::Spline_space_3 space = space_of(surface, depth, is_split);
     const bool has_points = surface.is_point_set();
-    std::printf("%-16s %5d %8zu %10zu ", (name + (is_split ? " split" : " unsplit")).c_str(), depth,
+    std::printf("%-8s %-7s %5d %8zu %10zu ", name.c_str(), is_split ? "split" : "unsplit", depth,
                 space.dimension(), space.number_of_sheets(0));
     if(has_points)
       std::printf("%8.1f %8.4f ",

@@ -7,7 +7,7 @@ benchmarks, and checks that no other figure stands there.
 
 usage: figures.py [--update] ROOT
 
-A line `<!-- table: NAME -->` stands above each table, which is what table_NAME() makes of all rows of
+A line `<!-- table: NAME -->` stands above each table, which is what TABLES[NAME]() makes of all rows of
 its result; `<!-- table: text -->` above a table without measured figures. Without --update the tables
 have to be those already.
 
@@ -28,7 +28,7 @@ PAGES = [
     "doc/Restricted_laplacian_3/Accuracy_and_performance.txt",
     "doc/Restricted_laplacian_3/Comparison.txt",
 ]
-# Of these pages only the tables that are made here; reproduction_agrees_with_results.awk checks others.
+# Of these pages only the tables.
 TABLES_OF = ["doc/Restricted_laplacian_3/Reproduction.txt",
              "doc/Restricted_laplacian_3/Restricted_laplacian_3.txt",
              "doc/Restricted_laplacian_3/Theory.txt"]
@@ -45,7 +45,9 @@ def lines_of(result):
 
 
 class Row(dict):
-    """the values of a line by the names above it, and the comments that it stands under"""
+    """The values of a line by the names above it, and all of them in their order as `values`. `headings`: the
+    comments above since the last command, of which `heading` is the last one, `command` that command, and
+    `remark` the comment at the end of the line."""
 
 
 def words_of(comment):
@@ -55,7 +57,10 @@ def words_of(comment):
 
 
 def values_of(line):
-    line = line.split("# ")[0].replace("> ", ">").replace("restricted depth ", "depth_")
+    line = line.split("# ")[0]
+    for words, word in [("> ", ">"), ("restricted depth ", "depth_"), (" of vertices", " of_vertices"),
+                        (" of faces", " of_faces")]:
+        line = line.replace(words, word)
     return [number(v) for v in line.split()]
 
 
@@ -63,11 +68,11 @@ def rows(result, *names, comment="", command=""):
     """The lines of values under a comment with the names of columns, all `names` among them, in a part
     of the result whose command matches. `comment` filters by the last comment that names no columns."""
     found = []
-    header, heading, of_part = None, "", ""
+    header, headings, of_part = None, [""], ""
     lines = lines_of(result)
     for line, following in zip(lines, lines[1:] + [""]):
         if line.startswith("# command:"):
-            header, heading, of_part = None, "", line[len("# command: "):]
+            header, headings, of_part = None, [""], line[len("# command: "):]
         elif line.startswith("#"):
             words = words_of(line[1:])
             if set(names) <= set(words):
@@ -75,11 +80,13 @@ def rows(result, *names, comment="", command=""):
             elif words and isinstance(number(words[0]), str) and len(words) == len(values_of(following)):
                 header = None  # of another table
             else:
-                heading = line[1:].strip()
+                headings = [*headings, line[1:].strip()]
         elif line.strip() and header:
-            if re.search(comment, heading) and re.search(command, of_part):
-                row = Row(zip(header, values_of(line)))
-                row.heading, row.command = heading, of_part
+            values = values_of(line)
+            if re.search(comment, headings[-1]) and re.search(command, of_part):
+                row = Row(zip(header, values))
+                row.headings, row.heading, row.command = headings, headings[-1], of_part
+                row.values, row.remark = values, line.partition("# ")[2]
                 found.append(row)
     if not found:
         raise LookupError(f"results/{result}.txt has no rows with {names}, {comment}, {command}")
@@ -113,6 +120,10 @@ def short(x):
     decimals = max(0, digits - 1 - math.floor(math.log10(abs(x))))
     text = f"{x:.{decimals}f}"
     return f"{round(float(text)):,}" if decimals == 0 else text
+
+
+def three_digits(x):
+    return f"{x:#.3g}"
 
 
 def error(x):
@@ -167,6 +178,48 @@ def pivot(corner, values, keys, columns, text, titles=None):
     return table(head, body, keys)
 
 
+# ---- tables
+
+
+TABLES = {}
+
+
+def add_table(name, result, names, keys, column, value, text=None, left=1, columns=None, where=lambda r: True,
+              **filters):
+    """A table of one metric of a result, by `pivot()`.
+
+    names    columns that the rows have, see `rows()`
+    keys     the first columns of the table, by title
+    column   that of the table which a row belongs to
+    value    and what stands there
+    Each of these is the name of a column of the result, or a function of a row."""
+
+    def cell(what, r):
+        return r.get(what, "") if isinstance(what, str) else what(r)
+
+    TABLES[name] = lambda: pivot(
+        list(keys), ((tuple(cell(k, r) for k in keys.values()), cell(column, r), cell(value, r))
+                     for r in (rows(result, *names, **filters) if isinstance(result, str) else result())
+                     if where(r)), left, columns, text or str)
+
+
+def by_depth(r):
+    return f"depth {r['depth']}"
+
+
+def by_threads(r):
+    return f"{r['threads']} thread" + "s" * (r["threads"] > 1)
+
+
+def of(names, column="method"):
+    """the name in the tables of what a column names; `{depth}` in it is the value of that column"""
+    return lambda r: names[r[column]].format_map(r)
+
+
+def power_of(column):
+    return lambda r: power(r[column])
+
+
 # ---- accuracy per second
 
 
@@ -177,42 +230,17 @@ METHODS = {
     "cot_amg": "cotangent, BoomerAMG",
     "cotangent": "cotangent",
 }
-
-
-def least_seconds(shape, problem, methods):
-    of_shape, heading = [], ""
-    for line in lines_of("accuracy_per_second"):
-        match = re.match(r"# (\w+), (\w+), least seconds", line)
-        if match:
-            heading = match.groups()
-        elif re.match(r"# \w+, \w+, all", line):
-            heading = ""
-        elif heading == (shape, problem) and line.strip() and not line.startswith("#"):
-            of_shape.append([float(v) for v in line.split()])
-    names = [METHODS[m] for m in methods]
-    if "restricted_v" not in methods:
-        names[0] = "this package"
-    return table(["Error at most", *names],
-                 [[power(r[0]), *(seconds(x) for x in r[1:1 + len(methods)])] for r in of_shape], 0)
-
-
 POISSON = ["restricted", "restricted_v", "cot_cholmod", "cot_amg"]
 
 
-def table_seconds_poisson_sphere():
-    return least_seconds("sphere", "poisson", POISSON)
-
-
-def table_seconds_poisson_torus():
-    return least_seconds("torus", "poisson", POISSON)
-
-
-def table_seconds_eigenvalues_sphere():
-    return least_seconds("sphere", "spectrum", ["restricted", "cotangent"])
-
-
-def table_seconds_eigenvalues_torus():
-    return least_seconds("torus", "spectrum", ["restricted", "cotangent"])
+def least_seconds(shape, problem, methods):
+    names = [METHODS[m] for m in methods]
+    if "restricted_v" not in methods:
+        names[0] = "this package"
+    found = [r for r in rows("accuracy_per_second", "error", "cot/restr", command=f"--part {problem}")
+             if r.headings[-2].startswith(f"{shape}, {problem}, least")]
+    return table(["Error at most", *names],
+                 [[power(r["error"]), *(seconds(r[m]) for m in methods)] for r in found], 0)
 
 
 def all_runs(shape, problem):
@@ -220,55 +248,37 @@ def all_runs(shape, problem):
             if r["shape"] == shape]
 
 
-def errors_by_mesh(shape, problem, kinds):
-    def column(r):
-        return "cotangent" if r["method"].startswith("cot") else "depth " + r["param"][1]
-
-    return pivot(["Triangles"],
-                 (((r["faces"],), column(r), r["error"]) for r in all_runs(shape, problem)
-                  if r["method"] in kinds), 0, None, error)
+def add_errors_by_mesh(name, shape, problem, kinds):
+    add_table(name, lambda: all_runs(shape, problem), (), {"Triangles": "faces"},
+              lambda r: "cotangent" if r["method"].startswith("cot") else "depth " + r["param"][1], "error",
+              error, 0, where=lambda r: r["method"] in kinds)
 
 
-def table_error_poisson_sphere():
-    return errors_by_mesh("sphere", "poisson", ["cot_cholmod", "restricted"])
-
-
-def table_error_poisson_torus():
-    return errors_by_mesh("torus", "poisson", ["cot_cholmod", "restricted"])
-
-
-def table_error_poisson_sphere_vertices():
-    return errors_by_mesh("sphere", "poisson", ["cot_cholmod", "restricted_v"])
-
-
-def table_error_poisson_torus_vertices():
-    return errors_by_mesh("torus", "poisson", ["cot_cholmod", "restricted_v"])
-
-
-def table_error_eigenvalues_sphere():
-    return errors_by_mesh("sphere", "spectrum", ["cotangent", "restricted"])
-
-
-def table_error_eigenvalues_torus():
-    return errors_by_mesh("torus", "spectrum", ["cotangent", "restricted"])
+for shape in ["sphere", "torus"]:
+    TABLES["seconds_poisson_" + shape] = lambda s=shape: least_seconds(s, "poisson", POISSON)
+    TABLES["seconds_eigenvalues_" + shape] = lambda s=shape: least_seconds(s, "spectrum",
+                                                                            ["restricted", "cotangent"])
+    add_errors_by_mesh("error_poisson_" + shape, shape, "poisson", ["cot_cholmod", "restricted"])
+    add_errors_by_mesh(f"error_poisson_{shape}_vertices", shape, "poisson", ["cot_cholmod", "restricted_v"])
+    add_errors_by_mesh("error_eigenvalues_" + shape, shape, "spectrum", ["cotangent", "restricted"])
 
 
 # ---- points
 
 
-def table_points_matrices():
-    surface = ""
-    body = []
+def slopes():
+    """of errors over the number of samples"""
+    sampling = surface = ""
     for line in lines_of("monte_carlo_convergence"):
         match = re.match(r"# (\w+), (\d+) triangles, depth (\d)", line)
-        if match:
-            surface = f"{match[1]}, depth {match[3]}"
-        match = re.match(r"(independent|stratified) ", line)
-        sampling = match[1] if match else sampling if surface else ""
+        surface = f"{match[1]}, depth {match[3]}" if match else surface
+        sampling = line.split()[0] if re.match(r"(independent|stratified) ", line) else sampling
         match = re.match(r"# slopes: stiffness (-[\d.]+), mass (-[\d.]+)", line)
         if match:
-            body.append([surface, sampling, f"{float(match[1]):.2f}", f"{float(match[2]):.2f}"])
-    return table(["Surface", "Samples", "Stiffness", "Mass"], body, 2)
+            yield [surface, sampling, f"{float(match[1]):.2f}", f"{float(match[2]):.2f}"]
+
+
+TABLES["points_matrices"] = lambda: table(["Surface", "Samples", "Stiffness", "Mass"], slopes(), 2)
 
 
 def table_points_eigenvalues():
@@ -280,43 +290,24 @@ def table_points_eigenvalues():
                   for n, d in sorted({(n, d) for n, d, _ in cells})], 0)
 
 
-def table_points_areas():
-    values = []
-    for line in lines_of("monte_carlo_convergence"):
-        match = re.match(r"(sphere|torus) +(regular|random) +(\d+) +(\S+) +\S+ +\S+$", line)
-        if match:
-            values.append(((match[1], match[2]), f"{match[3]} neighbors", float(match[4])))
-    return pivot(["Surface", "Points"], values, 2, None, error)
+TABLES["points_eigenvalues"] = table_points_eigenvalues
+add_table("points_areas", "monte_carlo_convergence", ["shape", "neighbors", "sum"],
+          {"Surface": "shape", "Points": "points"}, lambda r: f"{r['neighbors']} neighbors", "sum", error, 2)
 
 
 def scans():
-    found = []
-    for line in lines_of("monte_carlo_convergence"):
-        match = re.match(r"(points|part|whole) (split|unsplit) +(\d) +(\d+) +(\d+) +(\S+) +(\S+) +(.*)", line)
-        if match:
-            found.append((match[1], match[2], int(match[3]), match[6], match[7],
-                          [float(v) for v in match[8].split()]))
-    return found
+    return rows("monte_carlo_convergence", "surface", "depth", "components")
 
 
-def table_scans_eigenvalues():
-    part = {(space, depth): values for what, space, depth, _, _, values in scans() if what == "part"}
-    return pivot(["Elements"],
-                 (((space,), f"depth {depth}",
-                   100 * max(abs(a / b - 1) for a, b in zip(values, part[space, depth])))
-                  for what, space, depth, _, _, values in scans() if what == "points"), 1, None, percent)
+def difference_of_spectra(r):
+    part = next(q for q in scans() if (q["surface"], q["space"], q["depth"]) == ("part", r["space"], r["depth"]))
+    return 100 * max(abs(a / b - 1) for a, b in zip(r.values[7:], part.values[7:]))
 
 
-def table_scans_poisson():
-    return pivot(["Elements"], (((space,), f"depth {depth}", 100 * float(difference))
-                                for what, space, depth, _, difference, _ in scans() if what == "points"),
-                 1, None, percent)
-
-
-def table_scans_density():
-    return pivot(["Elements"], (((space,), f"depth {depth}", float(per_cell))
-                                for what, space, depth, per_cell, _, _ in scans() if what == "points"),
-                 1, None, whole)
+for name, value, text in [("eigenvalues", difference_of_spectra, percent),
+                          ("poisson", lambda r: 100 * r["poisson"], percent), ("density", "per_cell", whole)]:
+    add_table("scans_" + name, scans, (), {"Elements": "space"}, by_depth, value, text,
+              where=lambda r: r["surface"] == "points")
 
 
 # ---- solvers
@@ -331,10 +322,11 @@ SOLVERS = {
     "cholmod": "CHOLMOD, METIS, OpenBLAS",
     "ic_cg": "incomplete Cholesky of Eigen",
 }
+SOLVER_COLUMNS = ["mesh", "depth", "solver", "tol", "total_s"]
 
 
-def solver_rows(result, **filters):
-    return rows(result, "mesh", "depth", "solver", "tol", "total_s", **filters)
+def solver_rows(result):
+    return rows(result, *SOLVER_COLUMNS)
 
 
 def in_time(r, column="total_s"):
@@ -343,42 +335,8 @@ def in_time(r, column="total_s"):
     return text if r["ok"] == "yes" else f"> {text}"
 
 
-def same_matrix(threads):
-    return pivot([f"Solver"], (((SOLVERS[r["solver"]],), power(r["tol"]), in_time(r))
-                               for r in solver_rows("solver_comparison_bunny") if r["th"] == threads),
-                 1, None, str)
-
-
-def table_same_matrix():
-    return same_matrix(1)
-
-
-def table_same_matrix_two_threads():
-    return same_matrix(2)
-
-
-def table_same_matrix_iterations():
-    return pivot(["Solver"], (((SOLVERS[r["solver"]],), power(r["tol"]), in_time(r, "iter"))
-                              for r in solver_rows("solver_comparison_bunny") if r["th"] == 1),
-                 1, None, str)
-
-
-def table_same_matrix_memory():
-    return pivot(["Solver"], (((SOLVERS[r["solver"]],), f"{r['th']} thread" + "s" * (r["th"] > 1), r["MiB"])
-                              for r in solver_rows("solver_comparison_bunny") if r["tol"] == 5e-3),
-                 1, None, whole)
-
-
-def table_depth_8():
-    return pivot(["Surface", "Threads", "Unknowns"],
-                 (((r["mesh"], r["th"], r["unknowns"]), SOLVERS[r["solver"]], in_time(r))
-                  for r in solver_rows("solver_comparison_depth_8")), 1, None, str)
-
-
-def table_depth_8_iterations():
-    return pivot(["Surface", "Threads"],
-                 (((r["mesh"], r["th"]), SOLVERS[r["solver"]], in_time(r, "iter"))
-                  for r in solver_rows("solver_comparison_depth_8")), 1, None, str)
+def iterations(r):
+    return in_time(r, "iter")
 
 
 def problem_of(command):
@@ -389,79 +347,70 @@ def problem_of(command):
     return "Poisson, " + re.search(r"--rhs (\w+)", command)[1]
 
 
-def table_loads():
-    return pivot(["Problem", "Surface", "Residual"],
-                 (((problem_of(r.command), r["mesh"], power(r["tol"])), SOLVERS[r["solver"]], in_time(r))
-                  for r in solver_rows("solver_comparison_loads")), 3, None, str)
-
-
-def table_iterations():
-    return pivot(["Surface"], (((r["mesh"],), f"depth {r['depth']}", in_time(r, "iter"))
-                               for r in solver_rows("solver_comparison_iterations")
-                               if r["tol"] == 1e-8 and r["th"] == 1), 1, None, str)
-
-
-def table_iterations_paper():
-    return pivot(["Surface"], (((r["mesh"],), f"depth {r['depth']}", in_time(r, "iter"))
-                               for r in solver_rows("solver_comparison_iterations")
-                               if r["tol"] == 5e-3 and r["th"] == 1), 1, None, str)
-
-
-def table_tolerance():
-    found = rows("stabilization", "mesh", "depth", "tolerance", "L2", "H1")
-    return pivot(["Tolerance"], (((power(r["tolerance"]),), r["mesh"], r["L2"]) for r in found), 1, None, error)
-
-
-def table_tolerance_gradients():
-    found = rows("stabilization", "mesh", "depth", "tolerance", "L2", "H1")
-    return pivot(["Tolerance"], (((power(r["tolerance"]),), r["mesh"], r["H1"]) for r in found), 1, None, error)
+solver = of(SOLVERS, "solver")
+for name, value, threads in [("", in_time, 1), ("_two_threads", in_time, 2), ("_iterations", iterations, 1)]:
+    add_table("same_matrix" + name, "solver_comparison_bunny", SOLVER_COLUMNS, {"Solver": solver},
+              power_of("tol"), value, where=lambda r, t=threads: r["th"] == t)
+add_table("same_matrix_memory", "solver_comparison_bunny", SOLVER_COLUMNS, {"Solver": solver},
+          lambda r: by_threads({"threads": r["th"]}), "MiB", whole, where=lambda r: r["tol"] == 5e-3)
+add_table("depth_8", "solver_comparison_depth_8", SOLVER_COLUMNS,
+          {"Surface": "mesh", "Threads": "th", "Unknowns": "unknowns"}, solver, in_time)
+add_table("depth_8_iterations", "solver_comparison_depth_8", SOLVER_COLUMNS,
+          {"Surface": "mesh", "Threads": "th"}, solver, iterations)
+add_table("loads", "solver_comparison_loads", SOLVER_COLUMNS,
+          {"Problem": lambda r: problem_of(r.command), "Surface": "mesh", "Residual": power_of("tol")}, solver,
+          in_time, left=3)
+for name, tolerance in [("iterations", 1e-8), ("iterations_paper", 5e-3)]:
+    add_table(name, "solver_comparison_iterations", SOLVER_COLUMNS, {"Surface": "mesh"}, by_depth, iterations,
+              where=lambda r, t=tolerance: r["tol"] == t and r["th"] == 1)
+for name, value in [("tolerance", "L2"), ("tolerance_gradients", "H1")]:
+    add_table(name, "stabilization", ["mesh", "depth", "tolerance", "L2", "H1"],
+              {"Tolerance": power_of("tolerance")}, "mesh", value, error)
+add_table("stabilization_errors", "stabilization", ["depth", "unknowns", "factor", "L2_error"],
+          {"Depth": "depth"}, power_of("factor"), "L2_error", error, 0)
 
 
 def table_stabilization_iterations():
-    values = []
-    for line in lines_of("stabilization"):
-        if line.startswith("# mesh ") and "tolerance" not in line:
-            factors = [power(float(c)) for c in line.split()[4:]]
-        match = re.match(r"(\w+) +(\d) +(\d+) ((?: *>? *\d+)+)$", line)
-        if match and not match[1].isdigit():
-            values += [((match[1], int(match[2])), f, v.replace(">", "> "))
-                       for f, v in zip(factors, re.findall(r">? *\d+", match[4].replace("> ", ">")))]
-    return pivot(["Mesh", "Depth"], [(k, f, v.strip()) for k, f, v in values], 1, None, str)
+    found = rows("stabilization", "mesh", "depth", "1e-04", "1e-03")
+    factors = [name for name in found[0] if re.match(r"\d", name)]
+    return table(["Mesh", "Depth", *(power(float(f)) for f in factors)],
+                 [[r["mesh"], str(r["depth"]), *(str(r[f]).replace(">", "> ") for f in factors)] for r in found])
 
 
-def table_stabilization_errors():
-    found = rows("stabilization", "depth", "unknowns", "factor", "L2_error")
-    return pivot(["Depth"], (((r["depth"],), power(r["factor"]), r["L2_error"]) for r in found), 0, None, error)
+TABLES["stabilization_iterations"] = table_stabilization_iterations
 
 
-def paper_rows(is_mass):
-    for r in solver_rows("solver_comparison_paper"):
-        if ("--matrix mass" in r.command) == is_mass:
-            yield ("paper's" if "--paper" in r.command else "default"), r
+def paper_matrix(r):
+    return "paper's" if "--paper" in r.command else "default"
 
 
-def table_paper_systems():
-    titles = {"ours": "This package", "ours_paper": "Paper's algorithm", "amg1": "AMG1", "amg2": "AMG2"}
-    values = []
-    for matrix, r in paper_rows(False):
-        is_pcg = r["solver"].endswith("_pcg")
-        if r["solver"].startswith("ours") or is_pcg == (matrix == "default"):
-            mesh = r["mesh"].split("_")[0] + "*" * ("--screening" in r.command)
-            values.append(((f"{mesh}, {r['depth']}, {matrix}", r["unknowns"]),
-                           titles[r["solver"].replace("_pcg", "")],
-                           f"{r['setup_s']:.2f} + {r['solve_s']:.2f} ({r['iter']})"))
-    return pivot(["System, depth, matrix", "Unknowns"], values, 1, list(titles.values()), str)
+def is_mass(r):
+    return "--matrix mass" in r.command
+
+
+add_table("paper_systems", "solver_comparison_paper", SOLVER_COLUMNS,
+          {"System, depth, matrix": lambda r: f"{r['mesh'].split('_')[0]}{'*' * ('--screening' in r.command)}, "
+                                              f"{r['depth']}, {paper_matrix(r)}",
+           "Unknowns": "unknowns"},
+          of({"ours": "This package", "ours_paper": "Paper's algorithm", "amg1": "AMG1", "amg1_pcg": "AMG1",
+              "amg2": "AMG2", "amg2_pcg": "AMG2"}, "solver"),
+          lambda r: f"{r['setup_s']:.2f} + {r['solve_s']:.2f} ({r['iter']})",
+          where=lambda r: not is_mass(r) and (r["solver"].startswith("ours") or
+                                              r["solver"].endswith("_pcg") == (paper_matrix(r) == "default")))
 
 
 def table_paper_fits():
     rows_of = {}
-    for matrix, r in paper_rows(True):
-        rows_of.setdefault((matrix, r["solver"]), {})[r["tol"]] = r
+    for r in filter(is_mass, solver_rows("solver_comparison_paper")):
+        rows_of.setdefault((paper_matrix(r), r["solver"]), {})[r["tol"]] = r
     return table(["Matrix, solver", "Setup", "5e-3", "residual", "1e-8", "residual"],
                  [[f"{matrix}, {solver}", f"{by[5e-3]['setup_s']:.2f}",
                    *(t for tol in (5e-3, 1e-8) for t in (f"{by[tol]['solve_s']:.2f} ({whole(by[tol]['iter'])})",
                                                          error(by[tol]["residual"])))]
                   for (matrix, solver), by in rows_of.items()])
+
+
+TABLES["paper_fits"] = table_paper_fits
 
 
 # ---- depths and dense meshes
@@ -472,102 +421,47 @@ def depth_rows(threads=1):
     return rows("depth_study", "mesh", "vertices", "method", "edge/h", command=command)
 
 
-def depth_table(metric, text, threads=1):
-    names = {"cot_cholmod": "cotangent, CHOLMOD", "cot_amg": "cotangent, BoomerAMG"}
-    return pivot(["Mesh", "Vertices"],
-                 (((r["mesh"], r["vertices"]), names.get(r["method"], f"depth {r['depth']}"), r[metric])
-                  for r in depth_rows(threads)), 1,
-                 ["depth 4", "depth 5", "depth 6", "depth 7", "depth 8", *names.values()], text)
-
-
-def table_depth_unknowns():
-    return pivot(["Mesh", "Vertices"],
-                 (((r["mesh"], r["vertices"]), f"depth {r['depth']}", r["unknowns"])
-                  for r in depth_rows() if r["method"] == "restricted"), 1, None, whole)
-
-
-def table_depth_seconds():
-    return depth_table("seconds", seconds)
-
-
-def table_depth_memory():
-    return depth_table("MiB", whole)
-
-
-def table_depth_error():
-    return depth_table("error", error)
-
-
-def table_depth_edges():
-    return pivot(["Mesh", "Vertices"],
-                 (((r["mesh"], r["vertices"]), f"depth {r['depth']}", r["edge/h"])
-                  for r in depth_rows() if r["method"] == "restricted"), 1, None, short)
-
-
-def table_dense_seconds_two_threads():
-    return pivot(["Threads"],
-                 (((2,), "cotangent, CHOLMOD" if r["method"] == "cot_cholmod" else f"depth {r['depth']}",
-                   r["seconds"]) for r in depth_rows(2)), 0, None, seconds)
+MESH = {"Mesh": "mesh", "Vertices": "vertices"}
+depth_method = of({"restricted": "depth {depth}", "cot_cholmod": "cotangent, CHOLMOD",
+                   "cot_amg": "cotangent, BoomerAMG"})
+for name, value, text in [("seconds", "seconds", seconds), ("memory", "MiB", whole), ("error", "error", error)]:
+    add_table("depth_" + name, depth_rows, (), MESH, depth_method, value, text,
+              columns=["depth 4", "depth 5", "depth 6", "depth 7", "depth 8", "cotangent, CHOLMOD",
+                       "cotangent, BoomerAMG"])
+for name, value, text in [("unknowns", "unknowns", whole), ("edges", "edge/h", short)]:
+    add_table("depth_" + name, depth_rows, (), MESH, by_depth, value, text,
+              where=lambda r: r["method"] == "restricted")
+add_table("dense_seconds_two_threads", lambda: depth_rows(2), (), {"Threads": "threads"}, depth_method, "seconds",
+          seconds, 0)
 
 
 # ---- eigenpairs
 
 
-def same_pencil(column, text):
-    names = {"shift_invert_cholmod": "factorization", "multigrid_eigenpairs": "multigrid"}
-
-    def key(r):
-        pairs, tolerance = re.search(r"(\d+) pairs, tolerance (\S+)", r.heading).groups()
-        return r["unknowns"], int(pairs), power(float(tolerance))
-
-    return pivot(["Unknowns", "Pairs", "Residual asked"],
-                 ((key(r), names[r["what"]], r.get(column, ""))
-                  for r in rows("eigensolver_comparison", "what", "pairs", "MiB", comment=", depth ")
-                  if "--no-peer" not in r.command), 0, ["multigrid", "factorization"], text)
+EIGENPAIRS = ["what", "pairs", "MiB"]
 
 
-def table_eigenpairs_seconds():
-    return same_pencil("pairs", seconds)
+def with_peers(r):
+    return "--no-peer" not in r.command
 
 
-def table_eigenpairs_memory():
-    return same_pencil("MiB", whole)
+def in_heading(pattern, read):
+    return lambda r: read(re.search(pattern, r.heading)[1])
 
 
-def table_eigenpairs_residual():
-    return same_pencil("residual", error)
-
-
-def table_eigenpairs_error():
-    return same_pencil("max_err", error)
-
-
-def from_mesh(value, text):
-    def column(r):
-        return "cotangent" if r["what"] == "cotangent_spectra" else r["what"].replace("_", " ")
-
-    return pivot(["Mesh", "Triangles"],
-                 (((re.match(r"\w+", r.heading)[0], int(re.search(r"(\d+) triangles", r.heading)[1])),
-                   column(r), value(r))
-                  for r in rows("eigensolver_comparison", "what", "pairs", "MiB", comment=" triangles, ")
-                  if "--no-peer" not in r.command),
-                 1, ["depth 5", "depth 6", "depth 7", "cotangent"], text)
-
-
-def table_mesh_to_pairs_seconds():
-    return from_mesh(lambda r: r["matrices"] + r["pairs"], seconds)
-
-
-def table_mesh_to_pairs_memory():
-    return from_mesh(lambda r: r["MiB"], whole)
-
-
-def table_mesh_to_pairs_mean():
-    return from_mesh(lambda r: r["mean_err"], error)
-
-
-def table_mesh_to_pairs_largest():
-    return from_mesh(lambda r: r["max_err"], error)
+for name, value, text in [("seconds", "pairs", seconds), ("memory", "MiB", whole), ("residual", "residual", error),
+                          ("error", "max_err", error)]:
+    add_table("eigenpairs_" + name, "eigensolver_comparison", EIGENPAIRS,
+              {"Unknowns": "unknowns", "Pairs": in_heading(r"(\d+) pairs", int),
+               "Residual asked": in_heading(r"tolerance (\S+)", lambda t: power(float(t)))},
+              of({"shift_invert_cholmod": "factorization", "multigrid_eigenpairs": "multigrid"}, "what"), value,
+              text, 0, ["multigrid", "factorization"], with_peers, comment=", depth ")
+for name, value, text in [("seconds", lambda r: r["matrices"] + r["pairs"], seconds), ("memory", "MiB", whole),
+                          ("mean", "mean_err", error), ("largest", "max_err", error)]:
+    add_table("mesh_to_pairs_" + name, "eigensolver_comparison", EIGENPAIRS,
+              {"Mesh": in_heading(r"(\w+)", str), "Triangles": in_heading(r"(\d+) triangles", int)},
+              lambda r: r["what"].replace("_spectra", "").replace("_", " "), value, text, 1,
+              ["depth 5", "depth 6", "depth 7", "cotangent"], with_peers, comment=" triangles, ")
 
 
 # ---- assembly, compilation, evaluation
@@ -582,231 +476,179 @@ def assembly(threads):
                   for r in found if r["threads"] == threads])
 
 
-def table_assembly():
-    return assembly(1)
-
-
-def table_assembly_two_threads():
-    return assembly(2)
-
+TABLES["assembly"] = lambda: assembly(1)
+TABLES["assembly_two_threads"] = lambda: assembly(2)
 
 PROGRAMS = {
-    "surface_mesh": "`CGAL::Surface_mesh` alone",
-    "read_mesh": "reading a mesh",
-    "heat_method": "CGAL's heat method",
-    "include_solve_poisson": "`solve_poisson.h`, not used",
-    "minimal_poisson": "`minimal_poisson.cpp`",
-    "minimal_curvature": "`minimal_curvature.cpp`",
+    "surface_mesh alone": "`CGAL::Surface_mesh` alone",
+    "read_mesh alone": "reading a mesh",
+    "heat_method headers": "CGAL's heat method",
+    "include_solve_poisson headers": "`solve_poisson.h`, not used, headers only",
+    "include_solve_poisson compiled": "`solve_poisson.h`, not used, compiled library",
+    "minimal_poisson headers": "`minimal_poisson.cpp`, headers only",
+    "minimal_poisson compiled": "`minimal_poisson.cpp`, compiled library",
+    "minimal_curvature headers": "`minimal_curvature.cpp`, headers only",
+    "minimal_curvature compiled": "`minimal_curvature.cpp`, compiled library",
 }
-
-
-def compilation(column, text):
-    def name(r):
-        kind = {"headers": ", headers only", "compiled": ", compiled library"}.get(r["mode"], "")
-        return PROGRAMS[r["program"]] + (kind if r["program"] != "heat_method" else "")
-
-    return pivot(["Program"], (((name(r),), f"`{r['option']}`", r[column])
-                               for r in rows("compile_times", "program", "mode", "option")), 1, None, text)
-
-
-def table_compile_seconds():
-    return compilation("seconds", lambda x: f"{x:.1f}")
-
-
-def table_compile_memory():
-    return compilation("MiB", whole)
-
-
-def table_evaluation():
-    found = rows("evaluation", "what", "threads", "seconds")
-    return pivot(["Values of 100 functions"],
-                 (((r["what"].replace("_", " "),), f"{r['threads']} thread" + "s" * (r["threads"] > 1),
-                   r["seconds"]) for r in found), 1, None, seconds)
+for name, value, text in [("seconds", "seconds", lambda x: f"{x:.1f}"), ("memory", "MiB", whole)]:
+    add_table("compile_" + name, "compile_times", ["program", "mode", "option"],
+              {"Program": lambda r: PROGRAMS[f"{r['program']} {r['mode']}"]}, lambda r: f"`{r['option']}`", value,
+              text)
+add_table("evaluation", "evaluation", ["what", "threads", "seconds"],
+          {"Values of 100 functions": lambda r: r["what"].replace("_", " ")}, by_threads, "seconds", seconds)
 
 
 # ---- thin features and tessellations
 
 
-def thin(column):
-    values, mesh = [], ""
-    for line in lines_of("thin_features"):
-        match = re.match(r"# (\w+): \d+ vertices", line)
-        if match:
-            mesh = match[1]
-        match = re.match(r"(unsplit|split) +(\d) +(\d+) +(\S+) +(\S+) +(\d+) +(\S+)", line)
-        if match:
-            is_reference = "reference" in line.split("#")[-1] and "#" in line
-            value = "reference" if is_reference and match[1] == "split" else \
-                percent(float(match[5 if column == "largest" else 7]))
-            values.append(((mesh,), f"{match[1]}, {match[2]}", value))
-    return pivot(["Mesh"], values, 1, None, str)
+def of_mesh(result, *names):
+    """rows under the name of a mesh, which is the comment before those that tell more"""
+    for r in rows(result, *names, comment="^reference: "):
+        r["mesh"] = next(h for h in reversed(r.headings) if re.match(r"\w+: \d+ vertices", h)).split(":")[0]
+        yield r
 
 
-def table_thin_largest():
-    return thin("largest")
-
-
-def table_thin_mean():
-    return thin("mean")
-
-
-def table_gaps():
-    found = rows("thin_features", "surface", "depth", "gap", "space", "largest_%")
-    return pivot(["Surface", "Gap"], (((r["surface"], r["gap"]), f"{r['space']}, {r['depth']}",
-                                       r["largest_%"]) for r in sorted(found, key=lambda r: r["space"],
-                                                                       reverse=True)), 2, None, percent)
-
-
-def needles(column):
-    values, mesh = [], ""
-    for line in lines_of("spectrum_study"):
-        match = re.match(r"# (\w+): \d+ vertices, \d+ triangles; the first", line)
-        if match:
-            mesh = match[1]
-        match = re.match(r"(paper|restricted|cotangent) +(\d) +(\d+) +(\S+) +(\d+) +(\S+)", line)
-        if match and mesh:
-            operator = {"paper": "paper's space, depth ", "restricted": "default space, depth ",
-                        "cotangent": "cotangent, refinements: "}[match[1]] + match[2]
-            is_reference = "# the reference" in line
-            value = {"unknowns": whole(int(match[3])), "largest": percent(float(match[4])),
-                     "mean": percent(float(match[6]))}[column]
-            values.append(((operator,), mesh, "reference" if is_reference and column != "unknowns" else value))
-    return pivot(["Operator"], values, 1, None, str)
-
-
-def table_needles_unknowns():
-    return needles("unknowns")
-
-
-def table_needles_largest():
-    return needles("largest")
-
-
-def table_needles_mean():
-    return needles("mean")
+for name, value in [("largest", "largest_%"), ("mean", "mean_%")]:
+    add_table("thin_" + name, lambda: of_mesh("thin_features", "space", "sheets/cell"), (), {"Mesh": "mesh"},
+              lambda r: f"{r['space']}, {r['depth']}",
+              lambda r, v=value: "reference" if "reference" in r.remark and r["space"] == "split" else percent(r[v]))
+add_table("gaps", lambda: sorted(rows("thin_features", "surface", "depth", "gap", "space", "largest_%"),
+                                 key=lambda r: r["space"], reverse=True), (), {"Surface": "surface", "Gap": "gap"},
+          lambda r: f"{r['space']}, {r['depth']}", "largest_%", percent, 2)
+OPERATORS = {"paper": "paper's space, depth {level}", "restricted": "default space, depth {level}",
+             "cotangent": "cotangent, refinements: {level}"}
+for name, value, text in [("unknowns", "unknowns", whole), ("largest", "largest_%", percent),
+                          ("mean", "mean_%", percent)]:
+    add_table("needles_" + name, lambda: of_mesh("spectrum_study", "operator", "largest_%"), (),
+              {"Operator": of(OPERATORS, "operator")}, "mesh",
+              lambda r, v=value, t=text: "reference" if "reference" in r.remark and t is percent else t(r[v]))
 
 
 # ---- curvature
 
 
-def curvature(column):
-    def name(r):
-        return r["method"] if r["depth"] == "-" else f"depth {r['depth']}"
-
-    return pivot(["Shape", "Triangulation", "Triangles"],
-                 (((r["shape"], r["triangles"], r["number"]), name(r), r[column])
-                  for r in rows("curvature_study_accuracy", "shape", "triangles", "H_median")
-                  if r["method"] in ("cotangent", "normals")), 2,
-                 ["cotangent", "depth 4", "depth 5", "depth 6", "depth 7"], percent)
-
-
-def table_curvature_H_median():
-    return curvature("H_median")
-
-
-def table_curvature_H_95():
-    return curvature("H_95")
-
-
-def table_curvature_K_median():
-    return curvature("K_median")
-
-
-def table_curvature_K_95():
-    return curvature("K_95")
-
-
-def curvature_change(column):
-    def name(r):
-        return r["method"] if r["method"] == "cotangent" else \
-            f"`{r['method'].replace('-', '_')}`, {r['depth']}"
-
-    return pivot(["Mesh", "Change"], (((r["mesh"], r["change"]), name(r), r[column]) for r in
-                                      rows("curvature_study_change", "mesh", "change", "rms_of_H")), 2,
-                 None, lambda x: "" if x == "-" else short(x))
-
-
-def table_curvature_change_H():
-    return curvature_change("rms_of_H")
-
-
-def table_curvature_change_K():
-    return curvature_change("rms_of_K")
+SHAPE = {"Shape": "shape", "Triangulation": "triangles", "Triangles": "number"}
+for value in ["H_median", "H_95", "K_median", "K_95"]:
+    add_table("curvature_" + value, "curvature_study_accuracy", ["shape", "triangles", "H_median"], SHAPE,
+              lambda r: r["method"] if r["depth"] == "-" else by_depth(r), value, percent, 2,
+              ["cotangent", "depth 4", "depth 5", "depth 6", "depth 7"],
+              lambda r: r["method"] in ("cotangent", "normals"))
+for name in ["H", "K"]:
+    add_table("curvature_change_" + name, "curvature_study_change", ["mesh", "change", "rms_of_H"],
+              {"Mesh": "mesh", "Change": "change"},
+              of({"cotangent": "cotangent", "normals": "`normals`, {depth}",
+                  "face-normals": "`face_normals`, {depth}", "coordinates": "`coordinates`, {depth}"}),
+              "rms_of_" + name, lambda x: "" if x == "-" else short(x), 2)
 
 
 # ---- gradients and colors
 
 
 GRADIENTS = {"guess": "first guess", "w_cycle": "one W-cycle", "converged": "converged",
-             "details_1e-03": "with details, 1e-3", "details_1e-05": "with details, 1e-5",
-             "cholmod": "cotangent, CHOLMOD"}
-
-
-def gradients(column, text):
-    return pivot(["Mesh", "Space", "Depth"],
-                 (((r["mesh"], r["space"], r["depth"]), GRADIENTS[r["method"]], r[column])
-                  for r in rows("gradient_integration", "mesh", "space", "method", "rms")
-                  if r["method"] != "cholmod"), 2, None, text)
-
-
-def table_gradients_error():
-    return gradients("rms", lambda x: f"{x:.4f}" if x < 10 else "diverges")
-
-
-def table_gradients_steps():
-    return gradients("details", whole)
-
-
+             "details_1e-03": "with details, 1e-3", "details_1e-05": "with details, 1e-5"}
+for name, value, text in [("error", "rms", lambda x: f"{x:.4f}" if x < 10 else "diverges"),
+                          ("steps", "details", whole)]:
+    add_table("gradients_" + name, "gradient_integration", ["mesh", "space", "method", "rms"],
+              {"Mesh": "mesh", "Space": "space", "Depth": "depth"}, of(GRADIENTS), value, text, 2,
+              where=lambda r: r["method"] in GRADIENTS)
 STITCHING = {"nearest": "nearest scan", "chosen": "chosen scan", "paper": "paper",
              "paper+exp": "paper, matched", "bp": "back-projected", "bp+exp": "the same, matched",
              "bp+exp+det": "default"}
+for name, value in [("error", "rms"), ("contrast", "contrast")]:
+    add_table("stitching_" + name, "texture_stitching", ["mesh", "lamp", "method", "contrast"],
+              {"Mesh": "mesh", "Light": lambda r: "exposures and lamp" if r["lamp"] > 0 else "exposures"},
+              of(STITCHING), value, lambda x: f"{x:.4f}", 2)
 
 
-def stitching(column):
-    return pivot(["Mesh", "Light"],
-                 (((r["mesh"], "exposures and lamp" if r["lamp"] > 0 else "exposures"),
-                   STITCHING[r["method"]], r[column])
-                  for r in rows("texture_stitching", "mesh", "lamp", "method", "contrast")), 2, None,
-                 lambda x: f"{x:.4f}")
+# ---- the paper
 
 
-def table_stitching_error():
-    return stitching("rms")
+SPACES = {"cotangent": "cotangent", "paper": "paper's space", "restricted": "default space"}
 
 
-def table_stitching_contrast():
-    return stitching("contrast")
+def of_shapes(comment, *names):
+    """of each shape once, the paper's sphere under its name"""
+    found = {}
+    for r in rows("spectrum_study", *names, comment=comment):
+        r["shape"] = r["shape"].replace("sphere_icosahedral_depth_3", "sphere")
+        if "_" not in r["shape"]:
+            found[r["shape"], r.get("mesh"), r.get("operator")] = r
+    return found.values()
+
+
+def table_dimensions():
+    paper = {}
+    for line in lines_of("spectrum_study"):
+        match = re.match(r"# the paper: (\w+) +\d+ +(.*)", line)
+        if match:
+            paper[match[1]] = [int(v) for v in match[2].split()]
+    return table(["Shape, depth", "Cotangent, low", "medium", "high", "Paper's space, low", "medium", "high",
+                  "Default space, low", "medium", "high"],
+                 [[f"{r['shape']}, {r['depth']}",
+                   *(whole(v) + (f" ({whole(paper[r['shape']][i])})" if i < 6 else "")
+                     for i, v in enumerate(r.values[2:]))]
+                  for r in of_shapes("^dimensions", "shape", "depth", "cotangent", "restricted")
+                  if r["shape"] in paper])
+
+
+TABLES["dimensions"] = table_dimensions
+add_table("change", lambda: of_shapes("^relative change", "shape", "mesh", "operator", "mean_100"), (),
+          {"Shape": "shape"}, lambda r: f"{SPACES[r['operator']]}, {r['mesh']}", "mean_100", error,
+          where=lambda r: r["shape"] != "sphere")
+
+
+def table_sphere():
+    body, title = [], ""
+    for line in lines_of("spectrum_study"):
+        match = re.match(r"# sphere_icosahedral_depth_(\d), (\d+) vertices, (\w+), depth \d, (\d+) unknowns", line)
+        if match:
+            depth, vertices, operator, unknowns = match.groups()
+            title = f"cotangent, {whole(int(vertices))} vertices" if operator == "cotangent" else \
+                f"{SPACES[operator]}, depth {depth}"
+        elif title and line.startswith("largest_abs"):
+            errors = [float(v) for v in line.split()[1:]]
+            row = [title, whole(int(unknowns)), error(max(errors[:6])), error(max(errors[:13]))]
+            body += [row] if row not in body else []
+            title = ""
+    return table(["Operator", "Unknowns", r"\f$l \le 6\f$", r"\f$l \le 13\f$"], body)
+
+
+TABLES["sphere"] = table_sphere
+for name, value, text in [("unknowns", "unknowns", whole), ("error", "rms", lambda x: f"{x:.4f}")]:
+    add_table("one_cycle_" + name, "gradient_integration", ["mesh", "space", "method", "rms"], {"Mesh": "mesh"},
+              lambda r: SPACES.get(r["space"], "default space"), value, text,
+              where=lambda r: r["method"] == "w_cycle" and r["depth"] == 8 and r["space"] in ("paper", "split"))
+for name, value, text in [("normals", "rms", three_digits), ("normals_iterations", "iter", whole),
+                          ("normals_unknowns", "unknowns", whole)]:
+    add_table(name, "curvature_study_normals", ["mesh", "normals", "depth"], {"Mesh": "mesh"}, by_depth, value,
+              text, where=lambda r: r["normals"] == "of_vertices")
+TABLES["edges"] = lambda: table(
+    ["Distance in cell widths", "Part of the area, %", r"Part of \f$\int \lvert H \rvert\f$, %",
+     r"Root mean square of \f$h H\f$"],
+    [[r["distance/h"], f"{r['area_%']:.2f}", f"{r['abs_H_%']:.2f}", three_digits(r["rms_of_hH"])]
+     for r in rows("curvature_study_edges", "mesh", "distance/h", "rms_of_hH")])
+SCREENING = {"0": "", "0.05/h^2": r", \f$\alpha = \frac{1}{20} h^{-2}\f$"}
+for name, value, text, screenings in [("screening", "rms", three_digits, SCREENING),
+                                      ("screening_unknowns", "unknowns", whole, ["0"])]:
+    add_table(name, "normal_fitting", ["mesh", "depth", "space", "alpha"],
+              {"Space": lambda r: SPACES.get(r["space"], r["space"]) + SCREENING[str(r["alpha"])]},
+              lambda r: f"{r['mesh'].split('_')[0]}, {by_depth(r)}", value, text,
+              where=lambda r, s=screenings: str(r["alpha"]) in s)
 
 
 # ---- libigl
 
 
-def libigl(names, columns, text):
-    return pivot(["Method"],
-                 (((f"libigl, `{'min_quad_with_fixed' if 'min' in method else 'spectra::eigs'}()`"
-                    if not r["depth"] else f"this package, depth {r['depth']}",), title, r[column])
-                  for r in rows("library_comparison", *names) for method in [r[names[0]]]
-                  for title, column in columns), 1, None, text)
-
-
-def table_libigl_poisson_seconds():
-    return libigl(["Poisson", "depth"], [("seconds", "seconds")], seconds)
-
-
-def table_libigl_poisson_error():
-    return libigl(["Poisson", "depth"], [("error", "error")], error)
-
-
-def table_libigl_eigenvalues_seconds():
-    return libigl(["spectrum", "depth"], [("seconds", "seconds")], seconds)
-
-
-def table_libigl_eigenvalues_largest():
-    return libigl(["spectrum", "depth"], [("largest error", "largest")], error)
-
-
-def table_libigl_eigenvalues_mean():
-    return libigl(["spectrum", "depth"], [("mean error", "mean_error")], error)
+LIBRARIES = {"min_quad_with_fixed": "libigl, `min_quad_with_fixed()`", "spectra_eigs": "libigl, `spectra::eigs()`",
+             "solve_poisson": "this package, depth {depth}", "laplace_spectrum": "this package, depth {depth}"}
+for name, problem, title, value, text in [
+        ("poisson_seconds", "Poisson", "seconds", "seconds", seconds),
+        ("poisson_error", "Poisson", "error", "error", error),
+        ("eigenvalues_seconds", "spectrum", "seconds", "seconds", seconds),
+        ("eigenvalues_largest", "spectrum", "largest error", "largest", error),
+        ("eigenvalues_mean", "spectrum", "mean error", "mean_error", error)]:
+    add_table("libigl_" + name, "library_comparison", [problem, "depth"], {"Method": of(LIBRARIES, problem)},
+              lambda r, t=title: t, value, text)
 
 
 # ---- pages
@@ -816,13 +658,13 @@ def table_libigl_eigenvalues_mean():
 TABLE = re.compile(r"<!-- table: (\w+) -->\n+((?:\|[^\n]*\n)*)\n*")
 
 
-def with_tables(text, is_partly=False):
+def with_tables(text):
     """the text with its tables made again"""
 
     def make(match):
-        if match[1] == "text" or (is_partly and "table_" + match[1] not in globals()):
+        if match[1] == "text":
             return match[0]
-        made = globals()["table_" + match[1]]()
+        made = TABLES[match[1]]()
         return f"<!-- table: {match[1]} -->\n\n" + "\n".join(made) + "\n\n"
 
     return TABLE.sub(make, text)
@@ -872,7 +714,7 @@ def facts():
     """the sentences with figures, by page"""
     bunny = {(r["solver"], r["th"], r["tol"]): r for r in solver_rows("solver_comparison_bunny")}
     thin_split = {}
-    for line in table_thin_largest()[2:]:
+    for line in TABLES["thin_largest"]()[2:]:
         cells = [c.strip() for c in line.strip("|").split("|")]
         thin_split[cells[0]] = dict(zip(["mesh", 5, 6, 7, "s5", "s6", "s7", "s8"], cells))
     sword = thin_split["sword_45k"]
@@ -978,7 +820,7 @@ def main(arguments):
     for page in [*PAGES, *TABLES_OF]:
         text = (ROOT / page).read_text()
         try:
-            made = with_tables(text, page in TABLES_OF)
+            made = with_tables(text)
         except (KeyError, LookupError, ValueError) as e:
             print(f"{page}: {type(e).__name__}: {e}")
             return 1
