@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <Eigen/Core>
@@ -109,6 +110,63 @@ TEST_CASE("gradients_of_functions_in_the_space_are_integrated", "[gradient]") {
       CHECK(residual < 1e-4);
     CHECK(largest_difference(space, fit.coefficients, quadrics) < 1e-4);
   }
+}
+
+TEST_CASE("load_of_a_splines_gradient_is_stiffness_times_coefficients", "[gradient]") {
+  const auto tensor = [](const RL::Surface_point& p) {
+    return RL::Symmetric_tensor_3{2 + p.point.z(), 1, 1, 0.3, 0, 0.2};
+  };
+  for(const shapes::Triangles& t : {shapes::sphere(3), shapes::box(1, 0.7, 0.4, 3, 1)}) {
+    const RL::Spline_space_3 space = gradient_space(t, 4);
+    const RL::Triangle_cubature cubature(space);
+    const RL::Diffusion_integration<decltype(tensor)> stretched(cubature, tensor);
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    Eigen::VectorXd coefficients(static_cast<Eigen::Index>(space.dimension(4)));
+    for(double& c : coefficients)
+      c = uniform(generator);
+    const RL::Spline_function_3 u(space, coefficients);
+    const Single_field gradient = [&](const RL::Surface_point& p) { return u.gradient(p); };
+    for(const RL::Surface_integration_view& integration :
+        {RL::Surface_integration_view(cubature), RL::Surface_integration_view(stretched)}) {
+      const Eigen::VectorXd expected =
+          RL::assemble_stiffness_matrix(space, 4, integration) * coefficients;
+      CHECK((RL::assemble_gradient_load(space, gradient, 4, integration) - expected)
+                .cwiseAbs()
+                .maxCoeff() < 1e-12 * expected.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+TEST_CASE("fields_are_fitted_in_the_metric_of_the_integration", "[gradient]") {
+  const RL::Spline_space_3 space = gradient_space(shapes::sphere(3), 3);
+  const RL::Triangle_cubature cubature(space);
+  const auto stretch = [](const RL::Surface_point& p) {
+    return RL::Symmetric_tensor_3{2 + p.point.z(), 1, 1, 0.3, 0, 0.2};
+  };
+  const auto nine = [](const RL::Surface_point&) {
+    return RL::Symmetric_tensor_3{9, 9, 9, 0, 0, 0};
+  };
+  const RL::Diffusion_integration<decltype(stretch)> stretched(cubature, stretch);
+  const RL::Diffusion_integration<decltype(nine)> scaled(cubature, nine);
+  // gradients remain gradients
+  const RL::Gradient_fit exact_fit = RL::integrate_gradient_field(
+      space, stretched, quadric_field, exact(1e-9, params::target_values(quadric_target)));
+  CHECK(largest_difference(space, exact_fit.coefficients, quadrics) < 1e-4);
+  // a constant factor of the metric changes the residual by its root, and nothing else
+  const Single_field rough = [](const RL::Surface_point& p) {
+    return RL::Vector_3(p.point.y(), -p.point.x(), p.point.z() * p.point.x());
+  };
+  const RL::Gradient_fit plain =
+      RL::integrate_gradient_field(space, rough, exact(1e-9, params::mean_value(0.)));
+  const RL::Gradient_fit by_nine =
+      RL::integrate_gradient_field(space, scaled, rough, exact(1e-9, params::mean_value(0.)));
+  const auto values = [&](const RL::Gradient_fit& fit) {
+    return RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
+  };
+  CHECK((values(plain) - values(by_nine)).cwiseAbs().maxCoeff() < 1e-5);
+  CHECK(by_nine.root_mean_square_residuals[0] ==
+        Approx(3 * plain.root_mean_square_residuals[0]).epsilon(1e-6));
 }
 
 TEST_CASE("the_part_of_a_field_that_is_no_gradient_is_ignored", "[gradient]") {

@@ -194,7 +194,8 @@ Gradient_report integrate_gradient_field(const PointRange& points, const Triangl
 /// (one channel), a `std::array` of such vectors, or an `Eigen::Matrix<double, 3, K>`, whose
 /// columns are the channels; for example a `Face_function`, a `Corner_vector_field`, or the result
 /// of `vertex_gradients()`. Only the part tangential to the face counts. Integrated as in
-/// `assemble_gradient_loads()`.
+/// `assemble_gradient_loads()`: where the metrics \f$A\f$ of the integration are others than that of
+/// the surface, it is \f$\int (\nabla u - v)^T A\, (\nabla u - v)\f$ that becomes small.
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_gradients

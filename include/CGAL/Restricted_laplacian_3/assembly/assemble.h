@@ -196,6 +196,9 @@ Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space,
 /// The loads of all channels of a vector field in one pass over the surface: \f$ \gamma_{ik} =
 /// \int_{\mathcal M} \langle v_k, \nabla_{\mathcal M} b_i \rangle \f$ (paper, equation 6), a row
 /// for each element of `level`, a column for each channel. In units of \f$v\f$ times length.
+/// If the metrics \f$A\f$ of the integration are others than that of the surface, the loads are
+/// \f$\int_{\mathcal M} v_k^T A\, \nabla b_i\f$; with \f$v_k = \nabla u\f$ they are always
+/// \f$S u\f$.
 ///
 /// The functions whose gradients are closest to \f$v_k\f$ solve \f$S \eta_k = \gamma_k\f$.
 /// \param space the space whose elements are integrated

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <deque>
@@ -183,15 +184,12 @@ assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v,
             space, level, sheet, integration, 5 + v.degree(), [&](Integration_node_block& block) {
               v(block.points.data(), block.size, values.data());
               internal::check_values(block, values.data(), number, "v");
-              for(std::size_t i = 0; i < block.size; ++i) {
-                const Vector_3& n = block.points[i].normal;
+              for(std::size_t i = 0; i < block.size; ++i)
                 for(double* w = values.data() + number * i; w < values.data() + number * (i + 1);
                     w += 3) {
-                  const double along = w[0] * n.x() + w[1] * n.y() + w[2] * n.z();
-                  for(int axis = 0; axis < 3; ++axis)
-                    w[axis] -= along * n[axis];
+                  const auto flux = internal::product(block.metrics[i], w[0], w[1], w[2]);
+                  std::copy(flux.begin(), flux.end(), w);
                 }
-              }
               for(int k = 0; k < number; ++k)
                 moments[k].add(block.positions,
                                internal::weighted_component(block, values.data(), number, k));

@@ -26,14 +26,22 @@ inline Symmetric_tensor_3 tangent_projector(const Vector_3& n) {
   return {yy + zz, xx + zz, xx + yy, -n.x() * n.y(), -n.x() * n.z(), -n.y() * n.z()};
 }
 
+namespace internal {
+
+/// \f$A\, v\f$
+inline std::array<double, 3> product(const Symmetric_tensor_3& a, double x, double y, double z) {
+  return {a[0] * x + a[3] * y + a[4] * z, a[3] * x + a[1] * y + a[5] * z,
+          a[4] * x + a[5] * y + a[2] * z};
+}
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$P D P\f$ with \f$P = I - n n^T\f$: the part of a tensor that acts in the plane orthogonal to
 /// a unit vector.
 inline Symmetric_tensor_3 tangential_part(const Symmetric_tensor_3& d, const Vector_3& n) {
   // P D P = D - n q^T - q n^T with q = D n - (n^T D n / 2) n
-  const double dx = d[0] * n.x() + d[3] * n.y() + d[4] * n.z(),
-               dy = d[3] * n.x() + d[1] * n.y() + d[5] * n.z(),
-               dz = d[4] * n.x() + d[5] * n.y() + d[2] * n.z();
+  const auto [dx, dy, dz] = internal::product(d, n.x(), n.y(), n.z());
   const double half = (dx * n.x() + dy * n.y() + dz * n.z()) / 2;
   const double qx = dx - half * n.x(), qy = dy - half * n.y(), qz = dz - half * n.z();
   return {d[0] - 2 * n.x() * qx,          d[1] - 2 * n.y() * qy,

@@ -28,7 +28,8 @@ namespace Restricted_laplacian_3 {
 struct Gradient_report : Solve_report {
   /// \f$(\int \lvert \nabla u_k - v_k \rvert^2 / \mathrm{area})^{1/2}\f$ for each channel, in units
   /// of \f$v\f$: the part of the field that is not a gradient, or that the space does not resolve.
-  /// Of the spline, without `vertex_details`; measured by a rule of three nodes.
+  /// Of the spline, without `vertex_details`; measured by a rule of three nodes, in the metrics of
+  /// the integration.
   std::vector<double> root_mean_square_residuals;
   /// number of connected components on which the weight vanishes everywhere, if one is given
   int components_without_weight = 0;

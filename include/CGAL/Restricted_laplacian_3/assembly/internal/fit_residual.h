@@ -31,8 +31,8 @@ struct Fit_residual {
 Fit_residual fit_residual(const Spline_space_3& space, const Surface_integration_view& integration,
                           const Surface_function_view& f, const Eigen::MatrixXd& coefficients);
 
-/// \f$(\int \lvert \nabla u_k - v_k \rvert^2 / \mathrm{area})^{1/2}\f$ of the tangential parts, for
-/// each channel \f$k\f$ of a vector field; by a rule of few nodes
+/// \f$(\int (\nabla u_k - v_k)^T A\, (\nabla u_k - v_k) / \mathrm{area})^{1/2}\f$ with the metrics
+/// \f$A\f$ of the integration, for each channel \f$k\f$ of a vector field; by a rule of few nodes
 std::vector<double> gradient_residuals(const Spline_space_3& space,
                                        const Surface_integration_view& integration,
                                        const Vector_field_view& v,

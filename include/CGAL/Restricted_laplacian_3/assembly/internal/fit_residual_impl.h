@@ -84,11 +84,9 @@ gradient_residuals(const Spline_space_3& space, const Surface_integration_view& 
                                 z = u.derivatives(k, 2);
               for(std::size_t i = 0; i < block.size; ++i) {
                 const double* const w = values.data() + v.components() * i + 3 * k;
-                const Vector_3 difference(x[i] / h - w[0], y[i] / h - w[1], z[i] / h - w[2]);
-                const double along_normal = difference * block.points[i].normal;
-                squares(k, sheet) +=
-                    block.weights[i] *
-                    (difference - along_normal * block.points[i].normal).squared_length();
+                const double dx = x[i] / h - w[0], dy = y[i] / h - w[1], dz = z[i] / h - w[2];
+                const auto [fx, fy, fz] = product(block.metrics[i], dx, dy, dz);
+                squares(k, sheet) += block.weights[i] * (dx * fx + dy * fy + dz * fz);
               }
             }
           });
