@@ -63,14 +63,12 @@ void run(const char* name, const Make& make_surface, int depth, int threads, boo
     timer.start();
     const RL::Spline_space_3 space(make_surface(), options);
     space_seconds = (std::min)(space_seconds, timer.time());
-    const RL::Triangle_cubature cubature(space);
-    stiffness_seconds =
-        (std::min)(stiffness_seconds, seconds([&] {
-                     entries = static_cast<std::size_t>(
-                         RL::assemble_stiffness_matrix(space, depth, cubature).nonZeros());
-                   }));
+    stiffness_seconds = (std::min)(stiffness_seconds, seconds([&] {
+                                     entries = static_cast<std::size_t>(
+                                         RL::assemble_stiffness_matrix(space, depth).nonZeros());
+                                   }));
     all_seconds = (std::min)(all_seconds,
-                             seconds([&] { RL::assemble_operators(space, 0, depth, cubature); }));
+                             seconds([&] { RL::assemble_operators_of_levels(space, 0, depth); }));
     triangles = space.surface().number_of_faces();
     unknowns = space.dimension();
     fragments = space.octree().number_of_fragments();

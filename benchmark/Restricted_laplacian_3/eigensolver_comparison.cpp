@@ -109,10 +109,10 @@ private:
 
 std::vector<RL::Operators> level_operators(const RL::Spline_space_3& space, int coarsest,
                                            const Options& o) {
-  return RL::assemble_operators(space, coarsest, space.depth(), RL::Triangle_cubature(space),
-                                o.stabilization < 0 ? RL::default_spectrum_stabilization(space)
-                                                    : o.stabilization,
-                                RL::Stabilized::stiffness);
+  return RL::assemble_operators_of_levels(
+      space, coarsest, space.depth(),
+      o.stabilization < 0 ? RL::default_spectrum_stabilization(space) : o.stabilization,
+      RL::Stabilized::stiffness);
 }
 
 void print(const std::string& what, int threads, const std::vector<Values>& records, double peak,

@@ -116,7 +116,7 @@ void run_matrices(const char* name, const RL::Triangulated_surface_3& surface, i
         CGAL::Real_timer timer;
         timer.start();
         const RL::Operators operators = RL::assemble_operators(
-            space, depth, RL::Monte_carlo(space, number, seed + number, sampling));
+            space.integrated_by(RL::Monte_carlo(space.octree(), number, seed + number, sampling)));
         seconds += timer.time() / seeds;
         stiffness += (operators.stiffness.coeffs() - exact.stiffness.coeffs()).square().sum() /
                      exact.stiffness.coeffs().square().sum() / seeds;
@@ -161,8 +161,7 @@ void run_eigenvalues() {
   const int depth = 4;
   const RL::Spline_space_3 space = space_of(sphere(6), depth, true);
   const double stabilization = RL::default_spectrum_stabilization(space);
-  const Eigen::VectorXd exact =
-      RL::laplace_eigenpairs(space, sphere_count, RL::Triangle_cubature(space)).eigenvalues;
+  const Eigen::VectorXd exact = RL::laplace_eigenpairs(space, sphere_count).eigenvalues;
   std::printf("# sphere, depth %d, %zu unknowns, %zu cells; by cubature the largest relative error "
               "of l = 1 .. 5 is %.2e\n",
               depth, space.dimension(), space.number_of_cells(depth),
@@ -263,8 +262,7 @@ void run_points() {
         const double per_cell = static_cast<double>(n) / space.number_of_cells(depth);
         if(per_cell < 2)
           break;
-        const Eigen::VectorXd found =
-            RL::laplace_eigenpairs(space, sphere_count, RL::Default_integration(space)).eigenvalues;
+        const Eigen::VectorXd found = RL::laplace_eigenpairs(space, sphere_count).eigenvalues;
         std::printf("%-10s %9zu %6d %9zu %9.1f %11.2e\n", is_random ? "random" : "regular", n,
                     depth, space.dimension(), per_cell,
                     largest_difference(found, sphere_eigenvalues()));
@@ -461,8 +459,7 @@ void run_scans() {
                   poisson_difference(space, space_of(part, 6, true)));
     else
       std::printf("%8s %8s ", "-", "-");
-    const Eigen::VectorXd values =
-        RL::laplace_eigenpairs(space, count, RL::Default_integration(space)).eigenvalues;
+    const Eigen::VectorXd values = RL::laplace_eigenpairs(space, count).eigenvalues;
     for(Eigen::Index i = 1; i < values.size(); ++i)
       std::printf(" %.1f", values[i]);
     std::printf("\n");

@@ -42,13 +42,11 @@ void errors_on_the_sphere(const RL::Triangulated_surface_3& surface, int depth) 
   const Eigen::VectorXd load = RL::assemble_load(space, harmonic);
   const double h = space.octree().cell_width(depth);
   double norm = 0;
-  const RL::Triangle_cubature cubature(space);
   for(std::size_t sheet = 0; sheet < space.number_of_sheets(depth); ++sheet)
-    RL::Surface_integration_view(cubature).visit_nodes(
-        sheet, 12, [&](const RL::Integration_node_block& block) {
-          for(std::size_t i = 0; i < block.size; ++i)
-            norm += block.weights[i] * h * h * std::pow(harmonic(block.points[i]), 2);
-        });
+    space.integration().visit_nodes(sheet, 12, [&](const RL::Integration_node_block& block) {
+      for(std::size_t i = 0; i < block.size; ++i)
+        norm += block.weights[i] * h * h * std::pow(harmonic(block.points[i]), 2);
+    });
   for(double c : factors) {
     // Without stabilization the residual cannot be made small, and the error does not need it.
     Eigen::VectorXd eta;

@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -106,8 +105,7 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const auto owned_space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
-  const RL::Spline_space_3& space = *owned_space;
+  const RL::Spline_space_3 space = make_space(surface, o);
   const double space_seconds = timer.time();
 
   const auto of_fit =
@@ -119,12 +117,10 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
                       .relative_tolerance(o.tolerance)
                       .normal_stabilization(stabilization)
                       .concurrency_tag(CGAL::Parallel_if_available_tag());
-  const RL::Curvature_field field = assemble_with(space, o, [&](const auto& integration) {
-    return o.smoothing < 0
-               ? RL::estimate_curvature(space, integration, np.callback(of_fit))
-               : RL::estimate_curvature(space, integration,
-                                        np.smoothing_weight(o.smoothing * h * h).callback(of_fit));
-  });
+  const RL::Curvature_field field =
+      o.smoothing < 0 ? RL::estimate_curvature(space, np.callback(of_fit))
+                      : RL::estimate_curvature(
+                            space, np.smoothing_weight(o.smoothing * h * h).callback(of_fit));
   const RL::Fit_report& report = field.report();
   add_space(summary, space, "each component is fitted on its own");
   add_solve(summary, report, space_seconds, report.assembly_seconds);
@@ -149,7 +145,7 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
     return scale.colors(values.col(shown));
   };
   result.cell_width = h;
-  result.values_at = [owned_space, field](const std::vector<RL::Surface_location>& locations) {
+  result.values_at = [field](const std::vector<RL::Surface_location>& locations) {
     return table(field.at_locations(locations));
   };
   result.failure = failure_of(report);

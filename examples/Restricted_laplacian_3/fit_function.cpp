@@ -26,7 +26,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -142,11 +141,10 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 }
 
 // Three functions take hardly longer together than one of them; others are fitted one by one.
-template <class Integration, class NamedParameters>
-RL::Function_fit fit_all(const RL::Spline_space_3& space, const Integration& integration,
-                         const NamedParameters& np, const Functions& functions,
-                         const Progress& progress) {
-  RL::Function_fitter fitter(space, integration, np);
+template <class NamedParameters>
+RL::Function_fit fit_all(const RL::Spline_space_3& space, const NamedParameters& np,
+                         const Functions& functions, const Progress& progress) {
+  RL::Function_fitter fitter(space, np);
   const auto& values = functions.values;
   const std::string by = " by " + std::to_string(space.dimension()) + " unknowns";
   if(values.size() == 3) {
@@ -184,8 +182,7 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const auto owned_space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
-  const RL::Spline_space_3& space = *owned_space;
+  const RL::Spline_space_3 space = make_space(surface, o);
   const double space_seconds = timer.time();
 
   const double h = space.octree().cell_width(space.depth());
@@ -197,9 +194,7 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
                       .relative_tolerance(o.tolerance)
                       .normal_stabilization(stabilization)
                       .concurrency_tag(CGAL::Parallel_if_available_tag());
-  const RL::Function_fit fit = assemble_with(space, o, [&](const auto& integration) {
-    return fit_all(space, integration, np, functions, progress);
-  });
+  const RL::Function_fit fit = fit_all(space, np, functions, progress);
 
   add_space(summary, space, "each component is fitted on its own");
   add_solve(summary, fit, space_seconds, fit.assembly_seconds);
@@ -212,7 +207,7 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
     result.names.push_back("fit_" + name);
   result.values = RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
   result.paint = [&o](const Eigen::MatrixXd& u) { return colors(o, u); };
-  result.set_splines(owned_space, fit.coefficients);
+  result.set_splines(space, fit.coefficients);
   result.failure = failure_of(fit);
   return result;
 }

@@ -26,7 +26,6 @@
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -99,14 +98,14 @@ RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const auto space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
-  add_spectral_space(summary, *space);
+  const RL::Spline_space_3 space = make_space(surface, o);
+  add_spectral_space(summary, space);
   summary.add_detail("setup_seconds", timer.time());
 
-  RL::Eigenpairs pairs = solve_spectrum(*space, o.count, o, o, summary, progress).pairs;
+  RL::Eigenpairs pairs = solve_spectrum(space, o.count, o, summary, progress).pairs;
   if(o.eigenfunction < pairs.values.size()) {
     const Eigen::VectorXd u = pairs.vectors.col(o.eigenfunction);
-    result = outcome(RL::Spline_function_3(*space, u).values_at_vertices());
+    result = outcome(RL::Spline_function_3(space, u).values_at_vertices());
     result.set_splines(space, u);
   }
   return pairs;

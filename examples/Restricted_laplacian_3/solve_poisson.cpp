@@ -12,13 +12,10 @@
 #include "support/table.h"
 #include "support/vertex_data.h"
 
-#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <CGAL/Real_timer.h>
-
-#include <Eigen/Core>
 
 #include <boost/random/normal_distribution.hpp>
 
@@ -26,9 +23,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
-#include <memory>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace examples;
@@ -149,53 +147,47 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
   CGAL::Real_timer timer;
   timer.start();
   progress.show("building the spline space");
-  const auto owned_space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
-  const RL::Spline_space_3& space = *owned_space;
+  const RL::Spline_space_3 space = make_space(surface, o);
   const double space_seconds = timer.time();
 
-  const auto of_setup =
-      progress.step("assembling " + std::to_string(space.dimension()) + " unknowns");
-  const double mean = surface_mean(surface, f);
-  for(double& value : f)
-    value -= mean;
-  const double stabilization =
-      o.stabilization < 0 ? RL::default_normal_stabilization(space) : o.stabilization;
-  const auto parameters =
+  const auto of_solver =
+      progress.step("solving for " + std::to_string(space.dimension()) + " unknowns");
+  std::optional<double> stabilization;
+  if(o.stabilization >= 0)
+    stabilization = o.stabilization;
+  const auto np =
       params::relative_tolerance(o.tolerance)
           .cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W)
           .smoother(o.smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point)
-          .normal_stabilization(stabilization);
-  Eigen::VectorXd load;
-  const RL::Poisson_solver solver = assemble_with(space, o, [&](const auto& integration) {
-    load = RL::assemble_load(space, RL::Linear_surface_function<double>(f), space.depth(),
-                             integration);
-    return RL::make_poisson_solver(
-        space, o.alpha / surface.area(), integration,
-        parameters.concurrency_tag(CGAL::Parallel_if_available_tag()).callback(of_setup));
-  });
-  const double assembly_seconds = timer.time() - space_seconds - solver.setup_seconds();
-
-  // The Laplacian is minus the stiffness matrix.
-  if(o.alpha == 0)
-    load = -load;
-  Eigen::VectorXd coefficients;
-  const RL::Solve_report report =
-      solver.solve(load, coefficients, o.tolerance, progress.step("solving"));
+          .normal_stabilization(stabilization)
+          .concurrency_tag(CGAL::Parallel_if_available_tag())
+          .callback(of_solver);
+  // Without screening it is a matter of the solver that f has mean 0.
+  if(o.alpha > 0) {
+    const double mean = surface_mean(surface, f);
+    for(double& value : f)
+      value -= mean;
+  }
+  const RL::Linear_surface_function<double> right_hand_side(std::move(f));
+  const RL::Poisson_solution solution =
+      o.alpha > 0 ? RL::solve_screened_poisson(space, right_hand_side, o.alpha / surface.area(), np)
+                  : RL::solve_poisson(space, right_hand_side, np);
 
   add_space(summary, space,
             o.alpha == 0 ? "on each component f and u have mean 0"
                          : "components do not influence each other");
   if(o.alpha == 0 && !space.is_paper_space())
-    summary.add_detail("kernel_dimension", solver.kernel_dimension());
-  add_solve(summary, report, space_seconds, assembly_seconds);
-  const std::vector<double> u = RL::Spline_function_3(space, coefficients).values_at_vertices();
+    summary.add_detail("kernel_dimension", solution.kernel_dimension);
+  add_solve(summary, solution, space_seconds, solution.assembly_seconds);
+  const std::vector<double> u =
+      RL::Spline_function_3(space, solution.coefficients).values_at_vertices();
   const Value_range range(u);
   summary.add("minimum", range.low);
   summary.add("maximum", range.high);
   summary.add("mean", surface_mean(surface, u));
   Outcome result = outcome(u);
-  result.set_splines(owned_space, coefficients);
-  result.failure = failure_of(report);
+  result.set_splines(space, solution.coefficients);
+  result.failure = failure_of(solution);
   return result;
 }
 

@@ -49,8 +49,8 @@ void run(const Mesh& mesh) {
 
   // The stabilization is what makes the matrix well conditioned; without it, factorizations and
   // incomplete ones meet pivots that are rounding errors.
-  const RL::Operators operators = RL::assemble_operators(
-      space, space.depth(), RL::Triangle_cubature(space), RL::default_normal_stabilization(space));
+  const RL::Operators operators =
+      RL::assemble_operators(space, space.depth(), RL::default_normal_stabilization(space));
   const Sparse_matrix a = operators.stiffness + alpha * operators.mass;
   const Eigen::VectorXd b =
       RL::assemble_load(space, [](const RL::Surface_point& s) { return s.point.x(); });

@@ -164,7 +164,7 @@ Spectrum spectrum_of(const RL::Triangulated_surface_3& surface, const Options& o
   add_spectral_space(summary, *spectrum.space);
   summary.add_detail("setup_seconds", timer.time());
   static_cast<RL::Laplace_spectrum&>(spectrum) =
-      solve_spectrum(*spectrum.space, o.count, o, o, summary, progress);
+      solve_spectrum(*spectrum.space, o.count, o, summary, progress);
 
   progress.show("evaluating eigenfunctions");
   if(o.is_of_vertices())

@@ -159,7 +159,7 @@ TEST_CASE("parameters_outside_their_domain_are_named", "[input]") {
   CHECK(refused_parameter([&] { RL::prolongation_matrix(space, 3); }) == "level");
   CHECK(refused_parameter([&] { RL::Spline_function_3(space, Eigen::VectorXd::Zero(5)); }) ==
         "coefficients");
-  CHECK(refused_parameter([&] { RL::Monte_carlo(space, 0, 1); }) == "number_of_samples");
+  CHECK(refused_parameter([&] { RL::Monte_carlo(space.octree(), 0, 1); }) == "number_of_samples");
 
   const RL::Spline_function_3 one(space, Eigen::VectorXd::Ones(space.dimension()));
   RL::Surface_location location;

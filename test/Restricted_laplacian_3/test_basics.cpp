@@ -7,12 +7,12 @@
 #include "catch.h"
 #include "shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 #include <CGAL/Restricted_laplacian_3/version.h>

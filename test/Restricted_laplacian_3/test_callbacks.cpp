@@ -110,8 +110,8 @@ TEST_CASE("poisson_problems_report_progress_and_can_be_canceled", "[callbacks]")
     const RL::Spline_space_3 space(mesh, np);
     check_callback(
         [&](const Callback& callback) {
-          RL::assemble_operators(space, 2, 4, RL::Default_integration(space), 0,
-                                 RL::Stabilized::stiffness_and_mass, callback);
+          RL::assemble_operators_of_levels(space, 2, 4, 0, RL::Stabilized::stiffness_and_mass,
+                                           callback);
         },
         9);
     check_callback(

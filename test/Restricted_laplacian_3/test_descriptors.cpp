@@ -45,15 +45,13 @@ double largest_entry(const Eigen::MatrixXd& a) { return a.cwiseAbs().maxCoeff();
 struct Surface_nodes {
   explicit Surface_nodes(const RL::Spline_space_3& space) {
     const double h = space.octree().cell_width(space.depth());
-    const RL::Triangle_cubature cubature(space);
     for(std::size_t sheet = 0; sheet < space.number_of_sheets(space.depth()); ++sheet)
-      RL::Surface_integration_view(cubature).visit_nodes(
-          sheet, 12, [&](const RL::Integration_node_block& block) {
-            for(std::size_t i = 0; i < block.size; ++i) {
-              locations.push_back(block.points[i]);
-              weights.push_back(block.weights[i] * h * h);
-            }
-          });
+      space.integration().visit_nodes(sheet, 12, [&](const RL::Integration_node_block& block) {
+        for(std::size_t i = 0; i < block.size; ++i) {
+          locations.push_back(block.points[i]);
+          weights.push_back(block.weights[i] * h * h);
+        }
+      });
   }
   /// the integrals of functions, given by their values at the nodes, one column for each
   Eigen::VectorXd integrals(const Eigen::MatrixXd& values) const {
@@ -176,7 +174,7 @@ TEST_CASE("a_vertex_whose_first_face_is_lost_has_the_value_of_another", "[descri
     RL::Surface_location location; // the tip
     location.face = static_cast<std::size_t>(2 * i);
     if(space.surface().is_degenerate(location.face) ||
-       space.locate(4, t.points[static_cast<std::size_t>(5 * i)], location.face).first !=
+       space.octree().locate(4, t.points[static_cast<std::size_t>(5 * i)], location.face).first !=
            not_on_surface)
       continue;
     ++number_of_lost;

@@ -40,8 +40,8 @@ struct Level_matrices {
 };
 
 Level_matrices level_matrices(const RL::Spline_space_3& space, int coarsest, double c = 1e-5) {
-  std::vector<RL::Operators> operators = RL::assemble_operators(
-      space, coarsest, space.depth(), RL::Triangle_cubature(space), c, RL::Stabilized::stiffness);
+  std::vector<RL::Operators> operators = RL::assemble_operators_of_levels(
+      space, coarsest, space.depth(), c, RL::Stabilized::stiffness);
   Level_matrices result;
   for(RL::Operators& o : operators) {
     result.stiffness.push_back(o.stiffness);
@@ -256,11 +256,9 @@ TEST_CASE("multigrid_eigenpairs_refuse_bad_input", "[eigensolver]") {
 
 TEST_CASE("stabilization_of_the_mass_matrix_can_be_left_out", "[eigensolver]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
-  const RL::Triangle_cubature cubature(space);
-  const RL::Operators plain = RL::assemble_operators(space, 3, cubature),
-                      both = RL::assemble_operators(space, 3, cubature, 0.1),
-                      one = RL::assemble_operators(space, 3, cubature, 0.1,
-                                                   RL::Stabilized::stiffness);
+  const RL::Operators plain = RL::assemble_operators(space, 3),
+                      both = RL::assemble_operators(space, 3, 0.1),
+                      one = RL::assemble_operators(space, 3, 0.1, RL::Stabilized::stiffness);
   const auto difference = [](const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
     return (a - b).norm() / b.norm();
   };

@@ -225,9 +225,8 @@ TEST_CASE("stabilization_of_fits_follows_their_smoothing", "[fit]") {
   };
   CHECK(fit(0.01).normal_stabilization == Approx(1e-5));
   CHECK(fit(0.01).relative_residual <= 1e-8);
-  const RL::Default_integration integration(space);
   const RL::Function_fit projected =
-      RL::Function_fitter(space, integration).project(RL::assemble_load(space, x));
+      RL::Function_fitter(space).project(RL::assemble_load(space, x));
   CHECK(projected.normal_stabilization == RL::default_projection_stabilization);
   CHECK(projected.relative_residual <= 1e-8);
 }
@@ -273,14 +272,12 @@ TEST_CASE("classes_take_named_parameters_as_functions_do", "[fit]") {
   CHECK(space.depth() == 2);
   CHECK(space.options().cube_scale == 1.1);
   CHECK(space.options().joining_tolerance == 0.);
-  const RL::Default_integration integration(space);
   RL::Function_fitter fitter(
-      space, integration,
-      params::normal_stabilization(none).smoothing_weight(0.1).relative_tolerance(1e-6));
+      space, params::normal_stabilization(none).smoothing_weight(0.1).relative_tolerance(1e-6));
   CHECK_FALSE(fitter.options().normal_stabilization);
   CHECK(fitter.options().smoothing_weight == 0.1);
   CHECK(fitter.options().solver.relative_tolerance == 1e-6);
-  CHECK(RL::Function_fitter(space, integration).options().solver.relative_tolerance ==
+  CHECK(RL::Function_fitter(space).options().solver.relative_tolerance ==
         RL::Function_fitter::default_tolerance);
   CHECK(fitter.fit(smooth_test_function).coefficients ==
         RL::fit_function(space, smooth_test_function,

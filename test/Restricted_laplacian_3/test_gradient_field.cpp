@@ -118,8 +118,6 @@ TEST_CASE("load_of_a_splines_gradient_is_stiffness_times_coefficients", "[gradie
   };
   for(const shapes::Triangles& t : {shapes::sphere(3), shapes::box(1, 0.7, 0.4, 3, 1)}) {
     const RL::Spline_space_3 space = gradient_space(t, 4);
-    const RL::Triangle_cubature cubature(space);
-    const RL::Diffusion_integration<decltype(tensor)> stretched(cubature, tensor);
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> uniform(-1, 1);
     Eigen::VectorXd coefficients(static_cast<Eigen::Index>(space.dimension(4)));
@@ -127,31 +125,30 @@ TEST_CASE("load_of_a_splines_gradient_is_stiffness_times_coefficients", "[gradie
       c = uniform(generator);
     const RL::Spline_function_3 u(space, coefficients);
     const Single_field gradient = [&](const RL::Surface_point& p) { return u.gradient(p); };
-    for(const RL::Surface_integration_view& integration :
-        {RL::Surface_integration_view(cubature), RL::Surface_integration_view(stretched)}) {
-      const Eigen::VectorXd expected =
-          RL::assemble_stiffness_matrix(space, 4, integration) * coefficients;
-      CHECK((RL::assemble_gradient_load(space, gradient, 4, integration) - expected)
-                .cwiseAbs()
-                .maxCoeff() < 1e-12 * expected.cwiseAbs().maxCoeff());
+    for(const RL::Spline_space_3& s :
+        {space, space.integrated_by(RL::Diffusion_integration(space.integration(), tensor))}) {
+      const Eigen::VectorXd expected = RL::assemble_stiffness_matrix(s) * coefficients;
+      CHECK((RL::assemble_gradient_load(s, gradient) - expected).cwiseAbs().maxCoeff() <
+            1e-12 * expected.cwiseAbs().maxCoeff());
     }
   }
 }
 
 TEST_CASE("fields_are_fitted_in_the_metric_of_the_integration", "[gradient]") {
   const RL::Spline_space_3 space = gradient_space(shapes::sphere(3), 3);
-  const RL::Triangle_cubature cubature(space);
   const auto stretch = [](const RL::Surface_point& p) {
     return RL::Symmetric_tensor_3{2 + p.point.z(), 1, 1, 0.3, 0, 0.2};
   };
   const auto nine = [](const RL::Surface_point&) {
     return RL::Symmetric_tensor_3{9, 9, 9, 0, 0, 0};
   };
-  const RL::Diffusion_integration<decltype(stretch)> stretched(cubature, stretch);
-  const RL::Diffusion_integration<decltype(nine)> scaled(cubature, nine);
+  const RL::Spline_space_3 stretched = space.integrated_by(
+                               RL::Diffusion_integration(space.integration(), stretch)),
+                           scaled = space.integrated_by(
+                               RL::Diffusion_integration(space.integration(), nine));
   // gradients remain gradients
   const RL::Gradient_fit exact_fit = RL::integrate_gradient_field(
-      space, stretched, quadric_field, exact(1e-9, params::target_values(quadric_target)));
+      stretched, quadric_field, exact(1e-9, params::target_values(quadric_target)));
   CHECK(largest_difference(space, exact_fit.coefficients, quadrics) < 1e-4);
   // a constant factor of the metric changes the residual by its root, and nothing else
   const Single_field rough = [](const RL::Surface_point& p) {
@@ -160,7 +157,7 @@ TEST_CASE("fields_are_fitted_in_the_metric_of_the_integration", "[gradient]") {
   const RL::Gradient_fit plain =
       RL::integrate_gradient_field(space, rough, exact(1e-9, params::mean_value(0.)));
   const RL::Gradient_fit by_nine =
-      RL::integrate_gradient_field(space, scaled, rough, exact(1e-9, params::mean_value(0.)));
+      RL::integrate_gradient_field(scaled, rough, exact(1e-9, params::mean_value(0.)));
   const auto values = [&](const RL::Gradient_fit& fit) {
     return RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
   };
@@ -194,14 +191,12 @@ TEST_CASE("the_part_of_a_field_that_is_no_gradient_is_ignored", "[gradient]") {
         }) < 1e-4);
   // what is left is the swirling part
   double square = 0;
-  const RL::Triangle_cubature cubature(space);
   const double h = space.octree().cell_width(3);
   for(std::size_t sheet = 0; sheet < space.number_of_sheets(3); ++sheet)
-    RL::Surface_integration_view(cubature).visit_nodes(
-        sheet, 12, [&](const RL::Integration_node_block& block) {
-          for(std::size_t i = 0; i < block.size; ++i)
-            square += h * h * block.weights[i] * swirling(block.points[i]).squaredNorm();
-        });
+    space.integration().visit_nodes(sheet, 12, [&](const RL::Integration_node_block& block) {
+      for(std::size_t i = 0; i < block.size; ++i)
+        square += h * h * block.weights[i] * swirling(block.points[i]).squaredNorm();
+    });
   CHECK(fit.root_mean_square_residuals[0] ==
         Approx(std::sqrt(square / space.surface().area())).epsilon(1e-5));
 }
@@ -233,9 +228,8 @@ TEST_CASE("channels_are_integrated_as_one_by_one", "[gradient]") {
   CHECK((u.values_at_vertices().col(1) - b.values_at_vertices()).cwiseAbs().maxCoeff() < 1e-8);
   // loads of coarser levels are sums of those of finer ones
   const Eigen::MatrixXd fine = RL::assemble_gradient_loads(space, rough);
-  CHECK(matrix_difference<Eigen::MatrixXd>(
-            RL::prolongation_matrix(space, 2).transpose() * fine,
-            RL::assemble_gradient_loads(space, rough, 2, RL::Triangle_cubature(space))) < 1e-12);
+  CHECK(matrix_difference<Eigen::MatrixXd>(RL::prolongation_matrix(space, 2).transpose() * fine,
+                                           RL::assemble_gradient_loads(space, rough, 2)) < 1e-12);
 }
 
 TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[gradient]") {
@@ -298,34 +292,33 @@ TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[
 
 TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {
   const RL::Spline_space_3 space = gradient_space(shapes::sphere(2), 4);
-  const RL::Triangle_cubature cubature(space);
   const Weight by_face = [](const RL::Surface_point& p) { return p.face % 3 * 0.7; };
   const Weight smooth = [](const RL::Surface_point& p) {
     return std::max(0., p.point.x() + p.point.z() * p.point.y());
   };
-  const auto systems = [&](const auto& integration, const Weight& w, int degree, double c) {
+  const auto systems = [&](const RL::Spline_space_3& space, const Weight& w, int degree, double c) {
     const auto weight = RL::function_of_degree(w, degree);
     RL::internal::Elliptic_operator elliptic;
     elliptic.reaction_function = weight;
     elliptic.normal_stabilization = c;
-    return RL::internal::assemble_system(space, 2, integration, elliptic);
+    return RL::internal::assemble_system(space, 2, elliptic);
   };
-  const auto expected = [&](const auto& integration, const Weight& w) {
-    const RL::Weighted_integration<Weight> weighted(integration, w);
-    return RL::Sparse_matrix(RL::assemble_stiffness_matrix(space, 4, integration) +
-                             RL::assemble_operators(space, 4, weighted).mass);
+  const auto expected = [](const RL::Spline_space_3& space, const Weight& w) {
+    const RL::Spline_space_3 weighted =
+        space.integrated_by(RL::Weighted_integration(space.integration(), w));
+    return RL::Sparse_matrix(RL::assemble_stiffness_matrix(space) +
+                             RL::assemble_mass_matrix(weighted));
   };
   // fast and general path
-  const auto fast = systems(cubature, by_face, 0, 0.1),
-             general = systems(cubature, by_face, 6, 0.1),
-             of_smooth = systems(cubature, smooth, 6, 0.1);
+  const auto fast = systems(space, by_face, 0, 0.1), general = systems(space, by_face, 6, 0.1),
+             of_smooth = systems(space, smooth, 6, 0.1);
   // the stabilization has the weight too
   const auto one = systems(
-      cubature, [](const RL::Surface_point&) { return 2.; }, 0, 0.1);
+      space, [](const RL::Surface_point&) { return 2.; }, 0, 0.1);
   RL::internal::Elliptic_operator with_number;
   with_number.reaction = 2;
   with_number.normal_stabilization = 0.1;
-  const auto of_number = RL::internal::assemble_system(space, 2, cubature, with_number);
+  const auto of_number = RL::internal::assemble_system(space, 2, with_number);
   CHECK(matrix_difference(one.matrices.back(), of_number.matrices.back()) < 1e-14);
   CHECK(matrix_difference<Eigen::VectorXd>(one.integrals, of_number.integrals) < 1e-14);
   CHECK(matrix_difference<Eigen::VectorXd>(one.constant_loads, of_number.constant_loads) < 1e-14);
@@ -344,11 +337,11 @@ TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {
           1e-14 * system->matrices.back().coeffs().maxCoeff());
   }
   CHECK(std::abs(fast.constant_loads.sum() - RL::assemble_load(space, by_face).sum()) < 1e-12);
-  const RL::Monte_carlo samples(space, 2000, 1);
+  const RL::Spline_space_3 sampled = space.integrated_by(RL::Monte_carlo(space.octree(), 2000, 1));
   for(const Weight& w : {by_face, smooth}) {
-    const auto a = systems(cubature, w, 6, 0).matrices.back(), b = expected(cubature, w);
+    const auto a = systems(space, w, 6, 0).matrices.back(), b = expected(space, w);
     CHECK(RL::Sparse_matrix(a - b).norm() < 1e-13 * a.norm());
-    const auto c = systems(samples, w, 0, 0).matrices.back(), d = expected(samples, w);
+    const auto c = systems(sampled, w, 0, 0).matrices.back(), d = expected(sampled, w);
     CHECK(RL::Sparse_matrix(c - d).norm() < 1e-13 * c.norm());
   }
 }
@@ -376,8 +369,8 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
     CHECK(fit.converged);
     CHECK(fit.components_without_weight == 0);
     const Eigen::MatrixXd targets = RL::assemble_component_loads(
-        space, [&](const RL::Surface_point& p) { return Eigen::Vector3d(w(p) * far_target(p)); }, 4,
-        RL::Triangle_cubature(space));
+        space, [&](const RL::Surface_point& p) { return Eigen::Vector3d(w(p) * far_target(p)); },
+        4);
     for(bool is_first : {true, false}) {
       const Weight here = [&](const RL::Surface_point& p) {
         return (p.face < half) == is_first ? w(p) : 0;

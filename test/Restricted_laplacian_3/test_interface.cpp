@@ -87,11 +87,10 @@ TEST_CASE("values_at_vertices_are_interpolated_linearly", "[interface]") {
 TEST_CASE("fitters_reproduce_coordinates", "[interface]") {
   const Mesh mesh = shapes::mesh(shapes::box(1, 0.7, 0.4, 2, 3));
   const RL::Spline_space_3 space(mesh, params::octree_depth(3));
-  const RL::Default_integration integration(space);
-  RL::Function_fitter other(space, integration, params::normal_stabilization(0.5));
-  CHECK(&other.space() == &space);
+  RL::Function_fitter other(space, params::normal_stabilization(0.5));
+  CHECK(&other.space().octree() == &space.octree());
   CHECK(other.options().normal_stabilization == 0.5);
-  RL::Function_fitter fitter(space, integration);
+  RL::Function_fitter fitter(space);
   const RL::Function_fit fit = fitter.fit(coordinates);
   CHECK(fit.converged);
   REQUIRE(fit.root_mean_square_errors.size() == 3);
@@ -125,12 +124,12 @@ TEST_CASE("fitters_reproduce_coordinates", "[interface]") {
 
   // options of the solver are kept
   const auto one_step = params::number_of_iterations(1).relative_tolerance(1e-12);
-  CHECK_FALSE(RL::Function_fitter(space, integration, one_step).fit(coordinates).converged);
+  CHECK_FALSE(RL::Function_fitter(space, one_step).fit(coordinates).converged);
 
   // from loads, after a move of the fitter
   other = std::move(fitter);
   const RL::Function_fit again =
-      other.project(RL::assemble_component_loads(space, coordinates, space.depth(), integration));
+      other.project(RL::assemble_component_loads(space, coordinates, space.depth()));
   CHECK(again.root_mean_square_errors.empty());
   CHECK((RL::Spline_functions_3(space, again.coefficients).values_at_locations(locations) -
          jets.values)
@@ -142,8 +141,7 @@ TEST_CASE("conormals_have_the_divergence_of_the_coordinates", "[interface]") {
   // the integral of the conormal times a coordinate is the area in the plane, along either axis
   const Mesh mesh = shapes::mesh(shapes::rectangle(1, 0.6));
   const RL::Spline_space_3 space(mesh, params::octree_depth(3));
-  const RL::Default_integration integration(space);
-  const Eigen::MatrixXd x = RL::Function_fitter(space, integration).fit(coordinates).coefficients,
+  const Eigen::MatrixXd x = RL::Function_fitter(space).fit(coordinates).coefficients,
                         of_conormals = RL::Dirichlet_boundary(space).conormal_loads();
   REQUIRE(of_conormals.cols() == 3);
   const Eigen::Matrix3d integrals = x.transpose() * of_conormals,
@@ -306,8 +304,7 @@ TEST_CASE("reports_say_how_long_it_took", "[interface]") {
 
 TEST_CASE("neighborhoods_do_not_change_solutions", "[interface]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));
-  const RL::Operators operators =
-      RL::assemble_operators(space, space.depth(), RL::Triangle_cubature(space), 1e-3);
+  const RL::Operators operators = RL::assemble_operators(space, space.depth(), 1e-3);
   const Eigen::VectorXd integrals = RL::assemble_element_integrals(space),
                         b = operators.mass.col(7);
   std::array<Eigen::VectorXd, 2> solutions;
@@ -327,8 +324,7 @@ TEST_CASE("neighborhoods_do_not_change_solutions", "[interface]") {
 TEST_CASE("preconditioners_keep_their_hierarchy", "[interface]") {
   using Preconditioner = RL::Multigrid_preconditioner<RL::Patch_smoother>;
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
-  const RL::Operators operators =
-      RL::assemble_operators(space, space.depth(), RL::Triangle_cubature(space), 1e-3);
+  const RL::Operators operators = RL::assemble_operators(space, space.depth(), 1e-3);
   const RL::Sparse_matrix a = operators.stiffness + operators.mass;
   const Eigen::VectorXd b = operators.mass.col(5);
   Preconditioner preconditioner(space, a);
@@ -354,8 +350,7 @@ TEST_CASE("preconditioners_keep_their_hierarchy", "[interface]") {
 
 TEST_CASE("nodes_on_flat_triangles_have_the_metric_of_their_plane", "[interface]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(1)), params::octree_depth(2));
-  const RL::Default_integration integration(space);
-  const RL::Surface_integration_view view = integration;
+  const RL::Surface_integration view = RL::default_integration(space.octree());
   CHECK(view.adds_moments());
   double area = 0;
   for(std::size_t sheet = 0; sheet < space.number_of_sheets(space.depth()); ++sheet)

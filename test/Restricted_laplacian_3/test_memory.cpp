@@ -107,8 +107,7 @@ TEST_CASE("any_allocation_may_fail", "[memory]") {
       {"fit_function",
        [&] {
          const RL::Spline_space_3 space(t.points, t.faces, depth);
-         const RL::Default_integration integration(space);
-         return RL::Function_fitter(space, integration).fit(z).root_mean_square_errors;
+         return RL::Function_fitter(space).fit(z).root_mean_square_errors;
        }},
       {"shift_invert", [&] { return spectrum(RL::Eigensolver::shift_invert); }},
       {"multigrid", [&] { return spectrum(RL::Eigensolver::multigrid); }}};

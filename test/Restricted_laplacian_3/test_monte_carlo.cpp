@@ -70,7 +70,7 @@ std::array<double, 2> slopes_of_errors(const RL::Spline_space_3& space, RL::Samp
     const int number_of_seeds = 4;
     for(int seed = 0; seed < number_of_seeds; ++seed) {
       const RL::Operators operators = RL::assemble_operators(
-          space, space.depth(), RL::Monte_carlo(space, number, seed + number, sampling));
+          space.integrated_by(RL::Monte_carlo(space.octree(), number, seed + number, sampling)));
       stiffness += (operators.stiffness.coeffs() - exact.stiffness.coeffs()).square().sum();
       mass += (operators.mass.coeffs() - exact.mass.coeffs()).square().sum();
     }
@@ -144,8 +144,8 @@ TEST_CASE("matrices_of_samples_are_unbiased_and_their_error_bars_right", "[monte
 TEST_CASE("sums_of_samples", "[monte_carlo]") {
   const RL::Spline_space_3 space = sampled_space(shapes::box(1, 0.7, 0.5, 4, 1), 3);
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified}) {
-    const RL::Operators operators =
-        RL::assemble_operators(space, 3, RL::Monte_carlo(space, 5000, 3, sampling));
+    const RL::Operators operators = RL::assemble_operators(
+        space.integrated_by(RL::Monte_carlo(space.octree(), 5000, 3, sampling)));
     CHECK(operators.mass.sum() == Approx(space.surface().area()).epsilon(1e-12));
     CHECK((operators.stiffness * Eigen::VectorXd::Ones(space.dimension())).cwiseAbs().maxCoeff() <=
           1e-12 * operators.stiffness.coeffs().maxCoeff());
@@ -251,7 +251,9 @@ TEST_CASE("spectrum_of_a_sphere_by_a_million_samples", "[monte_carlo][slow]") {
   const RL::Spline_space_3 space = sampled_space(shapes::sphere(6), 4);
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified}) {
     const Eigen::VectorXd eigenvalues =
-        RL::laplace_eigenpairs(space, 36, RL::Monte_carlo(space, 1000000, 1, sampling)).eigenvalues;
+        RL::laplace_eigenpairs(
+            space.integrated_by(RL::Monte_carlo(space.octree(), 1000000, 1, sampling)), 36)
+            .eigenvalues;
     Eigen::Index i = 1;
     for(int l = 1; l <= 5; ++l)
       for(int multiplicity = 0; multiplicity < 2 * l + 1; ++multiplicity, ++i)

@@ -75,31 +75,29 @@ Solution solve(Preconditioner&& preconditioner, const RL::Sparse_matrix& a,
 /// of SurfaceIntegration_3: nothing but weights and metrics has to know of the other surface.
 class Stretched_surface {
 public:
-  Stretched_surface(const RL::Spline_space_3& space, const RL::Vector_3& factors)
-    : m_cubature(space), m_factors(factors.x(), factors.y(), factors.z()) {}
+  Stretched_surface(const RL::Surface_integration& nodes, const RL::Vector_3& factors)
+    : m_nodes(nodes), m_factors(factors.x(), factors.y(), factors.z()) {}
 
   void add_nodes(std::size_t sheet, int degree, RL::Integration_nodes& nodes) const {
-    RL::Surface_integration_view(m_cubature)
-        .visit_nodes(sheet, degree, [&](const RL::Integration_node_block& block) {
-          for(std::size_t i = 0; i < block.size; ++i) {
-            const RL::Vector_3& n = block.points[i].normal;
-            // T, an orthonormal basis of the tangents, and G = (F T)^T (F T): the metric is
-            // T G^-1 T^T
-            const Eigen::Vector3d normal(n.x(), n.y(), n.z()), side = normal.unitOrthogonal();
-            Eigen::Matrix<double, 3, 2> t, stretched;
-            t << side, normal.cross(side);
-            stretched = m_factors.asDiagonal() * t;
-            const Eigen::Matrix2d g = stretched.transpose() * stretched;
-            const Eigen::Matrix3d a = t * g.inverse() * t.transpose();
-            nodes.add(block.points[i], block.position(i),
-                      block.weights[i] * std::sqrt(g.determinant()),
-                      {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)});
-          }
-        });
+    m_nodes.visit_nodes(sheet, degree, [&](const RL::Integration_node_block& block) {
+      for(std::size_t i = 0; i < block.size; ++i) {
+        const RL::Vector_3& n = block.points[i].normal;
+        // T, an orthonormal basis of the tangents, and G = (F T)^T (F T): the metric is
+        // T G^-1 T^T
+        const Eigen::Vector3d normal(n.x(), n.y(), n.z()), side = normal.unitOrthogonal();
+        Eigen::Matrix<double, 3, 2> t, stretched;
+        t << side, normal.cross(side);
+        stretched = m_factors.asDiagonal() * t;
+        const Eigen::Matrix2d g = stretched.transpose() * stretched;
+        const Eigen::Matrix3d a = t * g.inverse() * t.transpose();
+        nodes.add(block.points[i], block.position(i), block.weights[i] * std::sqrt(g.determinant()),
+                  {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)});
+      }
+    });
   }
 
 private:
-  RL::Triangle_cubature m_cubature;
+  RL::Surface_integration m_nodes;
   Eigen::Vector3d m_factors;
 };
 
@@ -132,7 +130,7 @@ private:
 TEST_CASE("a_newcomers_smoother_makes_a_hierarchy", "[newcomers]") {
   const shapes::Triangles sphere = shapes::sphere(4);
   const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4));
-  const RL::Operators o = RL::assemble_operators(space, 4, RL::Triangle_cubature(space), 0.1);
+  const RL::Operators o = RL::assemble_operators(space, 4, 0.1);
   const RL::Sparse_matrix a = o.stiffness + o.mass;
   const Eigen::VectorXd b =
       RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.x(); });
@@ -156,9 +154,9 @@ TEST_CASE("a_newcomers_integration_gives_the_spectrum_of_another_surface", "[new
     p = RL::Point_3(factors.x() * p.x(), factors.y() * p.y(), factors.z() * p.z());
   const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4)),
       other(ellipsoid.points, ellipsoid.faces, params::octree_depth(4));
-  const RL::Operators stretched =
-                          RL::assemble_operators(space, 4, Stretched_surface(space, factors)),
-                      direct = RL::assemble_operators(other, 4, RL::Triangle_cubature(other));
+  const RL::Operators stretched = RL::assemble_operators(
+                          space.integrated_by(Stretched_surface(space.integration(), factors))),
+                      direct = RL::assemble_operators(other, 4);
   // mass matrices sum to areas
   CHECK(stretched.mass.sum() == Approx(direct.mass.sum()).epsilon(1e-12));
   const Eigen::VectorXd values =

@@ -6,8 +6,8 @@
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>

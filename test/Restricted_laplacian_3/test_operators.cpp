@@ -260,8 +260,7 @@ TEST_CASE("galerkin_product_equals_direct_assembly", "[operators]") {
   for(const Named_mesh& s : surfaces()) {
     INFO(s.name);
     const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
-    const std::vector<RL::Operators> all =
-        RL::assemble_operators(space, 0, s.depth, RL::Triangle_cubature(space));
+    const std::vector<RL::Operators> all = RL::assemble_operators_of_levels(space, 0, s.depth);
     for(int level = 0; level < s.depth; ++level) {
       INFO("level " << level);
       const RL::Sparse_matrix p = RL::prolongation_matrix(space, level);
@@ -384,14 +383,15 @@ TEST_CASE("monte_carlo_converges_to_cubature", "[operators][slow]") {
   const double scale = exact.stiffness.norm();
   std::array<double, 2> errors;
   for(int i = 0; i < 2; ++i) {
-    const RL::Monte_carlo integration(space, i == 0 ? 20000 : 2000000, 1);
-    const RL::Operators estimate = RL::assemble_operators(space, space.depth(), integration);
+    const RL::Spline_space_3 sampled =
+        space.integrated_by(RL::Monte_carlo(space.octree(), i == 0 ? 20000 : 2000000, 1));
+    const RL::Operators estimate = RL::assemble_operators(sampled);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());
     CHECK(ones.dot(estimate.mass * ones) == Approx(space.surface().area()).epsilon(1e-12));
     CHECK((estimate.stiffness * ones).cwiseAbs().maxCoeff() <= 1e-13);
     errors[i] = (estimate.stiffness - exact.stiffness).norm() / scale;
     const auto z = [](const RL::Surface_point& p) { return p.point.z() * p.point.z(); };
-    CHECK(RL::assemble_load(space, z, space.depth(), integration).sum() ==
+    CHECK(RL::assemble_load(sampled, z).sum() ==
           Approx(RL::assemble_load(space, z).sum()).epsilon(0.02));
   }
   // a hundred times the samples: a tenth of the error
@@ -502,11 +502,10 @@ TEST_CASE("stabilization_is_the_penalty_of_the_manual", "[operators]") {
       const Mesh mesh = shapes::mesh(soup);
       const RL::Spline_space_3 space(
           mesh, params::octree_depth(3).cube_scale(8. / 6).split_elements(is_split));
-      const RL::Triangle_cubature cubature(space);
       const double c = 0.7, h = space.octree().cell_width(space.depth());
       const RL::Operators plain = RL::assemble_operators(space),
-                          zero = RL::assemble_operators(space, space.depth(), cubature, 0),
-                          stabilized = RL::assemble_operators(space, space.depth(), cubature, c);
+                          zero = RL::assemble_operators(space, space.depth(), 0),
+                          stabilized = RL::assemble_operators(space, space.depth(), c);
       CHECK(relative_difference(zero.stiffness, plain.stiffness) == 0);
       CHECK(relative_difference(zero.mass, plain.mass) == 0);
       const Penalty p = penalty(space);
@@ -532,9 +531,8 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
     for(bool is_split : {true, false}) {
       INFO(s.name << (is_split ? ", split" : ", unsplit"));
       const RL::Spline_space_3 space(s.mesh, params::octree_depth(depth).split_elements(is_split));
-      const RL::Triangle_cubature cubature(space);
       const double c = 0.3;
-      const std::vector<RL::Operators> all = RL::assemble_operators(space, 0, depth, cubature, c);
+      const std::vector<RL::Operators> all = RL::assemble_operators_of_levels(space, 0, depth, c);
       for(int level = 0; level <= depth; ++level) {
         INFO("level " << level);
         const RL::Operators& of_level = all[level];
@@ -542,14 +540,13 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
         CHECK((of_level.stiffness * ones).cwiseAbs().maxCoeff() <=
               1e-13 * of_level.stiffness.coeffs().maxCoeff());
         CHECK(ones.dot(of_level.mass * ones) == Approx(space.surface().area()).epsilon(1e-12));
-        CHECK(relative_difference(RL::assemble_stiffness_matrix(space, level, cubature, c),
+        CHECK(relative_difference(RL::assemble_stiffness_matrix(space, level, c),
                                   of_level.stiffness) <= 1e-14);
         RL::internal::Elliptic_operator elliptic;
         elliptic.normal_stabilization = c;
         const Eigen::VectorXd integrals = RL::assemble_element_integrals(space);
         if(level == depth)
-          CHECK((RL::internal::assemble_system(space, level, cubature, elliptic).integrals -
-                 integrals)
+          CHECK((RL::internal::assemble_system(space, level, elliptic).integrals - integrals)
                     .cwiseAbs()
                     .maxCoeff() <= 1e-13 * integrals.maxCoeff());
         for(const RL::Sparse_matrix* a : {&of_level.stiffness, &of_level.mass})
@@ -561,7 +558,7 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
                                   of_level.stiffness) <= 1e-12);
         CHECK(relative_difference(RL::galerkin_product(all[level + 1].mass, p), of_level.mass) <=
               1e-12);
-        const RL::Operators direct = RL::assemble_operators(space, level, cubature, c);
+        const RL::Operators direct = RL::assemble_operators(space, level, c);
         CHECK(relative_difference(direct.stiffness, of_level.stiffness) <= 1e-14);
         CHECK(relative_difference(direct.mass, of_level.mass) <= 1e-14);
       }
@@ -574,7 +571,7 @@ TEST_CASE("stabilization_does_not_depend_on_the_unit_of_length", "[operators]") 
   options.octree_depth = 4;
   const auto assemble = [&options](const shapes::Triangles& t) {
     const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);
-    return RL::assemble_operators(space, 4, RL::Triangle_cubature(space), 0.1);
+    return RL::assemble_operators(space, 4, 0.1);
   };
   const RL::Operators expected = assemble(original);
   for(double scale : {1e-6, 3e5}) {
@@ -591,10 +588,8 @@ TEST_CASE("stabilization_must_be_a_non_negative_number", "[operators]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(1));
   const RL::Spline_space_3 space(mesh, params::octree_depth(2));
   for(double c : {-1e-300, -1., std::nan(""), std::numeric_limits<double>::infinity()}) {
-    CHECK_THROWS_AS(RL::assemble_operators(space, 2, RL::Triangle_cubature(space), c),
-                    RL::Parameter_error);
-    CHECK_THROWS_AS(RL::assemble_stiffness_matrix(space, 2, RL::Triangle_cubature(space), c),
-                    RL::Parameter_error);
+    CHECK_THROWS_AS(RL::assemble_operators(space, 2, c), RL::Parameter_error);
+    CHECK_THROWS_AS(RL::assemble_stiffness_matrix(space, 2, c), RL::Parameter_error);
   }
 }
 
@@ -611,7 +606,7 @@ TEST_CASE("stabilization_keeps_constants_where_the_surface_lies_in_walls", "[ope
     CHECK(incomplete > 0);
     const double c = 0.1;
     for(int level : {4, 3, 2}) {
-      const RL::Operators o = RL::assemble_operators(space, level, RL::Triangle_cubature(space), c);
+      const RL::Operators o = RL::assemble_operators(space, level, c);
       const Eigen::VectorXd ones = Eigen::VectorXd::Ones(o.stiffness.cols());
       CHECK((o.stiffness * ones).cwiseAbs().maxCoeff() <= 1e-13);
       CHECK(ones.dot(o.mass * ones) == Approx(space.surface().area()));

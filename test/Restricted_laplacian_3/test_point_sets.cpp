@@ -176,11 +176,11 @@ TEST_CASE("points_with_the_areas_of_samples_give_their_operators", "[points]") {
     areas.push_back(0);
   }
   const RL::Operators of_samples =
-      RL::assemble_operators(space, 2, RL::Monte_carlo(space, samples), 0.1);
+      RL::assemble_operators(space.integrated_by(RL::Monte_carlo(space.octree(), samples)), 2, 0.1);
   const RL::Operators of_points = [&] {
     const RL::Spline_space_3 point_space = space_of_points(points, areas, 2);
     REQUIRE(point_space.dimension() == space.dimension());
-    return RL::assemble_operators(point_space, 2, RL::Point_cubature(point_space), 0.1);
+    return RL::assemble_operators(point_space, 2, 0.1);
   }();
   CHECK(relative_difference(of_points.mass, of_samples.mass) <= 1e-12);
   CHECK(relative_difference(of_points.stiffness, of_samples.stiffness) <= 1e-12);

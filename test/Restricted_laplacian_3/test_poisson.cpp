@@ -12,6 +12,8 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -122,6 +124,38 @@ TEST_CASE("solution_has_mean_zero_and_the_sign_of_the_laplacian", "[poisson]") {
     for(auto v : vertices_around_face(mesh.halfedge(face), mesh))
       mean += u[v];
   CHECK(std::abs(mean / num_faces(mesh)) <= 1e-4);
+}
+
+TEST_CASE("problems_in_a_space_are_those_on_its_mesh", "[poisson]") {
+  const auto f = [](const RL::Surface_point& p) { return p.point.z() + p.point.x() - 0.2; };
+  const auto weight = [](const RL::Surface_point& p) { return 1 + p.point.y() * p.point.y(); };
+  for(const bool is_open : {false, true}) {
+    const Mesh mesh = shapes::mesh(is_open ? shapes::rectangle(2, 1) : shapes::sphere(3));
+    const auto np = params::octree_depth(3).relative_tolerance(1e-8);
+    const RL::Spline_space_3 space(mesh, np);
+    std::vector<double> u(mesh.number_of_vertices());
+    const auto map = boost::make_iterator_property_map(u.begin(), get(boost::vertex_index, mesh));
+    const auto agrees = [&](const RL::Poisson_solution& solution, const RL::Solve_report& report) {
+      CHECK(solution.converged);
+      CHECK(solution.iterations == report.iterations);
+      CHECK(RL::Spline_function_3(space, solution.coefficients).values_at_vertices() == u);
+    };
+    RL::Solve_report report = RL::solve_poisson(mesh, f, map, np);
+    agrees(RL::solve_poisson(space, f, np), report);
+    CHECK(RL::solve_poisson(space, f, np).kernel_dimension == 1);
+    report = RL::solve_screened_poisson(mesh, f, 3, map, np);
+    agrees(RL::solve_screened_poisson(space, f, 3, np), report);
+    CHECK(RL::solve_screened_poisson(space, f, 3, np).kernel_dimension == 0);
+    report = RL::solve_screened_poisson(mesh, f, weight, map, np);
+    agrees(RL::solve_screened_poisson(space, f, weight, np), report);
+    if(is_open) {
+      report = RL::solve_poisson(mesh, f, map, np.boundary_values(2.5));
+      agrees(RL::solve_poisson(space, f, np.boundary_values(2.5)), report);
+      report = RL::solve_poisson(mesh, f, map, np.boundary_values(weight));
+      agrees(RL::solve_poisson(space, f, np.boundary_values(weight)), report);
+    }
+    CHECK_THROWS_AS(RL::solve_screened_poisson(space, f, 0), RL::Parameter_error);
+  }
 }
 
 TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
@@ -329,8 +363,7 @@ TEST_CASE("matrices_of_all_levels_at_once_make_the_same_solver", "[poisson]") {
   for(bool is_paper_space : {false, true}) {
     const RL::Spline_space_3 space(mesh, params::octree_depth(4).paper_space(is_paper_space));
     const double c = 0.01, alpha = 0.5;
-    const RL::Operators operators =
-        RL::assemble_operators(space, 4, RL::Triangle_cubature(space), c);
+    const RL::Operators operators = RL::assemble_operators(space, 4, c);
     const auto np = params::normal_stabilization(c).relative_tolerance(1e-10);
     const RL::Poisson_solver direct = RL::make_poisson_solver(space, alpha, np),
                              galerkin = RL::make_poisson_solver(space, operators, alpha, np);
@@ -480,8 +513,7 @@ TEMPLATE_TEST_CASE("a_cycle_preconditions_solvers_of_eigen", "[poisson]", RL::Pa
   using Sparse_matrix = Eigen::SparseMatrix<double>;
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const RL::Spline_space_3 space(mesh, params::octree_depth(4));
-  const RL::Operators operators =
-      RL::assemble_operators(space, space.depth(), RL::Triangle_cubature(space), 1e-3);
+  const RL::Operators operators = RL::assemble_operators(space, space.depth(), 1e-3);
   const double alpha = 3;
   const Sparse_matrix a = operators.stiffness + alpha * operators.mass;
   const Eigen::VectorXd b =

@@ -226,8 +226,7 @@ double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 
 /// identities that hold whatever the surface, on all levels of a split space
 void check_identities(const RL::Spline_space_3& space) {
-  std::vector<RL::Operators> operators =
-      RL::assemble_operators(space, 0, space.depth(), RL::Triangle_cubature(space));
+  std::vector<RL::Operators> operators = RL::assemble_operators_of_levels(space, 0, space.depth());
   for(int level = 0; level <= space.depth(); ++level) {
     const RL::Operators& o = operators[level];
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension(level));

@@ -60,13 +60,12 @@ struct Assembled {
     options.split_elements = is_split;
     options.is_parallel = is_parallel;
     space = std::make_unique<RL::Spline_space_3>(RL::read_surface(mesh), options);
-    const RL::Triangle_cubature cubature(*space);
-    operators = RL::assemble_operators(*space, 0, depth, cubature);
-    stabilized = RL::assemble_operators(*space, 0, depth, cubature, 0.1);
+    operators = RL::assemble_operators_of_levels(*space, 0, depth);
+    stabilized = RL::assemble_operators_of_levels(*space, 0, depth, 0.1);
     internal::Elliptic_operator elliptic;
     elliptic.reaction = 2;
     elliptic.normal_stabilization = 0.1;
-    system = internal::assemble_system(*space, depth, cubature, elliptic);
+    system = internal::assemble_system(*space, depth, elliptic);
     for(int level : {depth - 2, depth}) {
       loads.push_back(RL::assemble_load(
           *space, [](const RL::Surface_point& p) { return std::sin(p.point.x()); }, level));

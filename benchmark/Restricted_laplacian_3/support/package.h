@@ -37,7 +37,7 @@ inline RL::internal::Spline_space_options space_options(int depth, bool is_split
 
 /// \param stabilization dimensionless, 0 for the system of the paper
 inline RL::Operators operators(const RL::Spline_space_3& space, double stabilization) {
-  return RL::assemble_operators(space, space.depth(), RL::Triangle_cubature(space), stabilization);
+  return RL::assemble_operators(space, space.depth(), stabilization);
 }
 
 /// the stabilization that the package has unless told otherwise
@@ -91,7 +91,6 @@ inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System
   Coarse_levels result;
   if(space.is_paper_space())
     return result;
-  const RL::Triangle_cubature cubature(space);
   const double h = space.octree().cell_width(space.depth());
   RL::internal::Elliptic_operator elliptic;
   elliptic.reaction = factors.mass / (h * h);
@@ -104,7 +103,7 @@ inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System
       auto matrices =
           RL::internal::assemble_system(
               space, is_all ? RL::internal::coarsest_multigrid_level(space) : space.depth(),
-              cubature, elliptic)
+              elliptic)
               .matrices;
       seconds[is_all] = std::min(seconds[is_all], seconds_now() - begin);
       if(is_all)

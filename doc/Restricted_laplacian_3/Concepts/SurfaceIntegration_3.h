@@ -15,9 +15,9 @@ A surface is thus a set of positions, normals, weights and metrics, each in a ce
 on the parts of triangles, samples of a mesh, or the points of a point set. Nodes may be moved to a
 curved surface nearby, and metrics may hold a diffusion tensor.
 
-The functions that assemble matrices and right-hand sides take a model as argument, by a
-`CGAL::Restricted_laplacian_3::Surface_integration_view`. If the space uses several threads, they call
-its member from several threads at once.
+A space is given a model by `CGAL::Restricted_laplacian_3::Spline_space_3::integrated_by()`; all that is
+computed in the space then integrates by it. If the space uses several threads, the member is called by
+several threads at once.
 
 \cgalHasModel `CGAL::Restricted_laplacian_3::Triangle_cubature`
 \cgalHasModel `CGAL::Restricted_laplacian_3::Point_cubature`

@@ -21,6 +21,7 @@
 
 namespace examples {
 
+// The space that the options ask for, with their way to integrate.
 inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
                                      const Common_options& o) {
   std::optional<double> cube_scale, joining_tolerance;
@@ -28,7 +29,7 @@ inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
     cube_scale = o.space.cube_scale;
   if(o.space.joining_tolerance >= 0)
     joining_tolerance = o.space.joining_tolerance;
-  return RL::Spline_space_3(
+  const RL::Spline_space_3 space(
       surface,
       RL::parameters::octree_depth(o.space.octree_depth)
           .cube_scale(cube_scale)
@@ -36,6 +37,11 @@ inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
           .paper_space(o.space.paper_space)
           .split_elements(surface.is_point_set() ? o.space.split_point_set : o.space.split_elements)
           .concurrency_tag(CGAL::Parallel_if_available_tag()));
+  if(o.assembly != "monte-carlo")
+    return space;
+  return space.integrated_by(RL::Monte_carlo(
+      space.octree(), static_cast<std::size_t>(o.samples), static_cast<std::uint64_t>(o.seed),
+      o.sampling == "stratified" ? RL::Sampling::stratified : RL::Sampling::independent));
 }
 
 // `meaning` is what the number of connected components, if it is not 1, means for the result.
@@ -53,16 +59,6 @@ inline void add_space(Summary& summary, const RL::Spline_space_3& space,
   const std::size_t components = octree.number_of_sheets(0);
   summary.add_explained("components", components,
                         components == 1 ? "" : ", the surface is disconnected: " + meaning);
-}
-
-// Calls `assemble` with the way to integrate over the surface that the options ask for.
-template <typename Assemble>
-auto assemble_with(const RL::Spline_space_3& space, const Common_options& o, Assemble assemble) {
-  if(o.assembly == "monte-carlo")
-    return assemble(RL::Monte_carlo(
-        space, static_cast<std::size_t>(o.samples), static_cast<std::uint64_t>(o.seed),
-        o.sampling == "stratified" ? RL::Sampling::stratified : RL::Sampling::independent));
-  return assemble(RL::Default_integration(space));
 }
 
 } // namespace examples

@@ -51,7 +51,6 @@ inline void add_spectral_space(Summary& summary, const RL::Spline_space_3& space
 
 // The smallest eigenpairs on a space, without values at the vertices.
 inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int count,
-                                           const Common_options& common,
                                            const Eigensolver_options& o, Summary& summary,
                                            const Progress& progress) {
   namespace params = RL::parameters;
@@ -63,13 +62,12 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
                                       : o.eigensolver == "shift-invert"
                                           ? RL::Eigensolver::shift_invert
                                           : RL::Eigensolver::automatic;
-  const RL::Laplace_spectrum spectrum = assemble_with(space, common, [&](const auto& integration) {
-    return RL::laplace_eigenpairs(space, count, integration,
-                                  params::eigensolver(eigensolver)
-                                      .relative_tolerance(o.tolerance)
-                                      .normal_stabilization(stabilization)
-                                      .callback(callback));
-  });
+  const RL::Laplace_spectrum spectrum =
+      RL::laplace_eigenpairs(space, count,
+                             params::eigensolver(eigensolver)
+                                 .relative_tolerance(o.tolerance)
+                                 .normal_stabilization(stabilization)
+                                 .callback(callback));
   summary.add_detail("assembly_seconds", spectrum.report.assembly_seconds);
   summary.add_detail("solve_seconds", spectrum.report.solve_seconds);
   summary.add_detail("iterations", spectrum.report.iterations);

@@ -78,11 +78,11 @@ struct Outcome {
   std::string failure;
 
   // takes values at locations from splines on a space
-  void set_splines(std::shared_ptr<const RL::Spline_space_3> space, Eigen::MatrixXd coefficients) {
-    cell_width = space->octree().cell_width(space->depth());
-    values_at = [space = std::move(space), coefficients = std::move(coefficients)](
+  void set_splines(const RL::Spline_space_3& space, Eigen::MatrixXd coefficients) {
+    cell_width = space.octree().cell_width(space.depth());
+    values_at = [splines = RL::Spline_functions_3(space, std::move(coefficients))](
                     const std::vector<RL::Surface_location>& locations) {
-      return RL::Spline_functions_3(*space, coefficients).values_at_locations(locations);
+      return splines.values_at_locations(locations);
     };
   }
 };

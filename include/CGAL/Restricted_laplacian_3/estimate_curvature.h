@@ -93,7 +93,6 @@ Fit_report estimate_curvature(const PointRange& points, const TriangleRange& tri
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of the surface of a space.
 /// \param space the space in which normals or coordinates are fitted
-/// \param integration any model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_curvature_method
@@ -108,36 +107,16 @@ Fit_report estimate_curvature(const PointRange& points, const TriangleRange& tri
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Curvature_field estimate_curvature(const Spline_space_3& space,
-                                   const Surface_integration_view& integration,
                                    const NamedParameters& np = parameters::default_values()) {
   Curvature_method method = Curvature_method::normals;
   internal::read_parameter(np, internal_np::curvature_method, method);
   if(method == Curvature_method::coordinates)
-    return Curvature_field(
-        space, internal::fit_coordinate_laplacian(space, integration,
-                                                  internal::curvature_options(space, false, np),
-                                                  internal::progress_of(np)));
-  return internal::curvature_of_surface(
-      space, integration, method == Curvature_method::face_normals,
-      internal::curvature_options(space, true, np), internal::progress_of(np));
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Estimates the curvature of the surface of a space, with `Default_integration`.
-/// \param space the space in which normals or coordinates are fitted
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_curvature_method
-///   \named_of_curvature
-///   \named_concurrency_tag
-/// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
-Curvature_field estimate_curvature(const Spline_space_3& space,
-                                   const NamedParameters& np = parameters::default_values()) {
-  return estimate_curvature(space, Default_integration(space), np);
+    return Curvature_field(space, internal::fit_coordinate_laplacian(
+                                      space, internal::curvature_options(space, false, np),
+                                      internal::progress_of(np)));
+  return internal::curvature_of_surface(space, method == Curvature_method::face_normals,
+                                        internal::curvature_options(space, true, np),
+                                        internal::progress_of(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -147,7 +126,6 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 /// \param space the space in which the normals are fitted
 /// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
 /// about unit length
-/// \param integration any model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_curvature
@@ -158,11 +136,9 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Curvature_field estimate_curvature(const Spline_space_3& space,
-                                   const Surface_integration_view& integration,
                                    const Surface_function_view& normals,
                                    const NamedParameters& np = parameters::default_values()) {
-  return internal::curvature_of_field(space, integration, normals,
-                                      internal::curvature_options(space, true, np),
+  return internal::curvature_of_field(space, normals, internal::curvature_options(space, true, np),
                                       internal::progress_of(np));
 }
 
@@ -188,7 +164,7 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
         normals.push_back(unit_or_zero(normal));
       });
       return Restricted_laplacian_3::estimate_curvature(
-          space, Default_integration(space), Interpolated_normals(std::move(normals)), np);
+          space, Interpolated_normals(std::move(normals)), np);
     } else
       return Restricted_laplacian_3::estimate_curvature(space, np);
   };

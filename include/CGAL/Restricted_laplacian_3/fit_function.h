@@ -102,7 +102,6 @@ Fit_report fit_function(const PointRange& points, const TriangleRange& triangles
 /// \param f a function object that takes a `const Surface_point&` and returns a number, a
 /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal.
 /// Integrated as in `assemble_load()`.
-/// \param integration any model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_fits
@@ -115,30 +114,9 @@ Fit_report fit_function(const PointRange& points, const TriangleRange& triangles
 /// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
-Function_fit fit_function(const Spline_space_3& space, const Surface_integration_view& integration,
-                          const Surface_function_view& f,
-                          const NamedParameters& np = parameters::default_values()) {
-  return Function_fitter(space, integration, np).fit(f, internal::progress_of(np).callback());
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Fits a function by a spline of a space, integrated by `Default_integration`.
-/// \param space the space that the fit is in
-/// \param f a function object, as for any integration
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_fits
-///   \named_callback
-///   \named_concurrency_tag
-/// \cgalNamedParamsEnd
-/// \return the coefficients, whether the solver converged, iterations, residuals, errors, times
-/// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
 Function_fit fit_function(const Spline_space_3& space, const Surface_function_view& f,
                           const NamedParameters& np = parameters::default_values()) {
-  return fit_function(space, Default_integration(space), f, np);
+  return Function_fitter(space, np).fit(f, internal::progress_of(np).callback());
 }
 
 namespace internal {

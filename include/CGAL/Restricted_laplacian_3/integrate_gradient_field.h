@@ -77,9 +77,8 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   bool with_details = false;
   read_parameter(np, internal_np::vertex_details, with_details);
   const double end_of_splines = with_details ? 0.8 : 1;
-  Gradient_solution solution =
-      integrate_gradients(space, Default_integration(space), field, screening, options,
-                          progress.part(part_of_space, end_of_splines));
+  Gradient_solution solution = integrate_gradients(space, field, screening, options,
+                                                   progress.part(part_of_space, end_of_splines));
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(with_details)
@@ -189,13 +188,12 @@ Gradient_report integrate_gradient_field(const PointRange& points, const Triangl
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// Integrates a vector field in a space.
 /// \param space the space that the solution is in
-/// \param integration any model of `SurfaceIntegration_3`
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal
 /// (one channel), a `std::array` of such vectors, or an `Eigen::Matrix<double, 3, K>`, whose
 /// columns are the channels; for example a `Face_function`, a `Corner_vector_field`, or the result
 /// of `vertex_gradients()`. Only the part tangential to the face counts. Integrated as in
-/// `assemble_gradient_loads()`: where the metrics \f$A\f$ of the integration are others than that of
-/// the surface, it is \f$\int (\nabla u - v)^T A\, (\nabla u - v)\f$ that becomes small.
+/// `assemble_gradient_loads()`: where the metrics \f$A\f$ of the integration are others than that
+/// of the surface, it is \f$\int (\nabla u - v)^T A\, (\nabla u - v)\f$ that becomes small.
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_gradients
@@ -212,36 +210,14 @@ Gradient_report integrate_gradient_field(const PointRange& points, const Triangl
 /// elements, times the number of iterations.
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
-Gradient_fit integrate_gradient_field(const Spline_space_3& space,
-                                      const Surface_integration_view& integration,
-                                      const Vector_field_view& v,
+Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_field_view& v,
                                       const NamedParameters& np = parameters::default_values()) {
   const auto target = parameters::get_parameter(np, internal_np::target_values);
   const auto weight = parameters::get_parameter(np, internal_np::screening_weight);
-  return internal::integrate_gradients(
-             space, integration, v, internal::make_screening(target, weight, np),
-             internal::gradient_options(space, np), internal::progress_of(np))
+  return internal::integrate_gradients(space, v, internal::make_screening(target, weight, np),
+                                       internal::gradient_options(space, np),
+                                       internal::progress_of(np))
       .fit;
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Integrates a vector field in a space, with `Default_integration`.
-/// \param space the space that the solution is in
-/// \param v a function object, as for any integration
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_gradients
-///   \named_concurrency_tag
-/// \cgalNamedParamsEnd
-/// \return the coefficients, whether the solver converged, iterations, residuals, times
-/// \throws Parameter_error if a parameter is outside its domain, or if a value of `v`, of the
-/// target or of the weight cannot be used; names the face
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
-Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_field_view& v,
-                                      const NamedParameters& np = parameters::default_values()) {
-  return integrate_gradient_field(space, Default_integration(space), v, np);
 }
 
 } // namespace Restricted_laplacian_3

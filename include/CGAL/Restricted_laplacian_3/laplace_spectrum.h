@@ -73,28 +73,6 @@ Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange&
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
 /// \param space the space; its finest level is used
 /// \param k number of pairs, positive
-/// \param integration a model of `SurfaceIntegration_3`
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_spectrum
-/// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorization fails
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters>
-Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
-                                  const Surface_integration_view& integration,
-                                  const NamedParameters& np = parameters::default_values()) {
-  Laplace_spectrum spectrum = laplace_eigenpairs(space, k, integration, np);
-  internal::add_vertex_values(space, spectrum);
-  return spectrum;
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space,
-/// with `Default_integration`.
-/// \param space the space; its finest level is used
-/// \param k number of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_spectrum
@@ -106,7 +84,9 @@ template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
                                   const NamedParameters& np = parameters::default_values()) {
-  return laplace_spectrum(space, k, Default_integration(space), np);
+  Laplace_spectrum spectrum = laplace_eigenpairs(space, k, np);
+  internal::add_vertex_values(space, spectrum);
+  return spectrum;
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -140,7 +120,6 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
 /// `vertex_values` remains empty.
 /// \param space the space; its finest level is used
 /// \param k number of pairs, positive
-/// \param integration a model of `SurfaceIntegration_3`
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_spectrum
@@ -150,14 +129,13 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
 /// \throws Canceled if the callback returned `false`
 template <class NamedParameters = parameters::Default_named_parameters>
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
-                                    const Surface_integration_view& integration,
                                     const NamedParameters& np = parameters::default_values()) {
   internal::Space_spectrum_options options;
   options.multigrid = np;
   options.normal_stabilization = default_spectrum_stabilization(space);
   internal::read_parameter(np, internal_np::eigensolver, options.eigensolver);
   internal::read_parameter(np, internal_np::normal_stabilization, options.normal_stabilization);
-  return internal::space_eigenpairs(space, k, integration, options);
+  return internal::space_eigenpairs(space, k, options);
 }
 
 namespace internal {

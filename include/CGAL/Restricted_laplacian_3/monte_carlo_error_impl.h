@@ -44,7 +44,7 @@ public:
   std::size_t size() const { return m_seeds.size(); }
 
   Monte_carlo operator[](std::size_t batch) const {
-    return Monte_carlo(m_space, m_batch_size, m_seeds[batch], m_sampling);
+    return Monte_carlo(m_space.octree(), m_batch_size, m_seeds[batch], m_sampling);
   }
 
 private:
@@ -64,8 +64,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Estimated_operators estimate_operators(
   internal::Running_mean stiffness, mass;
   Estimated_operators result;
   for(std::size_t b = 0; b < batches.size(); ++b) {
-    Operators of_batch =
-        assemble_operators(space, level, batches[b], normal_stabilization, stabilized);
+    Operators of_batch = assemble_operators(space.integrated_by(batches[b]), level,
+                                            normal_stabilization, stabilized);
     stiffness.add(of_batch.stiffness.coeffs());
     mass.add(of_batch.mass.coeffs());
     // all have the same pattern
@@ -87,7 +87,7 @@ estimate_eigenvalues(const Spline_space_3& space, int k,
     throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
   const internal::Sample_batches batches(space, options);
   const auto operators_of_batch = [&](std::size_t b) {
-    return assemble_operators(space, space.depth(), batches[b], normal_stabilization,
+    return assemble_operators(space.integrated_by(batches[b]), {}, normal_stabilization,
                               Stabilized::stiffness);
   };
   Operators mean = operators_of_batch(0);

@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,14 +50,51 @@ Point_constraints vertex_constraints(const Source& source, const Spline_space_3&
   return constraints;
 }
 
+/// \param alpha a number, or a function on the surface, to which the problem refers
+/// \param boundary_values a function, which counts only if it is among the named parameters
+template <class Alpha, class BoundaryValues, class NamedParameters>
+Poisson_problem poisson_problem(const Spline_space_3& space, const Surface_function_view& f,
+                                const Alpha& alpha, const BoundaryValues& boundary_values,
+                                const NamedParameters& np, const Progress& progress) {
+  constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
+  constexpr double tolerance =
+      has_boundary_values || is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>
+          ? tolerance_with_constraints
+          : Poisson_solver_options::default_tolerance;
+  Poisson_problem problem = {f, {}, {}, {}, {np, tolerance}, progress};
+  if constexpr(std::is_arithmetic_v<Alpha>)
+    problem.elliptic.reaction = static_cast<double>(alpha);
+  else
+    problem.elliptic.reaction_function = alpha;
+  problem.elliptic.normal_stabilization = normal_stabilization(space, np);
+  if constexpr(has_boundary_values)
+    problem.boundary_values = boundary_values;
+  return problem;
+}
+
+/// the same number everywhere on the surface
+struct Constant_function {
+  double value;
+
+  double operator()(const Surface_point&) const { return value; }
+  static constexpr int degree() { return 0; }
+};
+
+/// the `boundary_values` among named parameters, a number as a function; 0 if there are none
+template <class NamedParameters> auto boundary_values_of(const NamedParameters& np) {
+  const auto values =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::boundary_values), 0);
+  if constexpr(std::is_arithmetic_v<std::decay_t<decltype(values)>>)
+    return Constant_function{static_cast<double>(values)};
+  else
+    return values;
+}
+
 /// \param alpha a number, or a function on the surface
 template <class Source, class Function, class Alpha, class VertexMap, class NamedParameters>
 Solve_report solve_poisson(const Source& source, const Function& f, const Alpha& alpha, VertexMap u,
                            const NamedParameters& np) {
   using Value = typename boost::property_traits<VertexMap>::value_type;
-  constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
-  constexpr bool has_constraints =
-      is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>;
   const Progress progress = progress_of(np);
   CGAL::Real_timer timer;
   timer.start();
@@ -66,30 +104,31 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
 
   const auto right_hand_side = surface_function(source, f);
   const auto weight = number_or_surface_function(source, alpha);
-  const auto boundary_values = number_or_surface_function(
-      source,
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::boundary_values), 0));
-  constexpr double tolerance = has_boundary_values || has_constraints
-                                   ? tolerance_with_constraints
-                                   : Poisson_solver_options::default_tolerance;
-  Poisson_problem problem = {
-      right_hand_side, {}, {}, {}, {np, tolerance}, progress.part(part_of_space, 1)};
-  if constexpr(std::is_arithmetic_v<Alpha>)
-    problem.elliptic.reaction = static_cast<double>(alpha);
-  else
-    problem.elliptic.reaction_function = weight;
-  problem.elliptic.normal_stabilization = normal_stabilization(space, np);
-  if constexpr(has_boundary_values)
-    problem.boundary_values = boundary_values;
-  if constexpr(has_constraints)
+  const auto boundary_values = surface_function(source, boundary_values_of(np));
+  Poisson_problem problem = poisson_problem(space, right_hand_side, weight, boundary_values, np,
+                                            progress.part(part_of_space, 1));
+  if constexpr(is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>)
     problem.constraints = vertex_constraints(source, space, np);
-
-  std::vector<double> values;
-  Solve_report report = solve_poisson_problem(space, problem, values);
-  report.space_seconds = space_seconds;
+  Poisson_solution solution = solve_poisson_problem(space, problem);
+  solution.space_seconds = space_seconds;
+  const std::vector<double> values =
+      Spline_function_3(space, std::move(solution.coefficients)).values_at_vertices();
   source.for_each_vertex(
       [&](std::size_t i, const auto& v) { put_value_at(u, v, static_cast<Value>(values[i])); });
-  return report;
+  return static_cast<const Solve_report&>(solution);
+}
+
+/// \param alpha a number, or a function object
+template <class Alpha, class NamedParameters>
+Poisson_solution solve_poisson_in_space(const Spline_space_3& space, const Surface_function_view& f,
+                                        const Alpha& alpha, const NamedParameters& np) {
+  static_assert(!is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>,
+                "vertex_is_constrained_map needs a mesh; for a space there is Point_constraints");
+  const Progress progress = progress_of(np);
+  progress(0);
+  const auto boundary_values = boundary_values_of(np);
+  return solve_poisson_problem(space,
+                               poisson_problem(space, f, alpha, boundary_values, np, progress));
 }
 
 /// refuses a weight that is a number and not positive
@@ -135,7 +174,9 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// the number of iterations.
 template <class FaceGraph, class Function, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
+          internal::Require_named_parameters<NamedParameters> = 0,
+          internal::Require_no_named_parameters<VertexMap> = 0,
+          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
 Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
                            const NamedParameters& np = parameters::default_values()) {
   return internal::solve_poisson(internal::mesh_or_point_source(tm), f, 0, u, np);
@@ -171,6 +212,27 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
+/// Solves the Poisson problem \f$\Delta_{\mathcal M} u = f\f$ in a space, with its integration.
+/// \param space the space that the solution is in
+/// \param f a function object that takes a `const Surface_point&` and returns a number; integrated
+/// as in `assemble_load()`
+/// \param np optional named parameters, where `boundary_values` are a number or a function object;
+/// prescribed values at points are those of `Point_constraints`:
+/// \cgalNamedParamsBegin
+///   \named_of_poisson
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \return the coefficients, whether the solver converged, iterations, residual, times
+/// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
+/// \throws Canceled if the callback returned `false`
+template <class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Poisson_solution solve_poisson(const Spline_space_3& space, const Surface_function_view& f,
+                               const NamedParameters& np = parameters::default_values()) {
+  return internal::solve_poisson_in_space(space, f, 0, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
 /// Solves the screened Poisson problem \f$\alpha u - \Delta_{\mathcal M} u = f\f$, in the form
 /// \f$(S + \alpha M)\, \eta = \phi\f$. Note the sign of \f$f\f$, which is not that of
 /// `solve_poisson()`.
@@ -198,7 +260,9 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
 /// \throws Canceled if the callback returned `false`
 template <class FaceGraph, class Function, class Alpha, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
+          internal::Require_named_parameters<NamedParameters> = 0,
+          internal::Require_no_named_parameters<VertexMap> = 0,
+          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
 Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, const Alpha& alpha,
                                     VertexMap u,
                                     const NamedParameters& np = parameters::default_values()) {
@@ -236,6 +300,33 @@ Solve_report solve_screened_poisson(const PointRange& points, const TriangleRang
   internal::check_weight(alpha);
   return internal::solve_poisson(
       internal::Soup_source<PointRange, TriangleRange>(points, triangles), f, alpha, u, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Solves the screened Poisson problem \f$\alpha u - \Delta_{\mathcal M} u = f\f$ in a space, with
+/// its integration.
+/// \param space the space that the solution is in
+/// \param f the right-hand side: a function object that takes a `const Surface_point&` and returns
+/// a number; integrated as in `assemble_load()`
+/// \param alpha in units of 1 / area: a positive number; or a function object like `f`, whose
+/// values are not negative
+/// \param np optional named parameters, where `boundary_values` are a number or a function object;
+/// prescribed values at points are those of `Point_constraints`:
+/// \cgalNamedParamsBegin
+///   \named_of_poisson
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \return the coefficients, whether the solver converged, iterations, residual, times
+/// \throws Parameter_error if a parameter is outside its domain, or if a value of a function is not
+/// finite
+/// \throws Canceled if the callback returned `false`
+template <class Alpha, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Poisson_solution solve_screened_poisson(const Spline_space_3& space, const Surface_function_view& f,
+                                        const Alpha& alpha,
+                                        const NamedParameters& np = parameters::default_values()) {
+  internal::check_weight(alpha);
+  return internal::solve_poisson_in_space(space, f, alpha, np);
 }
 
 } // namespace Restricted_laplacian_3

@@ -410,8 +410,8 @@ test_poisson_table() {
   done
   run solve_poisson sphere.off --depth 4 --progress
   check "--progress shows parts and seconds" \
-    grep -Eqx "solving: [0-9]+ %, [0-9]+ s left" err
-  check "of the assembly, too" grep -Eqx "assembling [0-9]+ unknowns: 100 %, 0 s left" err
+    grep -Eqx "solving for [0-9]+ unknowns: [0-9]+ %, [0-9]+ s left" err
+  check "up to the end" grep -Eqx "solving for [0-9]+ unknowns: 100 %, 0 s left" err
 }
 
 # The coordinates are eigenfunctions of the sphere: Laplacian x = -2 x.

@@ -21,7 +21,7 @@ EXEMPT = {
     "Multigrid::Workspace": "its vectors are those of a cycle",
     "Operator_sink::wants_stiffness": "called by the package, overridden by users",
     "Operator_sink::wants_mass": "called by the package, overridden by users",
-    "Surface_integration_view::add_moments": "called by the package, overridden by users",
+    "Surface_integration::add_moments": "called by the package, overridden by users",
 }
 
 

@@ -4,12 +4,12 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_DIRICHLET_BOUNDARY_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_DIRICHLET_BOUNDARY_H
 
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 
 #include <Eigen/Core>
@@ -70,12 +70,9 @@ public:
 
   /// Takes time proportional to the number of faces, and for each sheet at the boundary that of the
   /// eigenvalues of a 27 x 27 matrix.
-  /// \param space must outlive this object
-  /// \param integration any model of `SurfaceIntegration_3`: that of the stiffness matrix
+  /// \param space is copied, which costs nothing
   /// \throws Parameter_error if the surface has no boundary
   /// \throws Numerical_error if a part of the boundary lies on no sheet; names the face
-  Dirichlet_boundary(const Spline_space_3& space, const Surface_integration_view& integration);
-  /// The same with `Default_integration`.
   explicit Dirichlet_boundary(const Spline_space_3& space);
 
   /// length of the boundary
@@ -112,13 +109,13 @@ private:
   std::size_t sheet_of_piece(const Surface_location& begin, const Surface_location& end) const;
   Tensor_basis_3::Values conormal_derivatives(const Node& node) const;
   double value(const Surface_function_view& g, const Node& node) const;
-  void set_beta(std::size_t first, std::size_t last, const Surface_integration_view& integration);
+  void set_beta(std::size_t first, std::size_t last);
   const Cell_elements& elements(const Node& node) const {
-    return m_space->elements(m_space->depth(), node.sheet);
+    return m_space.elements(m_space.depth(), node.sheet);
   }
   void for_each_sheet(internal::Function_view<void(std::size_t, std::size_t)> visit) const;
 
-  const Spline_space_3* m_space;
+  Spline_space_3 m_space;
   std::vector<Node> m_nodes; // sorted by sheet
   double m_length = 0;
 };

@@ -71,21 +71,15 @@ as_vector(const Tensor_basis_3::Values& values) {
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Dirichlet_boundary::Dirichlet_boundary(const Spline_space_3& space,
-                                       const Surface_integration_view& integration)
-  : m_space(&space) {
+Dirichlet_boundary::Dirichlet_boundary(const Spline_space_3& space) : m_space(space) {
   for(const internal::Face_side& s : internal::boundary_sides(space))
     add_side(s.face, s.side);
   if(m_nodes.empty())
     throw Parameter_error("boundary_values", "are given, but the surface has no boundary");
   std::stable_sort(m_nodes.begin(), m_nodes.end(),
                    [](const Node& a, const Node& b) { return a.sheet < b.sheet; });
-  for_each_sheet([&](std::size_t first, std::size_t last) { set_beta(first, last, integration); });
+  for_each_sheet([&](std::size_t first, std::size_t last) { set_beta(first, last); });
 }
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Dirichlet_boundary::Dirichlet_boundary(const Spline_space_3& space)
-  : Dirichlet_boundary(space, Default_integration(space)) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_to_matrix(Sparse_matrix& a) const {
   for_each_sheet([&](std::size_t first, std::size_t last) {
@@ -108,7 +102,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_to_matrix(Sparse
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
 Dirichlet_boundary::load(const Surface_function_view& g) const {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(m_space->dimension());
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(m_space.dimension());
   for(const Node& node : m_nodes) {
     const Tensor_basis_3::Values b = Tensor_basis_3::values(node.t), d = conormal_derivatives(node);
     const double weighted = node.weight * value(g, node);
@@ -120,7 +114,7 @@ Dirichlet_boundary::load(const Surface_function_view& g) const {
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd Dirichlet_boundary::conormal_loads() const {
-  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(m_space->dimension()), 3);
+  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(m_space.dimension()), 3);
   for(const Node& node : m_nodes) {
     const Tensor_basis_3::Values b = Tensor_basis_3::values(node.t);
     const Eigen::RowVector3d conormal(node.conormal.x(), node.conormal.y(), node.conormal.z());
@@ -150,8 +144,8 @@ Dirichlet_boundary::root_mean_square_error(const Eigen::VectorXd& coefficients,
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_side(std::size_t face, int side) {
   // 7 nodes integrate degree 13, products of elements along a line have degree 12
   using Rule = boost::math::quadrature::gauss<double, 7>;
-  const Octree_3& octree = m_space->octree();
-  const Triangulated_surface_3& surface = m_space->surface();
+  const Octree_3& octree = m_space.octree();
+  const Triangulated_surface_3& surface = m_space.surface();
   const int depth = octree.depth(), other = (side + 1) % 3;
   const Point_3 &p = surface.point(face, side), &q = surface.point(face, other);
   const std::vector<double> cuts = internal::wall_crossings(octree.grid_coordinates(depth, p),
@@ -202,10 +196,11 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_side(std::size_t
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::size_t
 Dirichlet_boundary::sheet_of_piece(const Surface_location& begin,
                                    const Surface_location& end) const {
-  const int depth = m_space->depth();
-  const std::size_t none = m_space->octree().number_of_sheets(depth);
+  const int depth = m_space.depth();
+  const std::size_t none = m_space.octree().number_of_sheets(depth);
   const auto sheet_at = [&](const Surface_location& location) {
-    return m_space->locate(depth, m_space->surface().surface_point(location).point, location.face)
+    return m_space.octree()
+        .locate(depth, m_space.surface().surface_point(location).point, location.face)
         .first;
   };
   const auto between = [](const Surface_location& a, const Surface_location& b, double s) {
@@ -230,7 +225,7 @@ Dirichlet_boundary::sheet_of_piece(const Surface_location& begin,
 /// conormal derivatives of the elements of the cell at a node
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Tensor_basis_3::Values
 Dirichlet_boundary::conormal_derivatives(const Node& node) const {
-  const double h = m_space->octree().cell_width(m_space->depth());
+  const double h = m_space.octree().cell_width(m_space.depth());
   const auto gradients = Tensor_basis_3::gradients(node.t);
   Tensor_basis_3::Values result;
   for(std::size_t i = 0; i < result.size(); ++i)
@@ -242,7 +237,7 @@ Dirichlet_boundary::conormal_derivatives(const Node& node) const {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Dirichlet_boundary::value(const Surface_function_view& g,
                                                                     const Node& node) const {
-  const Surface_point point = m_space->surface().surface_point(node.location);
+  const Surface_point point = m_space.surface().surface_point(node.location);
   double result;
   g(&point, 1, &result);
   if(!std::isfinite(result))
@@ -260,9 +255,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::for_each_sheet(
   }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-Dirichlet_boundary::set_beta(std::size_t first, std::size_t last,
-                             const Surface_integration_view& integration) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::set_beta(std::size_t first,
+                                                                     std::size_t last) {
   constexpr int size = Tensor_basis_3::size;
   Eigen::MatrixXd boundary = Eigen::MatrixXd::Zero(size, size);
   for(std::size_t k = first; k < last; ++k) {
@@ -272,14 +266,14 @@ Dirichlet_boundary::set_beta(std::size_t first, std::size_t last,
   }
   internal::Sheet_integrals integrals;
   integrals.clear();
-  internal::add_sheet_integrals(m_space->surface(), integration, nullptr, m_nodes[first].sheet,
-                                integrals);
+  internal::add_sheet_integrals(m_space.surface(), m_space.integration(), nullptr,
+                                m_nodes[first].sheet, integrals);
   internal::Cell_block block;
   internal::stiffness_block(integrals.moments, block);
   // a sheet without energy, by underflow, gets the largest penalty and no flux
   const double lambda = internal::largest_generalized_eigenvalue(
       boundary, Eigen::Map<const Eigen::MatrixXd>(block.data(), size, size));
-  const double largest = largest_penalty / m_space->octree().cell_width(m_space->depth());
+  const double largest = largest_penalty / m_space.octree().cell_width(m_space.depth());
   const double beta = (std::min)(2 * lambda, largest);
   for(std::size_t k = first; k < last; ++k) {
     m_nodes[k].beta = beta;

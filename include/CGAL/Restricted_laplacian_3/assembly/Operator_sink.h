@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_OPERATOR_SINK_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_OPERATOR_SINK_H
 
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {

@@ -33,8 +33,8 @@ namespace Restricted_laplacian_3 {
 /// space, the narrower the peak by which it is met.
 class Point_constraints {
 public:
-  /// \param space must outlive this object
-  explicit Point_constraints(const Spline_space_3& space) : m_space(&space) {}
+  /// \param space is copied, which costs nothing
+  explicit Point_constraints(const Spline_space_3& space) : m_space(space) {}
 
   /// \throws Location_error if the location is not on the surface
   /// \throws Parameter_error if the weight is negative, or if a number is not finite
@@ -56,7 +56,7 @@ private:
     double value, weight;
   };
 
-  const Spline_space_3* m_space;
+  Spline_space_3 m_space;
   std::vector<Constraint> m_constraints;
 };
 

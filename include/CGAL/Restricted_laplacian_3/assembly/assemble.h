@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 
@@ -16,6 +16,7 @@
 #include <Eigen/SparseCore>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -77,7 +78,6 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 /// \param coarsest from 0, the coarsest, to the depth of the space
 /// \param finest from 0, the coarsest, to the depth of the space; if it is below `coarsest`, the
 /// result is empty
-/// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
 /// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
 /// \param stabilized which of the matrices are stabilized
 /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`, the
@@ -85,33 +85,27 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 /// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
 /// negative or not finite
 /// \throws Canceled if the callback returned `false`
-std::vector<Operators> assemble_operators(const Spline_space_3& space, int coarsest, int finest,
-                                          const Surface_integration_view& integration,
-                                          double normal_stabilization = 0,
-                                          Stabilized stabilized = Stabilized::stiffness_and_mass,
-                                          const std::function<bool(double)>& callback = {});
+std::vector<Operators>
+assemble_operators_of_levels(const Spline_space_3& space, int coarsest, int finest,
+                             double normal_stabilization = 0,
+                             Stabilized stabilized = Stabilized::stiffness_and_mass,
+                             const std::function<bool(double)>& callback = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level, at the cost of one of them.
-Operators assemble_operators(const Spline_space_3& space, int level,
-                             const Surface_integration_view& integration,
+/// \param space the space whose elements are integrated
+/// \param level from 0, the coarsest, to the depth of the space; without a value the finest
+/// \param normal_stabilization,stabilized as in `assemble_operators_of_levels()`
+/// \throws Parameter_error as there
+Operators assemble_operators(const Spline_space_3& space, std::optional<int> level = {},
                              double normal_stabilization = 0,
                              Stabilized stabilized = Stabilized::stiffness_and_mass);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Stiffness and mass matrix of one level by `Default_integration`, without stabilization.
-Operators assemble_operators(const Spline_space_3& space, int level);
-
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// Stiffness and mass matrix of the finest level by `Default_integration`, without stabilization.
-Operators assemble_operators(const Spline_space_3& space);
-
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// Puts what `assemble_operators()` adds up into storage of the caller's, block by block.
+/// Puts what `assemble_operators_of_levels()` adds up into storage of the caller's, block by block.
 /// \param space the space whose elements are integrated
 /// \param coarsest from 0, the coarsest, to the depth of the space
 /// \param sinks one for each level from `coarsest` on, coarsest first; null pointers are left out
-/// \param integration any model of `SurfaceIntegration_3`
 /// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
 /// \param stabilized which of the matrices are stabilized
 /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`, the
@@ -120,41 +114,29 @@ Operators assemble_operators(const Spline_space_3& space);
 /// negative or not finite
 /// \throws Canceled if the callback returned `false`
 void assemble_into(const Spline_space_3& space, int coarsest,
-                   const std::vector<Operator_sink*>& sinks,
-                   const Surface_integration_view& integration, double normal_stabilization = 0,
+                   const std::vector<Operator_sink*>& sinks, double normal_stabilization = 0,
                    Stabilized stabilized = Stabilized::stiffness_and_mass,
                    const std::function<bool(double)>& callback = {});
-
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The stiffness matrix of one level alone: no mass matrix is formed or held meanwhile.
-/// \param space the space whose elements are integrated
-/// \param level from 0, the coarsest, to the depth of the space
-/// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
-/// \param normal_stabilization as in `assemble_operators()`; with \f$c > 0\f$ the matrix is
-/// \f$S + \frac{c}{h} N\f$
-/// \throws Parameter_error if the level is not from 0 to depth, or if `normal_stabilization` is
-/// negative or not finite
-Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level,
-                                        const Surface_integration_view& integration,
-                                        double normal_stabilization = 0);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j \rangle
 /// \f$, positive semi-definite (minus the matrix \f$L\f$ of the paper, equation 5),
 /// `dimension(level)` rows. Constants are in its kernel (not in the space of the paper, where the
-/// surface comes within a cell of the boundary of the domain cube).
-Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, int level);
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The stiffness matrix of the finest level, without stabilization.
-Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space);
+/// surface comes within a cell of the boundary of the domain cube). No mass matrix is formed or
+/// held meanwhile.
+/// \param space the space whose elements are integrated
+/// \param level from 0, the coarsest, to the depth of the space; without a value the finest
+/// \param normal_stabilization as in `assemble_operators_of_levels()`; with \f$c > 0\f$ the matrix
+/// is \f$S + \frac{c}{h} N\f$
+/// \throws Parameter_error if the level is not from 0 to depth, or if `normal_stabilization` is
+/// negative or not finite
+Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, std::optional<int> level = {},
+                                        double normal_stabilization = 0);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$, `dimension(level)` rows. Its entries sum to the
-/// area.
-Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, int level);
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The mass matrix of the finest level.
-Sparse_matrix assemble_mass_matrix(const Spline_space_3& space);
+/// area. On the finest level if no level is given.
+Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, std::optional<int> level = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ \phi_i = \int_{\mathcal M} f\, b_i \f$ (paper, equation 4), `dimension(level)` entries.
@@ -165,18 +147,10 @@ Sparse_matrix assemble_mass_matrix(const Spline_space_3& space);
 /// rounding if it is a polynomial of degree at most 6 on each triangle, or of the degree that
 /// `function_of_degree()` says.
 /// It is called by several threads at once if the space has `CGAL::Parallel_tag`.
-/// \param level from 0, the coarsest, to the depth of the space
-/// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
+/// \param level from 0, the coarsest, to the depth of the space; without a value the finest
 /// \throws Parameter_error if the level is not from 0 to depth, or if a value of `f` is not finite
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f,
-                              int level, const Surface_integration_view& integration);
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The load of a function on one level by `Default_integration`.
-Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f,
-                              int level);
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The load of a function on the finest level by `Default_integration`.
-Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f);
+                              std::optional<int> level = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all components of a function in one pass over the surface: \f$ \gamma_{ik} =
@@ -186,11 +160,10 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_functio
 /// \param f a function object that takes a `const Surface_point&` and returns a number, a
 /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal;
 /// exact, and called by several threads, under the conditions of `assemble_load()`
-/// \param level from 0, the coarsest, to the depth of the space
-/// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
+/// \param level from 0, the coarsest, to the depth of the space; without a value the finest
 Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space,
-                                         const Surface_function_view& f, int level,
-                                         const Surface_integration_view& integration);
+                                         const Surface_function_view& f,
+                                         std::optional<int> level = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all channels of a vector field in one pass over the surface: \f$ \gamma_{ik} =
@@ -207,35 +180,22 @@ Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space,
 /// columns; only the parts tangential to the face count. Exact up to rounding if it is a polynomial
 /// of degree at most 6 on each triangle, or of the degree that `function_of_degree()` says. It is
 /// called by several threads at once if the space has `CGAL::Parallel_tag`.
-/// \param level from 0, the coarsest, to the depth of the space
-/// \param integration any model of `SurfaceIntegration_3`: where the nodes of the integrals lie
+/// \param level from 0, the coarsest, to the depth of the space; without a value the finest
 /// \throws Parameter_error if the level is not from 0 to depth, or if a value of `v` is not finite
 Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v,
-                                        int level, const Surface_integration_view& integration);
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The loads of all channels of a vector field on the finest level by `Default_integration`.
-Eigen::MatrixXd assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v);
+                                        std::optional<int> level = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The load of a vector field of one channel, see `assemble_gradient_loads()`: \f$ \gamma_i =
 /// \int_{\mathcal M} \langle v, \nabla_{\mathcal M} b_i \rangle \f$, `dimension(level)` entries.
 Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v,
-                                       int level, const Surface_integration_view& integration);
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The load of a vector field of one channel on one level by `Default_integration`.
-Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v,
-                                       int level);
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The load of a vector field of one channel on the finest level by `Default_integration`.
-Eigen::VectorXd assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v);
+                                       std::optional<int> level = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ \int_{\mathcal M} b_i \f$, `dimension(level)` entries: the load of the constant 1. The
 /// surface integral of \f$\sum_i \eta_i b_i\f$ is its scalar product with \f$\eta\f$.
-Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space, int level);
-/// \ingroup PkgRestrictedLaplacian3Operators
-/// The integrals \f$ \int_{\mathcal M} b_i \f$ of the finest level.
-Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space);
+Eigen::VectorXd assemble_element_integrals(const Spline_space_3& space,
+                                           std::optional<int> level = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

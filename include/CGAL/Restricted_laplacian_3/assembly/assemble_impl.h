@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,11 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-assemble_into(const Spline_space_3& space, int coarsest, const std::vector<Operator_sink*>& sinks,
-              const Surface_integration_view& integration, double normal_stabilization,
-              Stabilized stabilized, const std::function<bool(double)>& callback) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void assemble_into(const Spline_space_3& space, int coarsest,
+                                                      const std::vector<Operator_sink*>& sinks,
+                                                      double normal_stabilization,
+                                                      Stabilized stabilized,
+                                                      const std::function<bool(double)>& callback) {
   space.checked_level(coarsest);
   internal::checked_normal_stabilization(normal_stabilization);
   if(sinks.empty())
@@ -40,15 +42,15 @@ assemble_into(const Spline_space_3& space, int coarsest, const std::vector<Opera
   std::vector<internal::Assembly_targets> targets(space.depth() + 1);
   for(std::size_t i = 0; i < sinks.size(); ++i)
     targets[coarsest + i].sink = sinks[i];
-  internal::Operator_assembly(space, integration, nullptr, normal_stabilization,
+  internal::Operator_assembly(space, nullptr, normal_stabilization,
                               stabilized == Stabilized::stiffness_and_mass)
       .run(targets, internal::Progress(callback));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Operators>
-assemble_operators(const Spline_space_3& space, int coarsest, int finest,
-                   const Surface_integration_view& integration, double normal_stabilization,
-                   Stabilized stabilized, const std::function<bool(double)>& callback) {
+assemble_operators_of_levels(const Spline_space_3& space, int coarsest, int finest,
+                             double normal_stabilization, Stabilized stabilized,
+                             const std::function<bool(double)>& callback) {
   space.checked_level(coarsest);
   space.checked_level(finest);
   internal::checked_normal_stabilization(normal_stabilization);
@@ -67,68 +69,46 @@ assemble_operators(const Spline_space_3& space, int coarsest, int finest,
         std::vector<internal::Sparse_sink::Target>{{&o.stiffness, 1, 0}, {&o.mass, 0, 1}});
     pointers.push_back(&sinks.back());
   }
-  assemble_into(space, coarsest, pointers, integration, normal_stabilization, stabilized,
+  assemble_into(space, coarsest, pointers, normal_stabilization, stabilized,
                 progress.part(internal::part_of_pattern, 1).callback());
   return operators;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(
-    const Spline_space_3& space, int level, const Surface_integration_view& integration,
-    double normal_stabilization, Stabilized stabilized) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(const Spline_space_3& space,
+                                                                std::optional<int> level,
+                                                                double normal_stabilization,
+                                                                Stabilized stabilized) {
+  const int l = space.checked_level(level);
   std::vector<Operators> of_level =
-      assemble_operators(space, level, level, integration, normal_stabilization, stabilized);
+      assemble_operators_of_levels(space, l, l, normal_stabilization, stabilized);
   Operators result;
   result.stiffness.swap(of_level.front().stiffness);
   result.mass.swap(of_level.front().mass);
   return result;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(const Spline_space_3& space,
-                                                                int level) {
-  return assemble_operators(space, level, Default_integration(space));
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(const Spline_space_3& space) {
-  return assemble_operators(space, space.depth());
-}
-
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix assemble_stiffness_matrix(
-    const Spline_space_3& space, int level, const Surface_integration_view& integration,
-    double normal_stabilization) {
-  space.checked_level(level);
+    const Spline_space_3& space, std::optional<int> level, double normal_stabilization) {
+  const int l = space.checked_level(level);
   Sparse_matrix stiffness;
-  internal::Sparse_sink sink(space, level, {{&stiffness, 1, 0}});
-  assemble_into(space, level, {&sink}, integration, normal_stabilization);
+  internal::Sparse_sink sink(space, l, {{&stiffness, 1, 0}});
+  assemble_into(space, l, {&sink}, normal_stabilization);
   return stiffness;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix
-assemble_stiffness_matrix(const Spline_space_3& space, int level) {
-  return assemble_stiffness_matrix(space, level, Default_integration(space));
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix
-assemble_stiffness_matrix(const Spline_space_3& space) {
-  return assemble_stiffness_matrix(space, space.depth());
-}
-
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix assemble_mass_matrix(const Spline_space_3& space,
-                                                                      int level) {
-  space.checked_level(level);
+                                                                      std::optional<int> level) {
+  const int l = space.checked_level(level);
   Sparse_matrix mass;
-  internal::Sparse_sink sink(space, level, {{&mass, 0, 1}});
-  assemble_into(space, level, {&sink}, Default_integration(space));
+  internal::Sparse_sink sink(space, l, {{&mass, 0, 1}});
+  assemble_into(space, l, {&sink});
   return mass;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix assemble_mass_matrix(const Spline_space_3& space) {
-  return assemble_mass_matrix(space, space.depth());
-}
-
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
-assemble_component_loads(const Spline_space_3& space, const Surface_function_view& f, int level,
-                         const Surface_integration_view& integration) {
-  space.checked_level(level);
+assemble_component_loads(const Spline_space_3& space, const Surface_function_view& f,
+                         std::optional<int> of_level) {
+  const int level = space.checked_level(of_level);
   const int number = f.components();
   const double h = space.octree().cell_width(space.depth());
   return internal::sum_loads(
@@ -136,7 +116,7 @@ assemble_component_loads(const Spline_space_3& space, const Surface_function_vie
         std::vector<internal::Cell_load> moments(number);
         std::vector<double> values(number * Integration_node_block::capacity);
         internal::visit_nodes_of_level(
-            space, level, sheet, integration, 6 + f.degree(), [&](Integration_node_block& block) {
+            space, level, sheet, 6 + f.degree(), [&](Integration_node_block& block) {
               f(block.points.data(), block.size, values.data());
               internal::check_values(block, values.data(), number, "f");
               for(int k = 0; k < number; ++k)
@@ -148,29 +128,19 @@ assemble_component_loads(const Spline_space_3& space, const Surface_function_vie
       });
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
-assemble_load(const Spline_space_3& space, const Surface_function_view& f, int level,
-              const Surface_integration_view& integration) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd assemble_load(const Spline_space_3& space,
+                                                                 const Surface_function_view& f,
+                                                                 std::optional<int> level) {
   if(f.components() != 1)
     throw Parameter_error("f", "has " + std::to_string(f.components()) +
                                    " components; see assemble_component_loads()");
-  return assemble_component_loads(space, f, level, integration);
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
-assemble_load(const Spline_space_3& space, const Surface_function_view& f, int level) {
-  return assemble_load(space, f, level, Default_integration(space));
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd assemble_load(const Spline_space_3& space,
-                                                                 const Surface_function_view& f) {
-  return assemble_load(space, f, space.depth());
+  return assemble_component_loads(space, f, level);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
-assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v, int level,
-                        const Surface_integration_view& integration) {
-  space.checked_level(level);
+assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v,
+                        std::optional<int> of_level) {
+  const int level = space.checked_level(of_level);
   const int number = v.components();
   const double h = space.octree().cell_width(space.depth());
   const double coarse_h = space.octree().cell_width(level);
@@ -181,7 +151,7 @@ assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v,
         std::vector<double> values(number * Integration_node_block::capacity);
         // Derivatives of elements are of degree 5 on a plane.
         internal::visit_nodes_of_level(
-            space, level, sheet, integration, 5 + v.degree(), [&](Integration_node_block& block) {
+            space, level, sheet, 5 + v.degree(), [&](Integration_node_block& block) {
               v(block.points.data(), block.size, values.data());
               internal::check_values(block, values.data(), number, "v");
               for(std::size_t i = 0; i < block.size; ++i)
@@ -199,39 +169,19 @@ assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v,
       });
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
-assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v) {
-  return assemble_gradient_loads(space, v, space.depth(), Default_integration(space));
-}
-
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
-assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v, int level,
-                       const Surface_integration_view& integration) {
+assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v,
+                       std::optional<int> level) {
   if(v.channels() != 1)
     throw Parameter_error("v", "has " + std::to_string(v.channels()) +
                                    " channels; see assemble_gradient_loads()");
-  return assemble_gradient_loads(space, v, level, integration);
+  return assemble_gradient_loads(space, v, level);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
-assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v, int level) {
-  return assemble_gradient_load(space, v, level, Default_integration(space));
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
-assemble_gradient_load(const Spline_space_3& space, const Vector_field_view& v) {
-  return assemble_gradient_load(space, v, space.depth());
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
-assemble_element_integrals(const Spline_space_3& space, int level) {
+assemble_element_integrals(const Spline_space_3& space, std::optional<int> level) {
   return assemble_load(space, function_of_degree([](const Surface_point&) { return 1.; }, 0),
                        level);
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
-assemble_element_integrals(const Spline_space_3& space) {
-  return assemble_element_integrals(space, space.depth());
 }
 
 } // namespace Restricted_laplacian_3

@@ -6,11 +6,10 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
-#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 
 #include <cstddef>
-#include <variant>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -23,9 +22,9 @@ namespace Restricted_laplacian_3 {
 /// \cgalModels `SurfaceIntegration_3`
 class Triangle_cubature {
 public:
-  /// \param space must outlive this object
+  /// \param octree that of a space; must outlive this object
   /// \throws Input_error the surface is a point set: take `Point_cubature`
-  explicit Triangle_cubature(const Spline_space_3& space);
+  explicit Triangle_cubature(const Octree_3& octree);
 
   /// the nodes of the smallest rule that is exact up to `degree`, at most 12
   void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
@@ -47,9 +46,9 @@ private:
 /// \cgalModels `SurfaceIntegration_3`
 class Point_cubature {
 public:
-  /// \param space must outlive this object
+  /// \param octree that of a space; must outlive this object
   /// \throws Input_error the surface is no point set
-  explicit Point_cubature(const Spline_space_3& space);
+  explicit Point_cubature(const Octree_3& octree);
 
   /// the points, whatever the degree
   void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
@@ -59,19 +58,10 @@ private:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// What functions integrate by that are given no integration: `Triangle_cubature`, or
+/// How spaces integrate that are given no other integration: by `Triangle_cubature`, or by
 /// `Point_cubature` if the surface is given by points.
-class Default_integration {
-public:
-  /// \param space must outlive this object
-  explicit Default_integration(const Spline_space_3& space);
-
-  /// refers to this object
-  operator Surface_integration_view() const;
-
-private:
-  std::variant<Triangle_cubature, Point_cubature> m_model;
-};
+/// \param octree must outlive what is returned
+Surface_integration default_integration(const Octree_3& octree);
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -16,9 +16,9 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangle_cubature::Triangle_cubature(const Spline_space_3& space)
-  : m_octree(&space.octree()) {
-  space.surface().require_triangles("Triangle_cubature");
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangle_cubature::Triangle_cubature(const Octree_3& octree)
+  : m_octree(&octree) {
+  octree.surface().require_triangles("Triangle_cubature");
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
@@ -53,9 +53,9 @@ Triangle_cubature::add_moments(std::size_t sheet, const internal::Face_weight* w
   }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Point_cubature::Point_cubature(const Spline_space_3& space)
-  : m_octree(&space.octree()) {
-  if(!space.surface().is_point_set())
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Point_cubature::Point_cubature(const Octree_3& octree)
+  : m_octree(&octree) {
+  if(!octree.surface().is_point_set())
     throw Input_error("the surface consists of triangles, but Point_cubature needs points");
 }
 
@@ -75,14 +75,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_cubature::add_nodes(std::size_t sh
   }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Default_integration::Default_integration(const Spline_space_3& space)
-  : m_model(space.surface().is_point_set()
-                ? std::variant<Triangle_cubature, Point_cubature>(Point_cubature(space))
-                : std::variant<Triangle_cubature, Point_cubature>(Triangle_cubature(space))) {}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Default_integration::operator Surface_integration_view() const {
-  return std::visit([](const auto& model) { return Surface_integration_view(model); }, m_model);
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_integration default_integration(const Octree_3& octree) {
+  if(octree.surface().is_point_set())
+    return Point_cubature(octree);
+  return Triangle_cubature(octree);
 }
 
 } // namespace Restricted_laplacian_3

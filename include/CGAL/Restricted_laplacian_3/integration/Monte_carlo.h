@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
-#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #include <array>
@@ -26,15 +26,15 @@ namespace Restricted_laplacian_3 {
 /// \cgalModels `SurfaceIntegration_3`
 class Monte_carlo {
 public:
-  /// The space must outlive this object.
-  Monte_carlo(const Spline_space_3& space, std::size_t number_of_samples, std::uint64_t seed,
+  /// The octree, that of a space, must outlive this object.
+  Monte_carlo(const Octree_3& octree, std::size_t number_of_samples, std::uint64_t seed,
               Sampling sampling = Sampling::independent);
 
   /// The same with samples that the caller has drawn, uniformly by area.
-  /// \param space must outlive this object
+  /// \param octree must outlive this object
   /// \param samples at least one
   /// \throws Location_error a sample is not on the surface
-  Monte_carlo(const Spline_space_3& space, const std::vector<Surface_location>& samples);
+  Monte_carlo(const Octree_3& octree, const std::vector<Surface_location>& samples);
 
   /// the samples on a sheet, whatever the degree
   void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;

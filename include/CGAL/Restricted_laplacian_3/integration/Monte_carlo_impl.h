@@ -17,14 +17,14 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Monte_carlo::Monte_carlo(const Spline_space_3& space,
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Monte_carlo::Monte_carlo(const Octree_3& octree,
                                                             std::size_t number_of_samples,
                                                             std::uint64_t seed, Sampling sampling)
-  : Monte_carlo(space, sample_surface(space.surface(), number_of_samples, seed, sampling)) {}
+  : Monte_carlo(octree, sample_surface(octree.surface(), number_of_samples, seed, sampling)) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Monte_carlo::Monte_carlo(const Spline_space_3& space, const std::vector<Surface_location>& samples)
-  : m_octree(&space.octree()) {
+Monte_carlo::Monte_carlo(const Octree_3& octree, const std::vector<Surface_location>& samples)
+  : m_octree(&octree) {
   const int depth = m_octree->depth();
   const double h = m_octree->cell_width(depth);
   m_weight = m_octree->surface().area() / static_cast<double>(samples.size()) / (h * h);
@@ -32,16 +32,15 @@ Monte_carlo::Monte_carlo(const Spline_space_3& space, const std::vector<Surface_
 
   std::vector<std::size_t> sheet_of_sample(samples.size());
   std::vector<std::array<double, 3>> positions(samples.size());
-  internal::parallel_for(space.options().is_parallel, 0, samples.size(), 1 << 12,
-                         [&](std::size_t begin, std::size_t end) {
-                           for(std::size_t k = begin; k < end; ++k) {
-                             std::tie(sheet_of_sample[k], positions[k]) = space.locate(
-                                 depth, m_octree->surface().surface_point(samples[k]).point,
-                                 samples[k].face);
-                             if(sheet_of_sample[k] == number_of_sheets)
-                               throw Location_error("a sample is not on the surface");
-                           }
-                         });
+  internal::parallel_for(
+      octree.is_parallel(), 0, samples.size(), 1 << 12, [&](std::size_t begin, std::size_t end) {
+        for(std::size_t k = begin; k < end; ++k) {
+          std::tie(sheet_of_sample[k], positions[k]) = octree.locate(
+              depth, m_octree->surface().surface_point(samples[k]).point, samples[k].face);
+          if(sheet_of_sample[k] == number_of_sheets)
+            throw Location_error("a sample is not on the surface");
+        }
+      });
   // counting sort by sheet
   m_first.assign(number_of_sheets + 1, 0);
   for(std::size_t sheet : sheet_of_sample)

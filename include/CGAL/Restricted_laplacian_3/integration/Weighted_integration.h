@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 
 #include <cmath>
 #include <cstddef>
@@ -25,9 +25,9 @@ namespace Restricted_laplacian_3 {
 /// \cgalModels `SurfaceIntegration_3`
 template <class Weight> class Weighted_integration {
 public:
-  /// \param integration a model of `SurfaceIntegration_3`, which must outlive this object
+  /// \param integration a model of `SurfaceIntegration_3`, which is copied
   /// \param weight a function object that takes a `const Surface_point&` and returns a number
-  Weighted_integration(const Surface_integration_view& integration, Weight weight)
+  Weighted_integration(const Surface_integration& integration, Weight weight)
     : m_integration(integration), m_weight(std::move(weight)) {}
 
   /// the nodes of the other integration, their weights multiplied
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  Surface_integration_view m_integration;
+  Surface_integration m_integration;
   Weight m_weight;
 };
 
@@ -57,10 +57,10 @@ private:
 /// \cgalModels `SurfaceIntegration_3`
 template <class Tensor> class Diffusion_integration {
 public:
-  /// \param integration a model of `SurfaceIntegration_3`, which must outlive this object
+  /// \param integration a model of `SurfaceIntegration_3`, which is copied
   /// \param tensor a function object that takes a `const Surface_point&` and returns a
   /// `Symmetric_tensor_3`, positive semi-definite; only its tangential part counts
-  Diffusion_integration(const Surface_integration_view& integration, Tensor tensor)
+  Diffusion_integration(const Surface_integration& integration, Tensor tensor)
     : m_integration(integration), m_tensor(std::move(tensor)) {}
 
   /// the nodes of the other integration, with the metric \f$P D P\f$
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  Surface_integration_view m_integration;
+  Surface_integration m_integration;
   Tensor m_tensor;
 };
 

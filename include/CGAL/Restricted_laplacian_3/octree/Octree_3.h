@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -113,6 +114,9 @@ public:
   /// whether the surface in a cell is split into sheets
   bool is_split() const { return m_is_split; }
 
+  /// whether what is computed with it uses several threads, as its construction did
+  bool is_parallel() const { return m_is_parallel; }
+
   /// number of cells of a level that meet the surface
   std::size_t number_of_cells(int level) const { return at(level).number_of_cells(); }
 
@@ -192,6 +196,15 @@ public:
     return x;
   }
 
+  /// The sheet of a level on which a point of a face lies, and its local coordinates in the cell,
+  /// in \f$[0,1]^3\f$ up to rounding. A point on a wall may belong to any of the cells that touch
+  /// it: the one that is taken owns a fragment of the face, or is an ancestor of one that does. It
+  /// has to, because an element that vanishes on a sheet is not listed there, but need not vanish
+  /// on another face that touches the cell.
+  /// \return the number of sheets of the level as sheet if the point is not on the face
+  std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,
+                                                       std::size_t face) const;
+
   /// distance, in units of the cell width of a level, below which a point counts as lying on a wall
   double wall_tolerance(int level) const { return std::ldexp(m_wall_tolerance, level); }
 
@@ -211,7 +224,7 @@ private:
   double m_side;
   Point_3 m_center;
   double m_wall_tolerance;
-  bool m_is_split;
+  bool m_is_split, m_is_parallel;
   std::vector<internal::Octree_level> m_levels;
 };
 

@@ -201,7 +201,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double internal::checked_cube_scale(double cu
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split,
                    double joining_tolerance, bool is_parallel)
-  : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split) {
+  : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split),
+    m_is_parallel(is_parallel) {
   if(depth < 1 || depth > maximum_octree_depth)
     throw Parameter_error("octree_depth", "is " + std::to_string(depth) + ", but must be in 1 .. " +
                                               std::to_string(maximum_octree_depth));
@@ -226,6 +227,40 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fragment Octree_3::fragment(const Cell_3& cel
                              grid_coordinates(m_depth, m_surface.point(face, 1)),
                              grid_coordinates(m_depth, m_surface.point(face, 2))},
                             cell.index);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::pair<std::size_t, std::array<double, 3>>
+Octree_3::locate(int level, const Point_3& point, std::size_t face) const {
+  const std::array<double, 3> x = grid_coordinates(m_depth, point);
+  // Points come from barycentric coordinates: some digits more than those of a corner are gone.
+  const double tolerance = (std::max)(1e-7, 8 * wall_tolerance(m_depth));
+  std::array<std::array<int, 2>, 3> range;
+  for(int axis = 0; axis < 3; ++axis) {
+    const double n = std::ldexp(1., m_depth);
+    if(!(x[axis] >= -tolerance && x[axis] <= n + tolerance))
+      return {number_of_sheets(level), {0, 0, 0}};
+    range[axis] = {static_cast<int>(std::floor(x[axis] - tolerance)),
+                   static_cast<int>(std::floor(x[axis] + tolerance))};
+  }
+  Cell_3 cell{m_depth, {}};
+  for(cell.index[2] = range[2][1]; cell.index[2] >= range[2][0]; --cell.index[2])
+    for(cell.index[1] = range[1][1]; cell.index[1] >= range[1][0]; --cell.index[1])
+      for(cell.index[0] = range[0][1]; cell.index[0] >= range[0][0]; --cell.index[0]) {
+        const std::size_t cell_number = find(cell);
+        if(cell_number == number_of_cells(m_depth))
+          continue;
+        std::size_t sheet = sheet_of_face(cell_number, face);
+        if(sheet == number_of_sheets(m_depth))
+          continue;
+        for(int l = m_depth; l > level; --l)
+          sheet = parent(l, sheet);
+        const Cell_3 ancestor = this->cell(level, sheet);
+        std::array<double, 3> t;
+        for(int axis = 0; axis < 3; ++axis)
+          t[axis] = std::ldexp(x[axis], level - m_depth) - ancestor.index[axis];
+        return {sheet, t};
+      }
+  return {number_of_sheets(level), {0, 0, 0}};
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Cell_clipper Octree_3::clipper() const {

@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
@@ -62,7 +62,7 @@ struct Surface_curvature {
 /// The curvature of a surface as a function on it, see `estimate_curvature()`.
 class Curvature_field {
 public:
-  /// \param space has to outlive this object
+  /// \param space is copied, which costs nothing
   /// \param fit of normals, three components; or of normals and Laplacians of the coordinates, six
   Curvature_field(const Spline_space_3& space, const Function_fit& fit);
 
@@ -143,19 +143,16 @@ private:
 
 /// the curvature by the Laplacian of the coordinates, in the weak form
 Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
-                                      const Surface_integration_view& integration,
                                       const Function_fit_options& options,
                                       const Progress& progress);
 
 /// the curvature by the derivative of the fit of a field of normals
 Curvature_field curvature_of_field(const Spline_space_3& space,
-                                   const Surface_integration_view& integration,
                                    const Surface_function_view& normals,
                                    const Function_fit_options& options, const Progress& progress);
 
 /// the same with the normals of the surface at the vertices, or of the faces
-Curvature_field curvature_of_surface(const Spline_space_3& space,
-                                     const Surface_integration_view& integration, bool of_faces,
+Curvature_field curvature_of_surface(const Spline_space_3& space, bool of_faces,
                                      const Function_fit_options& options, const Progress& progress);
 
 } // namespace internal

@@ -104,48 +104,43 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double curvature_smoothing_weight(const Splin
 
 /// \f$\int \Delta x_k\, b_i\f$ in the weak form, a column for each coordinate \f$x_k\f$:
 /// \f$ -\int \langle \nabla x_k, \nabla b_i \rangle + \int_{\partial \mathcal M} \nu_k\, b_i \f$
-inline Eigen::MatrixXd coordinate_laplacian_loads(const Spline_space_3& space,
-                                                  const Surface_integration_view& integration) {
+inline Eigen::MatrixXd coordinate_laplacian_loads(const Spline_space_3& space) {
   Eigen::MatrixXd loads(static_cast<Eigen::Index>(space.dimension()), 3);
   for(int k = 0; k < 3; ++k) {
     const Vector_3 axis(k == 0, k == 1, k == 2);
     const auto gradient = function_of_degree([axis](const Surface_point&) { return axis; }, 0);
-    loads.col(k) = -assemble_gradient_load(space, gradient, space.depth(), integration);
+    loads.col(k) = -assemble_gradient_load(space, gradient, space.depth());
   }
   if(!space.surface().is_point_set() && !boundary_sides(space).empty())
-    loads += Dirichlet_boundary(space, integration).conormal_loads();
+    loads += Dirichlet_boundary(space).conormal_loads();
   return loads;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit
-fit_coordinate_laplacian(const Spline_space_3& space, const Surface_integration_view& integration,
-                         const Function_fit_options& options, const Progress& progress) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit fit_coordinate_laplacian(
+    const Spline_space_3& space, const Function_fit_options& options, const Progress& progress) {
   progress(0);
   const auto normal = function_of_degree([](const Surface_point& p) { return p.normal; }, 0);
   Eigen::MatrixXd loads(static_cast<Eigen::Index>(space.dimension()), 6);
-  loads.leftCols(3) = assemble_component_loads(space, normal, space.depth(), integration);
-  loads.rightCols(3) = coordinate_laplacian_loads(space, integration);
-  return Function_fitter(space, integration, options)
-      .project(loads, progress.part(0.2, 1).callback());
+  loads.leftCols(3) = assemble_component_loads(space, normal, space.depth());
+  loads.rightCols(3) = coordinate_laplacian_loads(space);
+  return Function_fitter(space, options).project(loads, progress.part(0.2, 1).callback());
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
-curvature_of_field(const Spline_space_3& space, const Surface_integration_view& integration,
-                   const Surface_function_view& normals, const Function_fit_options& options,
-                   const Progress& progress) {
-  return Curvature_field(
-      space, Function_fitter(space, integration, options).fit(normals, progress.callback()));
+curvature_of_field(const Spline_space_3& space, const Surface_function_view& normals,
+                   const Function_fit_options& options, const Progress& progress) {
+  return Curvature_field(space, Function_fitter(space, options).fit(normals, progress.callback()));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
-curvature_of_surface(const Spline_space_3& space, const Surface_integration_view& integration,
-                     bool of_faces, const Function_fit_options& options, const Progress& progress) {
+curvature_of_surface(const Spline_space_3& space, bool of_faces,
+                     const Function_fit_options& options, const Progress& progress) {
   if(of_faces)
     return curvature_of_field(
-        space, integration, function_of_degree([](const Surface_point& p) { return p.normal; }, 0),
-        options, progress);
-  return curvature_of_field(
-      space, integration, Interpolated_normals(vertex_normals(space.surface())), options, progress);
+        space, function_of_degree([](const Surface_point& p) { return p.normal; }, 0), options,
+        progress);
+  return curvature_of_field(space, Interpolated_normals(vertex_normals(space.surface())), options,
+                            progress);
 }
 
 } // namespace internal

@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
@@ -128,16 +128,14 @@ public:
   /// of the residual, relative to the right-hand side
   static constexpr double default_tolerance = Options::default_tolerance;
 
-  /// \param space has to outlive this object
-  /// \param integration any model of `SurfaceIntegration_3`, has to outlive this object
+  /// \param space is copied, which costs nothing
   /// \param np optional named parameters:
   /// \cgalNamedParamsBegin
   ///   \named_of_fits
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
   /// \throws Parameter_error if an option is outside its domain
-  Function_fitter(const Spline_space_3& space, const Surface_integration_view& integration,
-                  const Options& np = Options());
+  Function_fitter(const Spline_space_3& space, const Options& np = Options());
   ~Function_fitter();
   /// takes the solvers over
   Function_fitter(Function_fitter&&) noexcept;
@@ -145,7 +143,7 @@ public:
   Function_fitter& operator=(Function_fitter&&) noexcept;
 
   /// the space, as given to the constructor
-  const Spline_space_3& space() const { return *m_space; }
+  const Spline_space_3& space() const { return m_space; }
   /// the values of the named parameters, as given to the constructor
   const Options& options() const { return m_options; }
 
@@ -187,8 +185,7 @@ private:
                                    Eigen::MatrixXd& x);
   void refine(const Surface_function_view& f, const Progress& progress, Function_fit& result);
 
-  const Spline_space_3* m_space;
-  Surface_integration_view m_integration;
+  Spline_space_3 m_space;
   Options m_options;
   Eigen::VectorXd m_integrals;                             // in units of unit()
   std::deque<std::pair<double, Poisson_solver>> m_solvers; // with their stabilization

@@ -54,10 +54,8 @@ constexpr double end_of_setup = 0.6;
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Function_fitter::Function_fitter(const Spline_space_3& space,
-                                 const Surface_integration_view& integration,
-                                 const Options& options)
-  : m_space(&space), m_integration(integration), m_options(internal::checked(options)) {}
+Function_fitter::Function_fitter(const Spline_space_3& space, const Options& options)
+  : m_space(space), m_options(internal::checked(options)) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fitter::~Function_fitter() = default;
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
@@ -67,13 +65,13 @@ Function_fitter::operator=(Function_fitter&&) noexcept = default;
 
 /// Matrices and loads are taken in units of the squared cell width.
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Function_fitter::unit() const {
-  const double h = m_space->octree().cell_width(m_space->depth());
+  const double h = m_space.octree().cell_width(m_space.depth());
   return h * h;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fitter::Residual
 Function_fitter::residual(const Surface_function_view& f, const Function_fit& fit) const {
-  return internal::fit_residual(*m_space, m_integration, f, fit.coefficients);
+  return internal::fit_residual(m_space, f, fit.coefficients);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit
@@ -100,7 +98,7 @@ Function_fitter::fit(const Surface_function_view& f, const std::function<bool(do
   const Residual left = residual(f, result);
   for(Eigen::Index k = 0; k < left.squares.size(); ++k)
     result.root_mean_square_errors.push_back(
-        std::sqrt(left.squares[k] * (unit() / m_space->surface().area())));
+        std::sqrt(left.squares[k] * (unit() / m_space.surface().area())));
 
   result.assembly_seconds = m_assembly_seconds + load_seconds;
   result.setup_seconds = m_setup_seconds;
@@ -125,12 +123,12 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit Function_fitter::project(
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Function_fitter::stabilization() const {
   return m_options.normal_stabilization.value_or(
-      default_fit_stabilization(*m_space, m_options.smoothing_weight));
+      default_fit_stabilization(m_space, m_options.smoothing_weight));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Function_fitter::energy_tolerance() const {
   return m_options.energy_tolerance.value_or(
-      internal::default_fit_tolerance(*m_space, m_options.smoothing_weight));
+      internal::default_fit_tolerance(m_space, m_options.smoothing_weight));
 }
 
 /// the solver with this stabilization
@@ -149,9 +147,8 @@ Function_fitter::solver(double normal_stabilization, const Progress& progress) {
   elliptic.reaction = 1 / unit();
   elliptic.diffusion = m_options.smoothing_weight / unit();
   elliptic.normal_stabilization = normal_stabilization;
-  m_solvers.emplace_back(normal_stabilization,
-                         internal::elliptic_solver(*m_space, m_integration, elliptic, options,
-                                                   progress, &m_integrals));
+  m_solvers.emplace_back(normal_stabilization, internal::elliptic_solver(m_space, elliptic, options,
+                                                                         progress, &m_integrals));
   const Poisson_solver& result = m_solvers.back().second;
   m_setup_seconds += result.setup_seconds();
   m_assembly_seconds += timer.time() - result.setup_seconds();

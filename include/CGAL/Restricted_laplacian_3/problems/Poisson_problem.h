@@ -13,12 +13,24 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 
-#include <cstddef>
+#include <Eigen/Core>
+
 #include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// The solution of a Poisson problem in a space: its coefficients, to be evaluated by
+/// `Spline_function_3`.
+struct Poisson_solution : Solve_report {
+  /// one for each element of the finest level
+  Eigen::VectorXd coefficients;
+  /// number of connected components of the surface on which constants are not determined by the
+  /// problem; the solution has mean 0 there
+  int kernel_dimension = 0;
+};
 
 namespace internal {
 
@@ -37,9 +49,7 @@ struct Poisson_problem {
 /// same relative residual means less.
 constexpr double tolerance_with_constraints = 1e-7;
 
-/// \param values on return those at the vertices
-Solve_report solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem,
-                                   std::vector<double>& values);
+Poisson_solution solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem);
 
 /// A location of each vertex that has a face of positive area; \f$-1\f$ as its barycentric
 /// coordinate marks the others.

@@ -10,7 +10,6 @@
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
-#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -27,30 +26,30 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report solve_poisson_problem(
-    const Spline_space_3& space, const Poisson_problem& problem, std::vector<double>& values) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solution
+solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem) {
   CGAL::Real_timer timer;
   timer.start();
-  const Default_integration integration(space);
   const Progress& progress = problem.progress;
   progress(0);
   const Elliptic_operator& elliptic = problem.elliptic;
-  Eigen::VectorXd load = assemble_load(space, problem.f, space.depth(), integration);
+  Eigen::VectorXd load = assemble_load(space, problem.f);
   if(elliptic.reaction == 0 && !elliptic.reaction_function)
     load = -load;
   const Progress of_setup = progress.part(0.1, 0.7);
   const Poisson_solver solver =
       problem.boundary_values || problem.constraints
-          ? constrained_solver(space, integration, elliptic, problem.boundary_values,
-                               problem.constraints, problem.options, of_setup, load)
-          : elliptic_solver(space, integration, elliptic, problem.options, of_setup);
+          ? constrained_solver(space, elliptic, problem.boundary_values, problem.constraints,
+                               problem.options, of_setup, load)
+          : elliptic_solver(space, elliptic, problem.options, of_setup);
   const double assembly_seconds = timer.time() - solver.setup_seconds();
-  Eigen::VectorXd coefficients;
-  Solve_report report = solver.solve(load, coefficients, problem.options.relative_tolerance,
-                                     progress.part(0.7, 1).callback());
-  report.assembly_seconds = assembly_seconds;
-  values = Spline_function_3(space, std::move(coefficients)).values_at_vertices();
-  return report;
+  Poisson_solution solution;
+  static_cast<Solve_report&>(solution) =
+      solver.solve(load, solution.coefficients, problem.options.relative_tolerance,
+                   progress.part(0.7, 1).callback());
+  solution.assembly_seconds = assembly_seconds;
+  solution.kernel_dimension = solver.kernel_dimension();
+  return solution;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_location>

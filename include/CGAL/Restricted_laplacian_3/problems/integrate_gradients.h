@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
@@ -89,10 +89,8 @@ Gradient_options gradient_options(const Spline_space_3& space, const NamedParame
   return {{np, default_gradient_tolerance}, normal_stabilization(space, np)};
 }
 
-Gradient_solution integrate_gradients(const Spline_space_3& space,
-                                      const Surface_integration_view& integration,
-                                      const Vector_field_view& v, const Screening& screening,
-                                      const Gradient_options& options,
+Gradient_solution integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
+                                      const Screening& screening, const Gradient_options& options,
                                       const Progress& progress = Progress());
 
 /// corrects the values of a solution at the vertices

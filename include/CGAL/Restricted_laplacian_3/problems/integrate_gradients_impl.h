@@ -98,7 +98,6 @@ inline int target_degree(const Screening& screening) {
 
 /// \f$\int \alpha\, g_k\, b_i\f$, or \f$\int g_k\, b_i\f$ if there is no weight
 inline Eigen::MatrixXd weighted_target_loads(const Spline_space_3& space,
-                                             const Surface_integration_view& integration,
                                              const Screening& screening) {
   const int number = screening.target->components(), depth = space.depth();
   const int degree = 6 + (std::min)(weight_degree(screening) + target_degree(screening), 6);
@@ -106,7 +105,7 @@ inline Eigen::MatrixXd weighted_target_loads(const Spline_space_3& space,
   return sum_loads(space, depth, number, h * h, [&](std::size_t sheet, Cell_load::Load* loads) {
     std::vector<Cell_load> moments(number);
     Screening_values values(screening, number);
-    integration.visit_nodes(sheet, degree, [&](Integration_node_block& block) {
+    space.integration().visit_nodes(sheet, degree, [&](Integration_node_block& block) {
       values.evaluate(block.points.data(), block.size);
       for(int k = 0; k < number; ++k) {
         Node_values weighted = {};
@@ -170,26 +169,25 @@ inline void shift_to_means(const std::vector<int>& components, const Eigen::Vect
   }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution
-integrate_gradients(const Spline_space_3& space, const Surface_integration_view& integration,
-                    const Vector_field_view& v, const Screening& screening,
-                    const Gradient_options& options, const Progress& progress) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients(
+    const Spline_space_3& space, const Vector_field_view& v, const Screening& screening,
+    const Gradient_options& options, const Progress& progress) {
   screening.check(v.channels());
   CGAL::Real_timer timer;
   timer.start();
   progress(0);
-  Eigen::MatrixXd loads = assemble_gradient_loads(space, v, space.depth(), integration);
+  Eigen::MatrixXd loads = assemble_gradient_loads(space, v, space.depth());
   Eigen::MatrixXd target_loads;
   if(screening.target)
-    target_loads = weighted_target_loads(space, integration, screening);
+    target_loads = weighted_target_loads(space, screening);
   Elliptic_operator elliptic;
   elliptic.reaction = screening.weight.value_or(0);
   elliptic.reaction_function = screening.weight_function;
   elliptic.name_of_reaction = "screening_weight";
   elliptic.normal_stabilization = options.normal_stabilization;
   Eigen::VectorXd constant_loads;
-  const Poisson_solver solver = elliptic_solver(space, integration, elliptic, options.solver,
-                                                progress.part(0.15, 0.65), &constant_loads);
+  const Poisson_solver solver =
+      elliptic_solver(space, elliptic, options.solver, progress.part(0.15, 0.65), &constant_loads);
   const Mean_projection& constants = solver.mean_projection();
 
   Gradient_solution result;
@@ -216,7 +214,7 @@ integrate_gradients(const Spline_space_3& space, const Surface_integration_view&
       c = -1;
   shift_to_means(shifted, constants.measures(), result.means, x);
   const double before_residuals = timer.time();
-  result.fit.root_mean_square_residuals = gradient_residuals(space, integration, v, x);
+  result.fit.root_mean_square_residuals = gradient_residuals(space, v, x);
   result.fit.coefficients.swap(x);
   result.fit.assembly_seconds = assembly_seconds + timer.time() - before_residuals;
   if(screening.has_weight())

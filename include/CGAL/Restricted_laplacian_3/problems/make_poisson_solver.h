@@ -12,7 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -48,16 +48,14 @@ constexpr double part_of_space = 0.15;
 /// with the matrices of all levels from one pass over the surface
 /// \param constant_loads if not null, on return what the matrix maps the constant 1 to
 /// \throws Parameter_error if the reaction or the stabilization is outside its domain
-Poisson_solver
-elliptic_solver(const Spline_space_3& space, const Surface_integration_view& integration,
-                const Elliptic_operator& elliptic, const Poisson_solver_options& options,
-                const Progress& progress = Progress(), Eigen::VectorXd* constant_loads = nullptr);
+Poisson_solver elliptic_solver(const Spline_space_3& space, const Elliptic_operator& elliptic,
+                               const Poisson_solver_options& options,
+                               const Progress& progress = Progress(),
+                               Eigen::VectorXd* constant_loads = nullptr);
 
 /// The same with prescribed values: their matrices are known for the finest level only.
 /// \param load what they add to the right-hand side is added to it
-Poisson_solver constrained_solver(const Spline_space_3& space,
-                                  const Surface_integration_view& integration,
-                                  const Elliptic_operator& elliptic,
+Poisson_solver constrained_solver(const Spline_space_3& space, const Elliptic_operator& elliptic,
                                   const std::optional<Surface_function_view>& boundary_values,
                                   const std::optional<Point_constraints>& constraints,
                                   const Poisson_solver_options& options, const Progress& progress,
@@ -74,31 +72,6 @@ Poisson_solver poisson_solver_of(const Spline_space_3& space, const Operators& o
 /// assembles the matrices of all levels in one pass over the surface.
 /// \param space the space; its prolongations and patches make the hierarchy
 /// \param alpha screening weight, at least 0, in units of 1 / area
-/// \param integration any model of `SurfaceIntegration_3`
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_stabilization
-///   \named_of_solver{`1e-3`}
-///   \named_callback
-///   \named_concurrency_tag
-/// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters>
-Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha,
-                                   const Surface_integration_view& integration,
-                                   const NamedParameters& np = parameters::default_values()) {
-  internal::Elliptic_operator elliptic;
-  elliptic.reaction = alpha;
-  elliptic.normal_stabilization = internal::normal_stabilization(space, np);
-  return internal::elliptic_solver(space, integration, elliptic, np, internal::progress_of(np));
-}
-
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// A `Poisson_solver` for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, with
-/// `Default_integration`.
-/// \param space the space; its prolongations and patches make the hierarchy
-/// \param alpha screening weight, at least 0, in units of 1 / area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_stabilization
@@ -112,7 +85,10 @@ template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0,
                                    const NamedParameters& np = parameters::default_values()) {
-  return make_poisson_solver(space, alpha, Default_integration(space), np);
+  internal::Elliptic_operator elliptic;
+  elliptic.reaction = alpha;
+  elliptic.normal_stabilization = internal::normal_stabilization(space, np);
+  return internal::elliptic_solver(space, elliptic, np, internal::progress_of(np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers

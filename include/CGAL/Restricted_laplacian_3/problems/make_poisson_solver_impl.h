@@ -40,17 +40,16 @@ poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver
-elliptic_solver(const Spline_space_3& space, const Surface_integration_view& integration,
-                const Elliptic_operator& elliptic, const Poisson_solver_options& options,
-                const Progress& progress, Eigen::VectorXd* constant_loads) {
+elliptic_solver(const Spline_space_3& space, const Elliptic_operator& elliptic,
+                const Poisson_solver_options& options, const Progress& progress,
+                Eigen::VectorXd* constant_loads) {
   check_alpha(elliptic.reaction);
   // Matrices of the space of the paper are not the Galerkin products, which are computed then.
   const bool is_paper_space = space.is_paper_space();
   const int coarsest = is_paper_space ? space.depth() : coarsest_multigrid_level(space);
-  System_matrices system =
-      assemble_system(space, coarsest, integration, elliptic,
-                      is_paper_space ? Stored_entries::all : Stored_entries::upper_half,
-                      progress.part(0, part_of_assembly));
+  System_matrices system = assemble_system(
+      space, coarsest, elliptic, is_paper_space ? Stored_entries::all : Stored_entries::upper_half,
+      progress.part(0, part_of_assembly));
   Sparse_matrix finest;
   finest.swap(system.matrices.back());
   system.matrices.pop_back();
@@ -64,17 +63,17 @@ elliptic_solver(const Spline_space_3& space, const Surface_integration_view& int
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver constrained_solver(
-    const Spline_space_3& space, const Surface_integration_view& integration,
-    const Elliptic_operator& elliptic, const std::optional<Surface_function_view>& boundary_values,
+    const Spline_space_3& space, const Elliptic_operator& elliptic,
+    const std::optional<Surface_function_view>& boundary_values,
     const std::optional<Point_constraints>& constraints, const Poisson_solver_options& options,
     const Progress& progress, Eigen::VectorXd& load) {
   check_alpha(elliptic.reaction);
-  System_matrices system = assemble_system(space, space.depth(), integration, elliptic,
-                                           Stored_entries::all, progress.part(0, part_of_assembly));
+  System_matrices system = assemble_system(space, space.depth(), elliptic, Stored_entries::all,
+                                           progress.part(0, part_of_assembly));
   Sparse_matrix a;
   a.swap(system.matrices.front());
   if(boundary_values) {
-    const Dirichlet_boundary boundary(space, integration);
+    const Dirichlet_boundary boundary(space);
     boundary.add_to_matrix(a);
     load += boundary.load(*boundary_values);
   }

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
@@ -59,7 +59,6 @@ struct Space_spectrum_options {
 
 /// `laplace_eigenpairs()` with its options read
 Laplace_spectrum space_eigenpairs(const Spline_space_3& space, int k,
-                                  const Surface_integration_view& integration,
                                   const Space_spectrum_options& options);
 
 /// sets `vertex_values` from the coefficients of the eigenfunctions

@@ -69,8 +69,7 @@ multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest, std::vector<O
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
-space_eigenpairs(const Spline_space_3& space, int k, const Surface_integration_view& integration,
-                 const Space_spectrum_options& options) {
+space_eigenpairs(const Spline_space_3& space, int k, const Space_spectrum_options& options) {
   if(k < 1)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
   const bool is_multigrid = uses_multigrid(space, options);
@@ -81,9 +80,9 @@ space_eigenpairs(const Spline_space_3& space, int k, const Surface_integration_v
   const Progress progress(options.multigrid.callback);
   const Progress of_solver = progress.part(part_of_assembly, 1);
   const int coarsest = is_multigrid ? coarsest_multigrid_level(space) : space.depth();
-  std::vector<Operators> operators =
-      assemble_operators(space, coarsest, space.depth(), integration, options.normal_stabilization,
-                         Stabilized::stiffness, progress.part(0, part_of_assembly).callback());
+  std::vector<Operators> operators = assemble_operators_of_levels(
+      space, coarsest, space.depth(), options.normal_stabilization, Stabilized::stiffness,
+      progress.part(0, part_of_assembly).callback());
   spectrum.report.assembly_seconds = timer.time();
   if(is_multigrid) {
     Multigrid_eigenpairs_options of_multigrid = options.multigrid;

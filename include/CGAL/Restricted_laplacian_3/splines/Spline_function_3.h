@@ -28,7 +28,7 @@ struct Sheet_point;
 /// 27 products.
 class Spline_function_3 {
 public:
-  /// \param space has to outlive this object
+  /// \param space is copied, which costs nothing
   /// \param coefficients \f$\eta\f$, one for each element of `level`
   /// \param level from 0, the coarsest, to the depth of the space
   /// \throws Parameter_error if the number of coefficients is not `space.dimension(level)`, or if
@@ -38,7 +38,7 @@ public:
   Spline_function_3(const Spline_space_3& space, Eigen::VectorXd coefficients);
 
   /// the space, as given to the constructor
-  const Spline_space_3& space() const { return *m_space; }
+  const Spline_space_3& space() const { return m_space; }
   /// the level whose elements the coefficients belong to
   int level() const { return m_level; }
   /// \f$\eta\f$
@@ -58,11 +58,11 @@ public:
   std::vector<double> values_at_vertices() const;
 
 private:
-  const Triangulated_surface_3& surface() const { return m_space->surface(); }
+  const Triangulated_surface_3& surface() const { return m_space.surface(); }
 
   double value(const internal::Sheet_point& p) const;
 
-  const Spline_space_3* m_space;
+  Spline_space_3 m_space;
   int m_level;
   Eigen::VectorXd m_coefficients;
 };

@@ -4,10 +4,10 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTIONS_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTIONS_3_H
 
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 
 #include <Eigen/Core>
 
@@ -50,7 +50,7 @@ struct Spline_jets {
 /// (`concurrency_tag`).
 class Spline_functions_3 {
 public:
-  /// \param space has to outlive this object
+  /// \param space is copied, which costs nothing
   /// \param coefficients \f$H\f$: a row for each element of `level`, a column for each function;
   /// copied
   /// \param level from 0, the coarsest, to the depth of the space
@@ -63,7 +63,7 @@ public:
                      const Eigen::Ref<const Eigen::MatrixXd>& coefficients);
 
   /// the space, as given to the constructor
-  const Spline_space_3& space() const { return *m_space; }
+  const Spline_space_3& space() const { return m_space; }
   /// the level whose elements the coefficients belong to
   int level() const { return m_level; }
   /// \f$K\f$
@@ -109,7 +109,7 @@ private:
   Eigen::MatrixXd sums(const std::vector<internal::Sheet_point>& points,
                        const internal::Element_numbers& values_of) const;
 
-  const Spline_space_3* m_space;
+  Spline_space_3 m_space;
   int m_level;
   Eigen::MatrixXd m_coefficients; // transposed: what a point needs of an element lies together
 };

@@ -4,10 +4,10 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTIONS_3_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTIONS_3_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/internal/spline_evaluation.h>
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ namespace Restricted_laplacian_3 {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_functions_3::Spline_functions_3(
     const Spline_space_3& space, const Eigen::Ref<const Eigen::MatrixXd>& coefficients, int level)
-  : m_space(&space), m_level(space.checked_level(level)) {
+  : m_space(space), m_level(space.checked_level(level)) {
   if(static_cast<std::size_t>(coefficients.rows()) != space.dimension(level))
     throw Parameter_error("coefficients", "has " + std::to_string(coefficients.rows()) +
                                               " rows, but the dimension of the space is " +
@@ -38,26 +38,26 @@ Spline_functions_3::Spline_functions_3(const Spline_space_3& space,
   : Spline_functions_3(space, coefficients, space.depth()) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd Spline_functions_3::values_at_vertices() const {
-  return values(internal::locate_vertices(*m_space, m_level));
+  return values(internal::locate_vertices(m_space, m_level));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_jets Spline_functions_3::jets_at_vertices() const {
-  return jets(internal::locate_vertices(*m_space, m_level));
+  return jets(internal::locate_vertices(m_space, m_level));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
 Spline_functions_3::values_at(const std::vector<Surface_location>& locations) const {
-  return values(internal::locate_on_surface(*m_space, m_level, locations));
+  return values(internal::locate_on_surface(m_space, m_level, locations));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_jets
 Spline_functions_3::jets_at(const std::vector<Surface_location>& locations) const {
-  return jets(internal::locate_on_surface(*m_space, m_level, locations));
+  return jets(internal::locate_on_surface(m_space, m_level, locations));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_jets
 Spline_functions_3::jets(const std::vector<internal::Sheet_point>& points) const {
-  const double width = m_space->octree().cell_width(m_level);
+  const double width = m_space.octree().cell_width(m_level);
   Spline_jets result;
   result.values = values(points);
   for(int axis = 0; axis < 3; ++axis)
@@ -84,7 +84,7 @@ Spline_functions_3::sums(const std::vector<internal::Sheet_point>& points,
   // result are far apart in memory.
   constexpr std::size_t grain = 64;
   internal::parallel_for(
-      m_space->options().is_parallel, 0, points.size(), grain,
+      m_space.options().is_parallel, 0, points.size(), grain,
       [&](std::size_t begin, std::size_t end) {
         const Eigen::Index size = static_cast<Eigen::Index>(end - begin);
         Eigen::MatrixXd chunk = Eigen::MatrixXd::Zero(m_coefficients.rows(), size);
@@ -95,7 +95,7 @@ Spline_functions_3::sums(const std::vector<internal::Sheet_point>& points,
             continue;
           }
           const Tensor_basis_3::Values values = values_of(p.t);
-          for_each_element(m_space->elements(m_level, p.sheet), [&](int k, std::uint32_t element) {
+          for_each_element(m_space.elements(m_level, p.sheet), [&](int k, std::uint32_t element) {
             chunk.col(i) += values[k] * m_coefficients.col(element);
           });
         }

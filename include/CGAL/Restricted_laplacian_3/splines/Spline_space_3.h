@@ -4,11 +4,12 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H
 
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 
 #include <CGAL/assertions.h>
@@ -16,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -105,6 +107,11 @@ struct Spline_space_options {
 /// as in the paper (section 4.4).
 ///
 /// Elements of a level are numbered in Morton order of their cells.
+///
+/// *Integration.* A space knows how functions on its surface are integrated, `integration()`: by
+/// `default_integration()`, or as `integrated_by()` says.
+///
+/// A space does not change, and copies share all that is large: they cost nothing.
 class Spline_space_3 {
   using Options = internal::Spline_space_options;
 
@@ -159,32 +166,43 @@ public:
   /// \throws Parameter_error if a parameter is outside its domain
   explicit Spline_space_3(Triangulated_surface_3 surface, const Options& np = Options());
 
+  /// The same space with another integration: samples, weights, a diffusion tensor, a curved
+  /// surface; for example `space.integrated_by(Monte_carlo(space.octree(), 100000, 1))`.
+  /// \param integration any model of `SurfaceIntegration_3`, which is copied
+  Spline_space_3 integrated_by(const Surface_integration& integration) const {
+    Spline_space_3 result(*this);
+    result.m_integration = integration;
+    return result;
+  }
+  /// how functions on the surface are integrated
+  const Surface_integration& integration() const { return m_integration; }
+
   /// the values of the named parameters, with defaults in place of those that were not given
   const Options& options() const { return m_options; }
   /// depth \f$d\f$ of the octree, the finest level
-  int depth() const { return m_octree.depth(); }
-  /// the octree, with the sheets of all levels
-  const Octree_3& octree() const { return m_octree; }
+  int depth() const { return m_octree->depth(); }
+  /// the octree, with the sheets of all levels; shared by copies of the space
+  const Octree_3& octree() const { return *m_octree; }
   /// the surface that the splines are restricted to
-  const Triangulated_surface_3& surface() const { return m_octree.surface(); }
+  const Triangulated_surface_3& surface() const { return m_octree->surface(); }
   /// whether only elements centered inside the grid exist, unsplit
   bool is_paper_space() const { return m_options.paper_space; }
   /// whether elements are split by the components of the surface in their support
-  bool is_split() const { return m_octree.is_split(); }
+  bool is_split() const { return m_octree->is_split(); }
 
-  /// `level`
+  /// `level`, the finest one if it has no value
   /// \throws Parameter_error if it is not from 0 to depth
-  int checked_level(int level) const;
+  int checked_level(std::optional<int> level) const;
 
   /// number of elements of a level
   std::size_t dimension(int level) const { return at(level).first_slots.size(); }
   /// number of elements of the finest level
   std::size_t dimension() const { return dimension(depth()); }
   /// number of cells of a level that meet the surface
-  std::size_t number_of_cells(int level) const { return m_octree.number_of_cells(level); }
+  std::size_t number_of_cells(int level) const { return m_octree->number_of_cells(level); }
   /// number of connected pieces of the surface in these cells; on level 0 the number of connected
   /// components of the surface. Without splitting all surface in a cell counts as one piece.
-  std::size_t number_of_sheets(int level) const { return m_octree.number_of_sheets(level); }
+  std::size_t number_of_sheets(int level) const { return m_octree->number_of_sheets(level); }
   /// number of elements of a level that are one of several into which an element was split
   std::size_t number_of_split_elements(int level) const {
     return at(level).number_of_split_elements;
@@ -194,13 +212,13 @@ public:
   /// vanishes on the sheet. All code above this class reaches elements through this function alone.
   const Cell_elements& elements(int level, std::size_t sheet) const {
     CGAL_precondition(sheet < number_of_sheets(level));
-    return m_levels[level].elements[sheet];
+    return (*m_levels)[level].elements[sheet];
   }
 
   /// a sheet on which an element acts, and its position in `elements()` of that sheet
   std::pair<std::size_t, int> slot(int level, std::size_t element) const {
     CGAL_precondition(element < dimension(level));
-    const std::uint32_t slot = m_levels[level].first_slots[element];
+    const std::uint32_t slot = (*m_levels)[level].first_slots[element];
     return {slot / Tensor_basis_3::size, static_cast<int>(slot % Tensor_basis_3::size)};
   }
 
@@ -208,17 +226,8 @@ public:
   Cell_3 center(int level, std::size_t element) const {
     const auto [sheet, position] = slot(level, element);
     const auto [dx, dy, dz] = Tensor_basis_3::offset(position);
-    return m_octree.cell(level, sheet).neighbor(dx, dy, dz);
+    return m_octree->cell(level, sheet).neighbor(dx, dy, dz);
   }
-
-  /// The sheet of a level on which a point of a face lies, and its local coordinates in the cell,
-  /// in \f$[0,1]^3\f$ up to rounding. A point on a wall may belong to any of the cells that touch
-  /// it: the one that is taken owns a fragment of the face, or is an ancestor of one that does. It
-  /// has to, because an element that vanishes on a sheet is not listed there, but need not vanish
-  /// on another face that touches the cell.
-  /// \return the number of sheets of the level as sheet if the point is not on the face
-  std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,
-                                                       std::size_t face) const;
 
 private:
   struct Level {
@@ -231,7 +240,7 @@ private:
 
   const Level& at(int level) const {
     CGAL_precondition(level >= 0 && level <= depth());
-    return m_levels[level];
+    return (*m_levels)[level];
   }
 
   static Octree_3 make_octree(Triangulated_surface_3&& surface, const Options& o);
@@ -240,8 +249,9 @@ private:
   static Options checked(const Triangulated_surface_3& surface, Options options);
 
   Options m_options;
-  Octree_3 m_octree;
-  std::vector<Level> m_levels;
+  std::shared_ptr<const Octree_3> m_octree;
+  std::shared_ptr<const std::vector<Level>> m_levels;
+  Surface_integration m_integration;
 };
 
 } // namespace Restricted_laplacian_3

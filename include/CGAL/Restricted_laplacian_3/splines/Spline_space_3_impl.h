@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
 #include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
+#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <algorithm>
@@ -17,6 +18,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -238,52 +241,23 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_octree_depth(const Triangulated_s
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Spline_space_3::Spline_space_3(Triangulated_surface_3 surface, const Options& np)
-  : m_options(checked(surface, np)), m_octree(make_octree(std::move(surface), m_options)) {
+  : m_options(checked(surface, np)),
+    m_octree(std::make_shared<const Octree_3>(make_octree(std::move(surface), m_options))),
+    m_integration(default_integration(*m_octree)) {
   internal::Element_numbering number(*this);
+  std::vector<Level> levels;
   for(int level = 0; level <= depth(); ++level)
-    m_levels.push_back(number(level));
+    levels.push_back(number(level));
+  m_levels = std::make_shared<const std::vector<Level>>(std::move(levels));
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE int Spline_space_3::checked_level(int level) const {
-  if(level < 0 || level > depth())
-    throw Parameter_error("level", "is " + std::to_string(level) + ", but must be in 0 .. " +
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE int
+Spline_space_3::checked_level(std::optional<int> level) const {
+  const int l = level.value_or(depth());
+  if(l < 0 || l > depth())
+    throw Parameter_error("level", "is " + std::to_string(l) + ", but must be in 0 .. " +
                                        std::to_string(depth()));
-  return level;
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::pair<std::size_t, std::array<double, 3>>
-Spline_space_3::locate(int level, const Point_3& point, std::size_t face) const {
-  const int depth = this->depth();
-  const std::array<double, 3> x = m_octree.grid_coordinates(depth, point);
-  // Points come from barycentric coordinates: some digits more than those of a corner are gone.
-  const double tolerance = (std::max)(1e-7, 8 * m_octree.wall_tolerance(depth));
-  std::array<std::array<int, 2>, 3> range;
-  for(int axis = 0; axis < 3; ++axis) {
-    const double n = std::ldexp(1., depth);
-    if(!(x[axis] >= -tolerance && x[axis] <= n + tolerance))
-      return {m_octree.number_of_sheets(level), {0, 0, 0}};
-    range[axis] = {static_cast<int>(std::floor(x[axis] - tolerance)),
-                   static_cast<int>(std::floor(x[axis] + tolerance))};
-  }
-  Cell_3 cell{depth, {}};
-  for(cell.index[2] = range[2][1]; cell.index[2] >= range[2][0]; --cell.index[2])
-    for(cell.index[1] = range[1][1]; cell.index[1] >= range[1][0]; --cell.index[1])
-      for(cell.index[0] = range[0][1]; cell.index[0] >= range[0][0]; --cell.index[0]) {
-        const std::size_t cell_number = m_octree.find(cell);
-        if(cell_number == m_octree.number_of_cells(depth))
-          continue;
-        std::size_t sheet = m_octree.sheet_of_face(cell_number, face);
-        if(sheet == m_octree.number_of_sheets(depth))
-          continue;
-        for(int l = depth; l > level; --l)
-          sheet = m_octree.parent(l, sheet);
-        const Cell_3 ancestor = m_octree.cell(level, sheet);
-        std::array<double, 3> t;
-        for(int axis = 0; axis < 3; ++axis)
-          t[axis] = std::ldexp(x[axis], level - depth) - ancestor.index[axis];
-        return {sheet, t};
-      }
-  return {m_octree.number_of_sheets(level), {0, 0, 0}};
+  return l;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_3

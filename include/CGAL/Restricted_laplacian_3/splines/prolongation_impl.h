@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_PROLONGATION_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_PROLONGATION_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <Eigen/SparseCore>

@@ -186,7 +186,7 @@ public:
   /// the default of `screening_weight`, in units of 1 / area of the surface
   static constexpr double default_screening = 10;
 
-  /// \param space of a mesh or soup, has to outlive this object
+  /// \param space of a mesh or soup; is copied, which costs nothing
   /// \param np optional named parameters:
   /// \cgalNamedParamsBegin
   ///   \named_of_stitching
@@ -196,7 +196,7 @@ public:
   explicit Color_stitcher(const Spline_space_3& space, const Options& np = Options());
 
   /// the space, as given to the constructor
-  const Spline_space_3& space() const { return *m_space; }
+  const Spline_space_3& space() const { return m_space; }
   /// the values of the named parameters, as given to the constructor
   const Options& options() const { return m_options; }
 
@@ -240,8 +240,8 @@ public:
 private:
   using Corner_colors = Corner_vector_field<Eigen::Vector3d>;
 
-  const Triangulated_surface_3& surface() const { return m_space->surface(); }
-  bool is_parallel() const { return m_space->options().is_parallel; }
+  const Triangulated_surface_3& surface() const { return m_space.surface(); }
+  bool is_parallel() const { return m_space.options().is_parallel; }
 
   /// as colors are given and returned
   Rgb_color encoded(const Rgb_color& color) const;
@@ -269,7 +269,7 @@ private:
   /// colors from the values of the solution, and what is to be reported
   void finish(const Eigen::MatrixXd& values, Stitched_colors& result) const;
 
-  const Spline_space_3* m_space;
+  Spline_space_3 m_space;
   Options m_options;
   Color_back_projector m_projector;
   std::vector<Back_projection> m_projections;

@@ -99,7 +99,7 @@ mean_color_jump(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edge
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Color_stitcher::Color_stitcher(const Spline_space_3& space,
                                                                   const Options& options)
-  : m_space(&space), m_options(internal::checked_options(options)),
+  : m_space(space), m_options(internal::checked_options(options)),
     m_projector(space.surface(),
                 internal::back_projection_options(options, space.options().is_parallel)) {}
 
@@ -347,18 +347,17 @@ Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& t
   screening.weight_function = weight;
   internal::Gradient_options options = {
       m_options.solver,
-      m_options.normal_stabilization.value_or(default_normal_stabilization(*m_space))};
+      m_options.normal_stabilization.value_or(default_normal_stabilization(m_space))};
   options.solver.is_parallel = is_parallel();
-  internal::Gradient_solution solution =
-      internal::integrate_gradients(*m_space, Default_integration(*m_space), field, screening,
-                                    options, progress.part(0, m_options.vertex_details ? 0.8 : 1));
+  internal::Gradient_solution solution = internal::integrate_gradients(
+      m_space, field, screening, options, progress.part(0, m_options.vertex_details ? 0.8 : 1));
   Eigen::MatrixXd values =
-      Spline_functions_3(*m_space, solution.fit.coefficients).values_at_vertices();
+      Spline_functions_3(m_space, solution.fit.coefficients).values_at_vertices();
   if(m_options.vertex_details) {
     internal::Poisson_solver_options of_details = options.solver;
     of_details.relative_tolerance =
         (std::max)(of_details.relative_tolerance, m_options.details_tolerance);
-    internal::add_details(*m_space, field, screening, of_details, solution, values);
+    internal::add_details(m_space, field, screening, of_details, solution, values);
   }
   static_cast<Gradient_report&>(result) = solution.fit;
   return values;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <Eigen/SparseCore>

@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Operator_sink.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -55,10 +55,9 @@ constexpr double part_of_pattern = 0.2;
 class Operator_assembly {
 public:
   /// \param mass_weight of the mass matrix; may be null
-  Operator_assembly(const Spline_space_3& space, const Surface_integration_view& integration,
-                    const Mass_weight* mass_weight, double normal_stabilization,
-                    bool stabilizes_mass)
-    : m_space(space), m_octree(space.octree()), m_integration(integration),
+  Operator_assembly(const Spline_space_3& space, const Mass_weight* mass_weight,
+                    double normal_stabilization, bool stabilizes_mass)
+    : m_space(space), m_octree(space.octree()), m_integration(space.integration()),
       m_mass_weight(mass_weight), m_normal_stabilization(normal_stabilization),
       m_stabilizes_mass(stabilizes_mass) {}
 
@@ -304,7 +303,7 @@ private:
 
   const Spline_space_3& m_space;
   const Octree_3& m_octree;
-  Surface_integration_view m_integration;
+  Surface_integration m_integration;
   const Mass_weight* m_mass_weight;
   double m_normal_stabilization;
   bool m_stabilizes_mass;

@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 
@@ -53,7 +53,6 @@ struct System_matrices {
 /// or
 /// \f$c\f$
 System_matrices assemble_system(const Spline_space_3& space, int coarsest,
-                                const Surface_integration_view& integration,
                                 const Elliptic_operator& elliptic,
                                 Stored_entries stored = Stored_entries::all,
                                 const Progress& progress = Progress());

@@ -29,9 +29,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double checked_normal_stabilization(double c)
   return c;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices assemble_system(
-    const Spline_space_3& space, int coarsest, const Surface_integration_view& integration,
-    const Elliptic_operator& elliptic, Stored_entries stored, const Progress& progress) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices
+assemble_system(const Spline_space_3& space, int coarsest, const Elliptic_operator& elliptic,
+                Stored_entries stored, const Progress& progress) {
   checked_normal_stabilization(elliptic.normal_stabilization);
   std::optional<Mass_weight> weight;
   if(elliptic.reaction_function)
@@ -57,8 +57,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices assemble_system(
     result.constant_loads = result.integrals;
     finest.weighted_integrals = &result.constant_loads;
   }
-  Operator_assembly(space, integration, weight ? &*weight : nullptr, elliptic.normal_stabilization,
-                    true)
+  Operator_assembly(space, weight ? &*weight : nullptr, elliptic.normal_stabilization, true)
       .run(targets, progress.part(part_of_pattern, 1));
   if(!weight)
     result.constant_loads = elliptic.reaction * result.integrals;

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_FIT_RESIDUAL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 
@@ -28,14 +28,12 @@ struct Fit_residual {
 /// \param f as in `assemble_component_loads()`
 /// \param coefficients of \f$u\f$ on the finest level; without columns, \f$u = 0\f$
 /// \throws Parameter_error if a value of `f` is not finite; names the face
-Fit_residual fit_residual(const Spline_space_3& space, const Surface_integration_view& integration,
-                          const Surface_function_view& f, const Eigen::MatrixXd& coefficients);
+Fit_residual fit_residual(const Spline_space_3& space, const Surface_function_view& f,
+                          const Eigen::MatrixXd& coefficients);
 
 /// \f$(\int (\nabla u_k - v_k)^T A\, (\nabla u_k - v_k) / \mathrm{area})^{1/2}\f$ with the metrics
 /// \f$A\f$ of the integration, for each channel \f$k\f$ of a vector field; by a rule of few nodes
-std::vector<double> gradient_residuals(const Spline_space_3& space,
-                                       const Surface_integration_view& integration,
-                                       const Vector_field_view& v,
+std::vector<double> gradient_residuals(const Spline_space_3& space, const Vector_field_view& v,
                                        const Eigen::MatrixXd& coefficients);
 
 } // namespace internal

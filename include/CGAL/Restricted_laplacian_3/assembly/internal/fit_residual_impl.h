@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual
-fit_residual(const Spline_space_3& space, const Surface_integration_view& integration,
-             const Surface_function_view& f, const Eigen::MatrixXd& coefficients) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual fit_residual(const Spline_space_3& space,
+                                                             const Surface_function_view& f,
+                                                             const Eigen::MatrixXd& coefficients) {
   constexpr std::size_t capacity = Integration_node_block::capacity;
   const int number = f.components(), depth = space.depth();
   const double h = space.octree().cell_width(depth);
@@ -36,7 +36,7 @@ fit_residual(const Spline_space_3& space, const Surface_integration_view& integr
         Block_evaluation<capacity> u(space, sheet, coefficients);
         std::vector<Cell_load> moments(number);
         std::vector<double> values(number * capacity);
-        integration.visit_nodes(sheet, degree, [&](Integration_node_block& block) {
+        space.integration().visit_nodes(sheet, degree, [&](Integration_node_block& block) {
           f(block.points.data(), block.size, values.data());
           check_values(block, values.data(), number, "f");
           if(!is_zero)
@@ -61,8 +61,8 @@ fit_residual(const Spline_space_3& space, const Surface_integration_view& integr
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
-gradient_residuals(const Spline_space_3& space, const Surface_integration_view& integration,
-                   const Vector_field_view& v, const Eigen::MatrixXd& coefficients) {
+gradient_residuals(const Spline_space_3& space, const Vector_field_view& v,
+                   const Eigen::MatrixXd& coefficients) {
   constexpr int degree_of_rule = 2;
   constexpr std::size_t capacity = Integration_node_block::capacity, grain = 256;
   const int number = v.channels(), depth = space.depth();
@@ -70,28 +70,29 @@ gradient_residuals(const Spline_space_3& space, const Surface_integration_view& 
   const std::size_t number_of_sheets = space.number_of_sheets(depth);
   Eigen::MatrixXd squares =
       Eigen::MatrixXd::Zero(number, static_cast<Eigen::Index>(number_of_sheets));
-  parallel_for(
-      space.options().is_parallel, 0, number_of_sheets, grain,
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<double> values(v.components() * capacity);
-        for(std::size_t sheet = begin; sheet < end; ++sheet) {
-          Block_evaluation<capacity> u(space, sheet, coefficients);
-          integration.visit_nodes(sheet, degree_of_rule, [&](Integration_node_block& block) {
-            v(block.points.data(), block.size, values.data());
-            u.set_points(block.positions);
-            for(int k = 0; k < number; ++k) {
-              const Node_values x = u.derivatives(k, 0), y = u.derivatives(k, 1),
-                                z = u.derivatives(k, 2);
-              for(std::size_t i = 0; i < block.size; ++i) {
-                const double* const w = values.data() + v.components() * i + 3 * k;
-                const double dx = x[i] / h - w[0], dy = y[i] / h - w[1], dz = z[i] / h - w[2];
-                const auto [fx, fy, fz] = product(block.metrics[i], dx, dy, dz);
-                squares(k, sheet) += block.weights[i] * (dx * fx + dy * fy + dz * fz);
-              }
-            }
-          });
-        }
-      });
+  parallel_for(space.options().is_parallel, 0, number_of_sheets, grain,
+               [&](std::size_t begin, std::size_t end) {
+                 std::vector<double> values(v.components() * capacity);
+                 for(std::size_t sheet = begin; sheet < end; ++sheet) {
+                   Block_evaluation<capacity> u(space, sheet, coefficients);
+                   space.integration().visit_nodes(
+                       sheet, degree_of_rule, [&](Integration_node_block& block) {
+                         v(block.points.data(), block.size, values.data());
+                         u.set_points(block.positions);
+                         for(int k = 0; k < number; ++k) {
+                           const Node_values x = u.derivatives(k, 0), y = u.derivatives(k, 1),
+                                             z = u.derivatives(k, 2);
+                           for(std::size_t i = 0; i < block.size; ++i) {
+                             const double* const w = values.data() + v.components() * i + 3 * k;
+                             const double dx = x[i] / h - w[0], dy = y[i] / h - w[1],
+                                          dz = z[i] / h - w[2];
+                             const auto [fx, fy, fz] = product(block.metrics[i], dx, dy, dz);
+                             squares(k, sheet) += block.weights[i] * (dx * fx + dy * fy + dz * fz);
+                           }
+                         }
+                       });
+                 }
+               });
   std::vector<double> result;
   for(int k = 0; k < number; ++k)
     result.push_back(h * std::sqrt(squares.row(k).sum() / space.surface().area()));

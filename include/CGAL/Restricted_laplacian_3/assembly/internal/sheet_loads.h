@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
@@ -29,12 +29,11 @@ namespace internal {
 /// are in units of the squared width of the finest cells.
 /// \param degree of what is integrated
 inline void visit_nodes_of_level(const Spline_space_3& space, int level, std::size_t sheet,
-                                 const Surface_integration_view& integration, int degree,
-                                 const Integration_nodes::Consumer& visit) {
+                                 int degree, const Integration_nodes::Consumer& visit) {
   const Octree_3& octree = space.octree();
   const int depth = octree.depth();
   if(level == depth)
-    return integration.visit_nodes(sheet, degree, visit);
+    return space.integration().visit_nodes(sheet, degree, visit);
   std::vector<std::uint32_t> descendants(1, static_cast<std::uint32_t>(sheet)), next;
   for(int l = level; l < depth; ++l, descendants.swap(next)) {
     next.clear();
@@ -46,7 +45,7 @@ inline void visit_nodes_of_level(const Spline_space_3& space, int level, std::si
   const double scale = std::ldexp(1., level - depth);
   for(std::uint32_t s : descendants) {
     const Cell_3 fine = octree.cell(depth, s);
-    integration.visit_nodes(s, degree, [&](Integration_node_block& block) {
+    space.integration().visit_nodes(s, degree, [&](Integration_node_block& block) {
       for(int axis = 0; axis < 3; ++axis) {
         const double offset = fine.index[axis] - (coarse.index[axis] << (depth - level));
         for(std::size_t i = 0; i < block.size; ++i)

@@ -4,10 +4,10 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_CELL_LOAD_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_CELL_LOAD_H
 
+#include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
-#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 
 #include <array>
 #include <cstddef>

@@ -4,11 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_CELL_INTEGRALS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_CELL_INTEGRALS_H
 
+#include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
-#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_INTEGRALS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration_view.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/cell_integrals.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
@@ -38,9 +38,8 @@ struct Mass_weight {
 /// given. By the moments of the integration, if it has any and the weight is constant on each face,
 /// else by nodes.
 inline void add_sheet_integrals(const Triangulated_surface_3& surface,
-                                const Surface_integration_view& integration,
-                                const Mass_weight* weight, std::size_t sheet,
-                                Sheet_integrals& integrals) {
+                                const Surface_integration& integration, const Mass_weight* weight,
+                                std::size_t sheet, Sheet_integrals& integrals) {
   constexpr int degree_of_mass = 12;
   if(integration.adds_moments() && !weight)
     return integration.add_moments(sheet, nullptr, integrals);

@@ -4,9 +4,9 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_INTERNAL_BLOCK_EVALUATION_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_INTERNAL_BLOCK_EVALUATION_H
 
-#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/Tensor_basis_3.h>
 
 #include <Eigen/Core>
 

@@ -32,7 +32,7 @@ struct Sheet_point {
 /// the sheet point of a point of a face; `not_on_surface` if the point is not on it
 inline Sheet_point locate_on_face(const Spline_space_3& space, int level, const Point_3& point,
                                   std::size_t face) {
-  const auto [sheet, t] = space.locate(level, point, face);
+  const auto [sheet, t] = space.octree().locate(level, point, face);
   if(sheet == space.octree().number_of_sheets(level))
     return {};
   return {sheet, t};

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_TENSOR_BASIS_3_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_TENSOR_BASIS_3_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_BASIS_TENSOR_BASIS_3_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_BASIS_TENSOR_BASIS_3_H
 
-#include <CGAL/Restricted_laplacian_3/splines/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
 
 #include <array>
 #include <cstddef>
@@ -140,4 +140,4 @@ double combination(const Cell_elements& elements, const Tensor_basis_3::Values& 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_TENSOR_BASIS_3_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_BASIS_TENSOR_BASIS_3_H

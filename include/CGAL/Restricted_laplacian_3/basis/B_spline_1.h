@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_B_SPLINE_1_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_B_SPLINE_1_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_BASIS_B_SPLINE_1_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_BASIS_B_SPLINE_1_H
 
 #include <array>
 
@@ -56,4 +56,4 @@ struct B_spline_1 {
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_B_SPLINE_1_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_BASIS_B_SPLINE_1_H

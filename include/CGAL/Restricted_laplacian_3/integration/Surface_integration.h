@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SURFACE_INTEGRATION_VIEW_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SURFACE_INTEGRATION_VIEW_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SURFACE_INTEGRATION_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SURFACE_INTEGRATION_H
 
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -38,32 +39,26 @@ struct Adds_moments<
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Refers to a model of `SurfaceIntegration_3` of any type, which must outlive it. Functions take
-/// it where a caller gives a model, whose conversion is implicit; so they are compiled once.
-class Surface_integration_view {
+/// A model of `SurfaceIntegration_3` of any type, whose conversion is implicit. A space has one,
+/// see `Spline_space_3::integration()`. Copies share the model.
+class Surface_integration {
 public:
-  /// \tparam SurfaceIntegration a model of `SurfaceIntegration_3`
-  template <class SurfaceIntegration,
-            std::enable_if_t<internal::Is_surface_integration<SurfaceIntegration>::value, int> = 0>
-  Surface_integration_view(const SurfaceIntegration& integration)
-    : m_integration(std::addressof(integration)),
-      m_add_nodes(
-          [](const void* integration, std::size_t sheet, int degree, Integration_nodes& nodes) {
-            static_cast<const SurfaceIntegration*>(integration)->add_nodes(sheet, degree, nodes);
-          }) {
-    if constexpr(internal::Adds_moments<SurfaceIntegration>::value)
-      m_add_moments = [](const void* integration, std::size_t sheet,
-                         const internal::Face_weight* weight,
-                         internal::Sheet_integrals& integrals) {
-        static_cast<const SurfaceIntegration*>(integration)->add_moments(sheet, weight, integrals);
-      };
-  }
+  /// \tparam Model a model of `SurfaceIntegration_3`, which is copied
+  template <class Model, std::enable_if_t<internal::Is_surface_integration<Model>::value, int> = 0>
+  Surface_integration(Model model)
+    : Surface_integration(std::make_shared<const Model>(std::move(model))) {}
+
+  /// Refers to a model, which must outlive this object and all copies of it.
+  /// \tparam Model a model of `SurfaceIntegration_3`
+  template <class Model, std::enable_if_t<internal::Is_surface_integration<Model>::value, int> = 0>
+  Surface_integration(std::reference_wrapper<const Model> model)
+    : Surface_integration(std::shared_ptr<const Model>(std::shared_ptr<void>(), &model.get())) {}
 
   /// Calls `visit(block)` for the nodes on a sheet of the finest level, see
   /// `SurfaceIntegration_3::add_nodes()`.
   void visit_nodes(std::size_t sheet, int degree, const Integration_nodes::Consumer& visit) const {
     Integration_nodes nodes(visit);
-    m_add_nodes(m_integration, sheet, degree, nodes);
+    m_add_nodes(m_model.get(), sheet, degree, nodes);
     nodes.flush();
   }
 
@@ -72,11 +67,24 @@ public:
   /// adds the moments of a sheet, by the model; requires `adds_moments()`
   void add_moments(std::size_t sheet, const internal::Face_weight* weight,
                    internal::Sheet_integrals& integrals) const {
-    m_add_moments(m_integration, sheet, weight, integrals);
+    m_add_moments(m_model.get(), sheet, weight, integrals);
   }
 
 private:
-  const void* m_integration;
+  template <class Model>
+  explicit Surface_integration(std::shared_ptr<const Model> model)
+    : m_model(std::move(model)),
+      m_add_nodes([](const void* model, std::size_t sheet, int degree, Integration_nodes& nodes) {
+        static_cast<const Model*>(model)->add_nodes(sheet, degree, nodes);
+      }) {
+    if constexpr(internal::Adds_moments<Model>::value)
+      m_add_moments = [](const void* model, std::size_t sheet, const internal::Face_weight* weight,
+                         internal::Sheet_integrals& integrals) {
+        static_cast<const Model*>(model)->add_moments(sheet, weight, integrals);
+      };
+  }
+
+  std::shared_ptr<const void> m_model;
   void (*m_add_nodes)(const void*, std::size_t, int, Integration_nodes&);
   void (*m_add_moments)(const void*, std::size_t, const internal::Face_weight*,
                         internal::Sheet_integrals&) = nullptr;
@@ -85,4 +93,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SURFACE_INTEGRATION_VIEW_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SURFACE_INTEGRATION_H
