@@ -34,7 +34,11 @@ for name in "$@"; do
 done
 jobs=${JOBS:-2}
 log=$PWD/test/Restricted_laplacian_3/project/everything_log.txt
-commit=$(git describe --always --dirty --exclude='*' 2>/dev/null || echo unknown)
+# what earlier stages left in the log does not count as a change
+commit=$(git describe --always --exclude='*' 2>/dev/null || echo unknown)
+if [[ -n $(git status --porcelain --untracked-files=no -- . ":!$log" 2>/dev/null) ]]; then
+  commit+=-dirty
+fi
 launcher=
 if command -v ccache >/dev/null; then
   launcher=ccache

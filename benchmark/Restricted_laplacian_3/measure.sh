@@ -67,6 +67,7 @@ solver_comparison_paper  solver_comparison --processor-time --repetitions 1 --li
 solver_comparison_paper  solver_comparison --processor-time --repetitions 1 --limit 40 --mesh fish_22k --depth 9 --rhs normals --tolerance 5e-3 --solver ours amg1_pcg amg2_pcg
 solver_comparison_paper  solver_comparison --processor-time --repetitions 1 --limit 60 --mesh cow_5k8 --depth 8 --rhs normals --matrix mass --tolerance 5e-3 1e-8 --paper --stabilization 0 --solver ours ours_paper amg1 amg2 amg2_pcg
 solver_comparison_paper  solver_comparison --processor-time --repetitions 1 --limit 40 --mesh cow_5k8 --depth 8 --rhs normals --matrix mass --tolerance 5e-3 1e-8 --stabilization 1e-4 --solver ours amg1_pcg amg2_pcg
+iterations_everywhere    iterations_everywhere --threads 1 --depth 4 5 6 --mesh moebius couplingdown bimba_5k cow_5k8 wingnut_6k spot_color_5k8 koala_7k anchor_8k bunny_adaptive_12k cessna_soup_14k fandisk_14k mechpart_15k cat_16k plane_holes_17k bunny_uniform_18k turbine_18k head_male_color_18k fish_22k spot_23k pulley_28k fandisk_32k cycloidal_soup_43k sword_45k bimba_46k mountain_51k bunny_closed_70k bunny_zipper_69k bunscan_045 bunscan_000 armadillo rgbd5_scan1 koala_100k rgbd5_scan2 rgbd5_scan3 rgbd5_scan4 rgbd5_scan5 itokawa_197k gcanyon_color_318k armadillo_mc1m
 stabilization            stabilization cow_5k8 fandisk_32k bunny_closed_70k
 normal_fitting           normal_fitting --mesh cow_5k8 --depth 6 7 8 --threads 1
 normal_fitting           normal_fitting --mesh pulley_28k --depth 5 6 7 --threads 1
