@@ -378,16 +378,19 @@ def table_iterations_worst():
     found = {}
     for r in everywhere():
         if r["c"] == "v":
-            found.setdefault(r["mesh"], {}).setdefault(r["problem"].replace("_", " "), {})[r["depth"]] = r
+            found.setdefault(r["mesh"], {}).setdefault(r["problem"], {})[r["depth"]] = r
 
     def most(of_depths):
         return max(r["its"] for r in of_depths.values())
 
     worst = {mesh: max(problems.items(), key=lambda item: most(item[1])) for mesh, problems in found.items()}
     depths = sorted({r["depth"] for r in everywhere()})
+
+    def text(r):
+        return f"{'' if r['enough'] else '> '}{r['its']}"
+
     return table(["Surface", "Problem", *(f"depth {d}" for d in depths)],
-                 [[mesh, problem, *(f"{'' if by[d]['enough'] else '> '}{by[d]['its']}" if d in by else ""
-                                    for d in depths)]
+                 [[f"`{mesh}`", f"`{problem}`", *(text(by[d]) if d in by else "" for d in depths)]
                   for mesh, (problem, by) in sorted(worst.items(), key=lambda item: -most(item[1][1]))[:10]], 2)
 
 
