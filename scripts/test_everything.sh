@@ -36,7 +36,7 @@ jobs=${JOBS:-2}
 log=$PWD/test/Restricted_laplacian_3/project/everything_log.txt
 # what earlier stages left in the log does not count as a change
 commit=$(git describe --always --exclude='*' 2>/dev/null || echo unknown)
-if [[ -n $(git status --porcelain --untracked-files=no -- . ":!$log" 2>/dev/null) ]]; then
+if [[ -n $(git status --porcelain --untracked-files=no -- . ":(exclude)$log" 2>/dev/null) ]]; then
   commit+=-dirty
 fi
 launcher=
