@@ -111,12 +111,7 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
   const auto of_fit =
       progress.step("fitting by " + std::to_string(space.dimension()) + " unknowns");
   const double h = space.octree().cell_width(space.depth());
-  const double stabilization =
-      o.stabilization < 0 ? RL::default_curvature_stabilization : o.stabilization;
-  const auto np = params::curvature_method(method(o))
-                      .relative_tolerance(o.tolerance)
-                      .normal_stabilization(stabilization)
-                      .concurrency_tag(CGAL::Parallel_if_available_tag());
+  const auto np = solver_parameters(o).curvature_method(method(o));
   const RL::Curvature_field field =
       o.smoothing < 0 ? RL::estimate_curvature(space, np.callback(of_fit))
                       : RL::estimate_curvature(

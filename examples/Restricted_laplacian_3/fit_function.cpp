@@ -186,14 +186,9 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   const double space_seconds = timer.time();
 
   const double h = space.octree().cell_width(space.depth());
-  std::optional<double> stabilization;
-  if(o.stabilization >= 0)
-    stabilization = o.stabilization;
-  const auto np = RL::parameters::smoothing_weight(o.smoothing * h * h)
-                      .refinement_steps(o.refinements)
-                      .relative_tolerance(o.tolerance)
-                      .normal_stabilization(stabilization)
-                      .concurrency_tag(CGAL::Parallel_if_available_tag());
+  const auto np = solver_parameters(o)
+                      .smoothing_weight(o.smoothing * h * h)
+                      .refinement_steps(o.refinements);
   const RL::Function_fit fit = fit_all(space, np, functions, progress);
 
   add_space(summary, space, "each component is fitted on its own");

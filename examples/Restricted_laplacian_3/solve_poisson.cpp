@@ -152,15 +152,10 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
 
   const auto of_solver =
       progress.step("solving for " + std::to_string(space.dimension()) + " unknowns");
-  std::optional<double> stabilization;
-  if(o.stabilization >= 0)
-    stabilization = o.stabilization;
   const auto np =
-      params::relative_tolerance(o.tolerance)
+      solver_parameters(o)
           .cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W)
           .smoother(o.smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point)
-          .normal_stabilization(stabilization)
-          .concurrency_tag(CGAL::Parallel_if_available_tag())
           .callback(of_solver);
   // Without screening it is a matter of the solver that f has mean 0.
   if(o.alpha > 0) {

@@ -129,12 +129,11 @@ bool read_options(int argc, char* argv[], Options& o) {
 }
 
 auto stitching_parameters(const Options& o, double area) {
-  std::optional<double> maximum_distance, stabilization;
+  std::optional<double> maximum_distance;
   if(o.maximum_distance > 0)
     maximum_distance = o.maximum_distance;
-  if(o.stabilization >= 0)
-    stabilization = o.stabilization;
-  return RL::parameters::maximum_distance(maximum_distance)
+  return solver_parameters(o)
+      .maximum_distance(maximum_distance)
       .minimum_normal_cosine(std::cos(o.normal_angle * CGAL_PI / 180))
       .oriented_surface(!o.unoriented)
       .gradient_source(o.gradients == "scans" ? RL::Gradient_source::scans
@@ -142,10 +141,7 @@ auto stitching_parameters(const Options& o, double area) {
       .match_exposures(!o.keep_exposures)
       .linear_light(o.linear_light)
       .screening_weight(o.alpha / area)
-      .vertex_details(!o.no_details)
-      .normal_stabilization(stabilization)
-      .relative_tolerance(o.tolerance)
-      .concurrency_tag(CGAL::Parallel_if_available_tag());
+      .vertex_details(!o.no_details);
 }
 
 // why a scan covers no vertex

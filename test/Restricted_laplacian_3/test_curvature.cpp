@@ -187,6 +187,36 @@ TEST_CASE("the_mean_curvature_vector_needs_its_boundary_term", "[curvature]") {
   }
 }
 
+TEST_CASE("curvature_of_ragged_scans_ends_by_its_own_error", "[curvature]") {
+  // a noisy graph without a third of its triangles
+  std::uint32_t state = 1;
+  const auto random = [&state] {
+    state = 1664525 * state + 1013904223;
+    return (state >> 8) / double(1 << 24);
+  };
+  shapes::Triangles scan = curved_graph(
+      80, [&](double x, double y) { return 0.2 * std::sin(3 * x * y) + 0.02 * random(); });
+  const auto is_lost = [&](const std::array<std::uint32_t, 3>&) { return random() < 0.33; };
+  scan.faces.erase(std::remove_if(scan.faces.begin(), scan.faces.end(), is_lost),
+                   scan.faces.end());
+  const RL::Spline_space_3 space(scan.points, scan.faces, params::octree_depth(5));
+  const RL::Curvature_field field = RL::estimate_curvature(space),
+                            solved =
+                                RL::estimate_curvature(space, params::energy_tolerance(0.));
+  CHECK(field.report().converged);
+  CHECK(field.report().iterations <= 15);
+  CHECK(field.report().iterations < solved.report().iterations);
+  CHECK(solved.report().relative_residual <= RL::Function_fitter::default_tolerance);
+  double difference = 0, sum = 0;
+  const auto ours = field.at_vertices(), exact = solved.at_vertices();
+  for(std::size_t i = 0; i < exact.size(); ++i)
+    if(std::isfinite(exact[i].mean)) {
+      difference += std::pow(ours[i].mean - exact[i].mean, 2);
+      sum += std::pow(exact[i].mean, 2);
+    }
+  CHECK(std::sqrt(difference / sum) < 1e-3);
+}
+
 TEST_CASE("curvature_of_planes_is_zero", "[curvature]") {
   const shapes::Triangles rectangle = shapes::rectangle(2, 1);
   for(const Curvature_method method :

@@ -62,6 +62,7 @@ inline std::string message_of(const RL::Parameter_error& e) {
       {"alpha", "alpha"},
       {"cube_scale", "cube-scale"},
       {"eigensolver", "eigensolver"},
+      {"energy_tolerance", "energy-tolerance"},
       {"joining_tolerance", "join"},
       {"k", "count"},
       {"maximum_distance", "maximum-distance"},

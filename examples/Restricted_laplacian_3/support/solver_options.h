@@ -10,8 +10,10 @@
 #include "program.h"
 #include "table.h"
 
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -21,7 +23,7 @@ struct Solver_options {
   explicit Solver_options(double tolerance) : tolerance(tolerance) {}
 
   double tolerance;
-  double stabilization = -1; // the default
+  double energy_tolerance = -1, stabilization = -1; // the default
 };
 
 // `default_stabilization` is what the text of --help says about it.
@@ -31,6 +33,9 @@ inline po::options_description solver_options(Solver_options& o,
   auto add = solver.add_options();
   add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
       "norm of the residual, relative to that of the right-hand side");
+  add("energy-tolerance", po::value(&o.energy_tolerance)->value_name("T"),
+      "estimated error in the norm of the energy at which the iteration ends, too: relative to the "
+      "solution, in fits to what they leave; 0: only the residual counts");
   add("stabilization", po::value(&o.stabilization)->value_name("C"),
       ("factor of the stabilization by normal derivatives; " + default_stabilization).c_str());
   return solver;
@@ -38,7 +43,18 @@ inline po::options_description solver_options(Solver_options& o,
 
 inline void check_solver_options(const Solver_options& o, const po::variables_map& given) {
   require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
+  require_not_negative(given, "energy-tolerance");
+  require(o.energy_tolerance < 1, "the argument of --energy-tolerance must be less than 1");
   require_not_negative(given, "stabilization");
+}
+
+// the named parameters that they stand for
+inline auto solver_parameters(const Solver_options& o) {
+  const auto given = [](double x) { return x < 0 ? std::nullopt : std::optional<double>(x); };
+  return RL::parameters::relative_tolerance(o.tolerance)
+      .energy_tolerance(given(o.energy_tolerance))
+      .normal_stabilization(given(o.stabilization))
+      .concurrency_tag(CGAL::Parallel_if_available_tag());
 }
 
 // how a solver failed, to follow on "the solver did not converge"; empty if it converged

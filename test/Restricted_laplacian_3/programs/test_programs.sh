@@ -788,6 +788,10 @@ test_fits() {
   succeeds fit_function sphere.off --normals --depth 3 --csv n.csv
   check "normals" is_below "$(largest_difference n.csv 1 1)" 1e-2
   check "heading of normals" [ "$(grep -v '^#' n.csv | head -n 1)" = vertex,fit_nx,fit_ny,fit_nz ]
+  check "fits end by their own error" is_below 1e-8 "$(comment relative_residual n.csv)"
+  succeeds fit_function sphere.off --normals --depth 3 --energy-tolerance 0 --stabilization 1e-4 \
+    --csv n.csv
+  check "or by the residual" is_below "$(comment relative_residual n.csv)" 1.0001e-8
   succeeds fit_function sphere.off --property z --depth 3 --smoothing 1e9 --csv s.csv
   check "--smoothing leads to the mean" eval "numbers s.csv | is_within -1e-4 1e-4"
   succeeds fit_function sphere.off --property z --depth 3 --assembly monte-carlo --csv m.csv
@@ -798,6 +802,8 @@ test_fits() {
   fails "smoothing" fit_function sphere.off --property x --smoothing -1
   fails "refinements" fit_function sphere.off --property x --refinements -1
   fails "tolerance" fit_function sphere.off --property x --tolerance 0
+  fails "energy-tolerance" fit_function sphere.off --property x --energy-tolerance -1
+  fails "energy-tolerance" fit_function sphere.off --property x --energy-tolerance 1
   fails "stabilization" fit_function sphere.off --property x --stabilization nan
   fails "open" fit_function missing.off --normals
 }

@@ -113,7 +113,7 @@ Function_fit_options curvature_options(const Spline_space_3& space, bool with_sm
   if(!options.normal_stabilization)
     options.normal_stabilization = default_curvature_stabilization;
   if(!options.energy_tolerance)
-    options.energy_tolerance = 0; // derivatives count
+    options.energy_tolerance = default_curvature_tolerance;
   if(with_smoothing)
     options.smoothing_weight = curvature_smoothing_weight(space);
   read_parameter(np, internal_np::smoothing_weight, options.smoothing_weight);
