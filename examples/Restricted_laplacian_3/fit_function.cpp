@@ -186,9 +186,8 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   const double space_seconds = timer.time();
 
   const double h = space.octree().cell_width(space.depth());
-  const auto np = solver_parameters(o)
-                      .smoothing_weight(o.smoothing * h * h)
-                      .refinement_steps(o.refinements);
+  const auto np =
+      solver_parameters(o).smoothing_weight(o.smoothing * h * h).refinement_steps(o.refinements);
   const RL::Function_fit fit = fit_all(space, np, functions, progress);
 
   add_space(summary, space, "each component is fitted on its own");

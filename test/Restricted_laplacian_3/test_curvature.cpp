@@ -197,12 +197,10 @@ TEST_CASE("curvature_of_ragged_scans_ends_by_its_own_error", "[curvature]") {
   shapes::Triangles scan = curved_graph(
       80, [&](double x, double y) { return 0.2 * std::sin(3 * x * y) + 0.02 * random(); });
   const auto is_lost = [&](const std::array<std::uint32_t, 3>&) { return random() < 0.33; };
-  scan.faces.erase(std::remove_if(scan.faces.begin(), scan.faces.end(), is_lost),
-                   scan.faces.end());
+  scan.faces.erase(std::remove_if(scan.faces.begin(), scan.faces.end(), is_lost), scan.faces.end());
   const RL::Spline_space_3 space(scan.points, scan.faces, params::octree_depth(5));
   const RL::Curvature_field field = RL::estimate_curvature(space),
-                            solved =
-                                RL::estimate_curvature(space, params::energy_tolerance(0.));
+                            solved = RL::estimate_curvature(space, params::energy_tolerance(0.));
   CHECK(field.report().converged);
   CHECK(field.report().iterations <= 15);
   CHECK(field.report().iterations < solved.report().iterations);

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -65,6 +66,81 @@ inline std::vector<Sheet_point> locate_on_surface(const Spline_space_3& space, i
   return points;
 }
 
+/// Finds sheet points for the vertices that have none: the tips of needles whose fragments were
+/// lost to rounding.
+/// \param is_lost which vertices they are; on return, those for which there is none either
+class Lost_vertices {
+public:
+  Lost_vertices(const Spline_space_3& space, int level, std::vector<Sheet_point>& points,
+                std::vector<char>& is_lost)
+    : m_space(space), m_surface(space.surface()), m_level(level), m_points(points),
+      m_is_lost(is_lost) {}
+
+  void find() {
+    for_each([this](std::size_t f, std::uint32_t v) { try_face(f, v, m_surface.point(v)); });
+    for_each([this](std::size_t f, std::uint32_t v) { search_inwards(f, v); });
+    search_neighbors();
+  }
+
+private:
+  bool is_any_lost() const {
+    return std::find(m_is_lost.begin(), m_is_lost.end(), 1) != m_is_lost.end();
+  }
+
+  /// calls `work(face, vertex)` for the vertices that are still lost, and all their faces
+  template <class Work> void for_each(Work&& work) {
+    if(is_any_lost())
+      for(std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
+        if(!m_surface.is_degenerate(f))
+          for(std::uint32_t v : m_surface.triangle(f))
+            if(m_is_lost[v])
+              work(f, v);
+  }
+
+  void try_face(std::size_t f, std::uint32_t v, const Point_3& place) {
+    m_points[v] = locate_on_face(m_space, m_level, place, f);
+    m_is_lost[v] = m_points[v].sheet == Sheet_point::not_on_surface;
+  }
+
+  /// The nearest place of a face that has a fragment stands for its tip, of places that are twice
+  /// as far each time.
+  void search_inwards(std::size_t f, std::uint32_t v) {
+    constexpr int steps = 20;
+    const Point_3 tip = m_surface.point(v);
+    const Point_3 center =
+        CGAL::centroid(m_surface.point(f, 0), m_surface.point(f, 1), m_surface.point(f, 2));
+    for(int step = steps; step >= 0 && m_is_lost[v]; --step)
+      try_face(f, v, tip + std::ldexp(1., -step) * (center - tip));
+  }
+
+  /// A face that is thinner than the tolerance of walls may have no fragment at all: then one of
+  /// those that share a vertex with it serves, if it is in the cell of the lost vertex.
+  void search_neighbors() {
+    constexpr int most_trials = 64; // of a vertex: fans of needles may be large
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> lost_at; // a vertex, one that is lost
+    for_each([&](std::size_t f, std::uint32_t v) {
+      for(std::uint32_t corner : m_surface.triangle(f))
+        if(corner != v)
+          lost_at.emplace_back(corner, v);
+    });
+    std::sort(lost_at.begin(), lost_at.end());
+    std::vector<int> trials(lost_at.empty() ? 0 : m_points.size(), 0);
+    for(std::size_t f = 0; f < m_surface.number_of_faces() && !lost_at.empty(); ++f)
+      if(!m_surface.is_degenerate(f))
+        for(std::uint32_t corner : m_surface.triangle(f))
+          for(auto p = std::lower_bound(lost_at.begin(), lost_at.end(), std::make_pair(corner, 0u));
+              p != lost_at.end() && p->first == corner; ++p)
+            if(m_is_lost[p->second] && trials[p->second]++ < most_trials)
+              try_face(f, p->second, m_surface.point(p->second));
+  }
+
+  const Spline_space_3& m_space;
+  const Triangulated_surface_3& m_surface;
+  int m_level;
+  std::vector<Sheet_point>& m_points;
+  std::vector<char>& m_is_lost;
+};
+
 /// The sheet points of all vertices; `not_on_surface` for those without a face of positive area.
 inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int level) {
   const Triangulated_surface_3& surface = space.surface();
@@ -84,31 +160,10 @@ inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int
                      points[v] = locate_on_face(space, level, surface.point(v), first_face[v]);
                });
 
-  // The tip of a needle may have lost its fragment to rounding; then another face serves.
   std::vector<char> is_lost(points.size());
   for(std::size_t v = 0; v < points.size(); ++v)
     is_lost[v] = first_face[v] != none && points[v].sheet == Sheet_point::not_on_surface;
-  if(std::find(is_lost.begin(), is_lost.end(), 1) != is_lost.end())
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      for(std::uint32_t v : surface.triangle(f))
-        if(is_lost[v] && !surface.is_degenerate(f)) {
-          points[v] = locate_on_face(space, level, surface.point(v), f);
-          is_lost[v] = points[v].sheet == Sheet_point::not_on_surface;
-        }
-  // Where all of them are needles, the nearest place that has a fragment stands for the tip, of
-  // places that are twice as far each time.
-  constexpr int steps = 20;
-  if(std::find(is_lost.begin(), is_lost.end(), 1) != is_lost.end())
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      for(std::uint32_t v : surface.triangle(f)) {
-        const Point_3 center =
-            CGAL::centroid(surface.point(f, 0), surface.point(f, 1), surface.point(f, 2));
-        for(int step = steps; step >= 0 && is_lost[v] && !surface.is_degenerate(f); --step) {
-          const Vector_3 inwards = std::ldexp(1., -step) * (center - surface.point(v));
-          points[v] = locate_on_face(space, level, surface.point(v) + inwards, f);
-          is_lost[v] = points[v].sheet == Sheet_point::not_on_surface;
-        }
-      }
+  Lost_vertices(space, level, points, is_lost).find();
   return points;
 }
 
