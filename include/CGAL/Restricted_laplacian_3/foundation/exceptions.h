@@ -28,8 +28,8 @@ public:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Errors
-/// The area is zero: all faces of the surface are degenerate, or all points of a point set are the
-/// same, or have weight zero.
+/// The area is zero: all faces of the surface are degenerate, or thinner than rounding errors in
+/// the octree, or all points of a point set are the same, or have weight zero.
 class Zero_area_error : public Input_error {
 public:
   /// \param message what `what()` returns

@@ -73,6 +73,8 @@ public:
 
   /// Values at all vertices: a row for each, in the order of `vertices(tm)`, and a column for each
   /// function; NaN at vertices that have no face of positive area, for they are not on the surface.
+  /// (The same holds where all faces are needles that are thinner than rounding errors in the
+  /// octree, unless a neighboring face is near.)
   Eigen::MatrixXd values_at_vertices() const;
 
   /// Values at locations: a row for each, a column for each function.

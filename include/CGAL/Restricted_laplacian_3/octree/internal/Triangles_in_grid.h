@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -64,7 +65,9 @@ public:
                    m_input.limits.check_fragments(number_of_fragments += of_chunk.size());
                  });
     if(number_of_fragments == 0)
-      throw Zero_area_error(number_of_faces);
+      throw Zero_area_error("the surface has area zero: none of its " +
+                            std::to_string(number_of_faces) +
+                            " faces is wider than rounding errors in the octree");
     std::vector<Cell_fragment> result;
     result.reserve(number_of_fragments);
     for(auto& of_chunk : of_chunks) {
