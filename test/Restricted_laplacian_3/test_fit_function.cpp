@@ -6,6 +6,7 @@
 #include "special_shapes.h"
 #include "test_meshes.h"
 
+#include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
@@ -211,6 +212,20 @@ TEST_CASE("fits_end_when_their_iteration_does_not_show", "[fit][slow]") {
       params::energy_tolerance(0.).normal_stabilization(1e-4).relative_tolerance(1e-6));
   CHECK(by_residual.converged);
   CHECK(by_residual.relative_residual <= 1e-6);
+}
+
+TEST_CASE("errors_of_fits_are_integrals_of_squared_differences", "[fit]") {
+  const RL::Spline_space_3 space = fitting_space(shapes::sphere(3), 3);
+  const double h = space.octree().cell_width(3);
+  const auto check = [&](const RL::Surface_function_view& f) {
+    const RL::Function_fit fit = RL::fit_function(space, f);
+    const RL::internal::Fit_residual exact = RL::internal::fit_residual(space, f, fit.coefficients);
+    for(std::size_t k = 0; k < fit.root_mean_square_errors.size(); ++k)
+      CHECK(fit.root_mean_square_errors[k] ==
+            Approx(h * std::sqrt(exact.squares[k] / space.surface().area())).epsilon(1e-3));
+  };
+  check([](const RL::Surface_point& p) { return std::sin(9 * p.point.x()) * p.point.z(); });
+  check([](const RL::Surface_point& p) { return p.normal; });
 }
 
 TEST_CASE("stabilization_of_fits_follows_their_smoothing", "[fit]") {

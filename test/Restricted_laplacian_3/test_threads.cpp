@@ -11,7 +11,9 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/Cell_load.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/fragment_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/splines/internal/Block_evaluation.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -268,5 +270,93 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
   for(int i = 0; i < 27; ++i)
     for(int lane = 0; lane < 4; ++lane)
       CHECK(std::abs(of_plain[i][lane] - of_lanes[i][lane]) <= 1e-15);
+}
+
+TEST_CASE("vectors_place_nodes_and_evaluate_splines_as_plain_code_does", "[threads]") {
+  if(!internal::processor_has_lanes())
+    SKIP_TEST("the processor has no vectors of four numbers");
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto random_numbers = [&](auto& numbers) {
+    for(double& number : numbers)
+      number = uniform(generator);
+  };
+
+  std::array<internal::Linear_values, 3> corners;
+  for(internal::Linear_values& corner : corners)
+    random_numbers(corner);
+  RL::Surface_point point;
+  point.face = 7;
+  point.vertices = {3, 1, 4};
+  point.normal = RL::Vector_3(0.48, 0.6, 0.64);
+  const internal::Fragment_triangle triangle{
+      {&corners[0], &corners[1], &corners[2]}, 0.3, point, RL::tangent_projector(point.normal)};
+  for(int degree : {2, 5, 8, 12}) {
+    const internal::Padded_rule& rule = internal::Padded_rule::of_degree(degree);
+    // more triangles than fit in a block
+    std::vector<RL::Integration_node_block> plain, lanes;
+    const auto nodes_of = [&](auto&& add, std::vector<RL::Integration_node_block>& blocks) {
+      const auto consumer = [&](RL::Integration_node_block& block) { blocks.push_back(block); };
+      const RL::Integration_nodes::Consumer view(consumer);
+      RL::Integration_nodes nodes(view);
+      for(int i = 0; i < 15; ++i)
+        add(nodes);
+      nodes.flush();
+    };
+    nodes_of(
+        [&](RL::Integration_nodes& nodes) {
+          internal::plain::add_triangle_nodes(triangle, rule, nodes);
+        },
+        plain);
+    nodes_of(
+        [&](RL::Integration_nodes& nodes) {
+          internal::lanes::add_triangle_nodes(triangle, rule, nodes);
+        },
+        lanes);
+    const std::vector<RL::Triangle_quadrature_node>& expected = RL::triangle_quadrature(degree);
+    std::size_t number = 0;
+    for(const auto* blocks : {&plain, &lanes}) {
+      number = 0;
+      for(const RL::Integration_node_block& block : *blocks)
+        for(std::size_t i = 0; i < block.size; ++i) {
+          const auto& node = expected[number++ % expected.size()];
+          CHECK(std::abs(block.weights[i] - 0.3 * node.weight) <= 1e-16);
+          CHECK(block.metrics[i] == triangle.metric);
+          CHECK(block.points[i].face == 7);
+          CHECK(block.points[i].vertices == point.vertices);
+          CHECK(block.points[i].normal == point.normal);
+          for(int k = 0; k < 3; ++k) {
+            const auto value = [&](int first) {
+              return node.b0 * corners[0][first + k] + node.b1 * corners[1][first + k] +
+                     node.b2 * corners[2][first + k];
+            };
+            CHECK(std::abs(block.positions[k][i] - value(0)) <= 1e-15);
+            CHECK(std::abs(block.points[i].barycentric[k] - value(3)) <= 1e-15);
+            CHECK(std::abs(block.points[i].point[k] - value(6)) <= 1e-15);
+          }
+        }
+      CHECK(number == 15 * expected.size());
+    }
+  }
+
+  RL::Tensor_basis_3::Values coefficients;
+  random_numbers(coefficients);
+  std::array<internal::Block_pieces<8>, 3> pieces;
+  for(auto& of_axis : pieces)
+    for(auto& piece : of_axis)
+      random_numbers(piece);
+  internal::Block_values<8> of_plain, of_lanes;
+  internal::plain::tensor_sums<8>(coefficients, pieces[0], pieces[1], pieces[2], of_plain);
+  internal::lanes::tensor_sums<8>(coefficients, pieces[0], pieces[1], pieces[2], of_lanes);
+  for(std::size_t j = 0; j < 8; ++j) {
+    double sum = 0;
+    for(int z = 0; z < 3; ++z)
+      for(int y = 0; y < 3; ++y)
+        for(int x = 0; x < 3; ++x)
+          sum += coefficients[RL::Tensor_basis_3::number(x, y, z)] * pieces[0][x][j] *
+                 pieces[1][y][j] * pieces[2][z][j];
+    CHECK(std::abs(of_plain[j] - sum) <= 1e-14);
+    CHECK(std::abs(of_lanes[j] - sum) <= 1e-14);
+  }
 }
 #endif

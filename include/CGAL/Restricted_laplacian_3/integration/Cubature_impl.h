@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/fragment_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
-#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 
 #include <array>
 #include <cstddef>
@@ -25,17 +25,16 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Triangle_cubature::add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const {
   const Triangulated_surface_3& surface = m_octree->surface();
   const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
-  const std::vector<Triangle_quadrature_node>& rule = triangle_quadrature(degree);
-  Surface_location location;
+  const internal::Padded_rule& rule = internal::Padded_rule::of_degree(degree);
   for(std::uint32_t face : m_octree->faces(sheet)) {
-    location.face = face;
-    const Symmetric_tensor_3 metric = tangent_projector(surface.normal(face));
-    internal::for_each_node(m_octree->fragment(cell, face), cell.index, rule,
-                            [&](const std::array<double, 3>& t,
-                                const std::array<double, 3>& barycentric, double weight) {
-                              location.barycentric = barycentric;
-                              nodes.add(surface.surface_point(location), t, weight, metric);
-                            });
+    Surface_point point;
+    point.face = face;
+    point.vertices = surface.triangle(face);
+    point.normal = surface.normal(face);
+    internal::add_fragment_nodes(
+        m_octree->fragment(cell, face), cell.index,
+        {surface.point(face, 0), surface.point(face, 1), surface.point(face, 2)}, point, rule,
+        nodes);
   }
 }
 

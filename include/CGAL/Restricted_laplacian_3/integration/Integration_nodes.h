@@ -93,19 +93,27 @@ public:
   /// \param metric \f$A\f$: \f$I - n n^T\f$ for the Laplace-Beltrami operator
   void add(const Surface_point& point, const std::array<double, 3>& position, double weight,
            const Symmetric_tensor_3& metric) {
-    const std::size_t i = m_block.size++;
+    const std::size_t i = m_block.size;
     m_block.points[i] = point;
     for(int axis = 0; axis < 3; ++axis)
       m_block.positions[axis][i] = position[axis];
     m_block.weights[i] = weight;
     m_block.metrics[i] = metric;
-    if(m_block.size == Integration_node_block::capacity)
-      flush();
+    close_node();
   }
   /// The same with the metric \f$I - n n^T\f$.
   void add(const Surface_point& point, const std::array<double, 3>& position, double weight) {
     add(point, position, weight, tangent_projector(point.normal));
   }
+
+  /// \cond
+  // To write a node in place: number `size` of the block, all that `add()` takes; then close it.
+  Integration_node_block& open_block() { return m_block; }
+  void close_node() {
+    if(++m_block.size == Integration_node_block::capacity)
+      flush();
+  }
+  /// \endcond
 
   /// hands on what is left; called by who made this object
   void flush() {

@@ -95,10 +95,7 @@ Function_fitter::fit(const Surface_function_view& f, const std::function<bool(do
   for(int step = 0; step < m_options.refinement_steps; ++step)
     refine(f, of_refinements.part(step / steps, (step + 1) / steps), result);
   progress(1);
-  const Residual left = residual(f, result);
-  for(Eigen::Index k = 0; k < left.squares.size(); ++k)
-    result.root_mean_square_errors.push_back(
-        std::sqrt(left.squares[k] * (unit() / m_space.surface().area())));
+  result.root_mean_square_errors = internal::fit_errors(m_space, f, result.coefficients);
 
   result.assembly_seconds = m_assembly_seconds + load_seconds;
   result.setup_seconds = m_setup_seconds;

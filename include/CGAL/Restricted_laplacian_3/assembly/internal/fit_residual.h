@@ -31,6 +31,11 @@ struct Fit_residual {
 Fit_residual fit_residual(const Spline_space_3& space, const Surface_function_view& f,
                           const Eigen::MatrixXd& coefficients);
 
+/// \f$(\int (f_k - u_k)^2 / \mathrm{area})^{1/2}\f$ for each component \f$k\f$; by a rule of degree
+/// 8, which has half as many nodes as one that is exact for products of splines
+std::vector<double> fit_errors(const Spline_space_3& space, const Surface_function_view& f,
+                               const Eigen::MatrixXd& coefficients);
+
 /// \f$(\int (\nabla u_k - v_k)^T A\, (\nabla u_k - v_k) / \mathrm{area})^{1/2}\f$ with the metrics
 /// \f$A\f$ of the integration, for each channel \f$k\f$ of a vector field; by a rule of few nodes
 std::vector<double> gradient_residuals(const Spline_space_3& space, const Vector_field_view& v,

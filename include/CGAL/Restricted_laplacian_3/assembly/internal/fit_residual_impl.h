@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/sheet_loads.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/internal/Block_evaluation.h>
 
@@ -60,43 +61,75 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual fit_residual(const Spline_space_
   return result;
 }
 
+/// The square roots of the means of `number` functions on the surface.
+/// \param add_sheet adds their integrals over a sheet to as many numbers, in units of the squared
+/// cell width; sheets are visited on several threads, and added in their order
+inline std::vector<double>
+root_means(const Spline_space_3& space, int number,
+           Function_view<void(std::size_t, Eigen::Ref<Eigen::VectorXd>)> add_sheet) {
+  constexpr std::size_t grain = 256;
+  const double h = space.octree().cell_width(space.depth());
+  const std::size_t sheets = space.number_of_sheets(space.depth());
+  // a column for each sheet
+  Eigen::MatrixXd integrals = Eigen::MatrixXd::Zero(number, static_cast<Eigen::Index>(sheets));
+  parallel_for(space.options().is_parallel, 0, sheets, grain,
+               [&](std::size_t begin, std::size_t end) {
+                 for(std::size_t sheet = begin; sheet < end; ++sheet)
+                   add_sheet(sheet, integrals.col(static_cast<Eigen::Index>(sheet)));
+               });
+  std::vector<double> result;
+  for(int k = 0; k < number; ++k)
+    result.push_back(h * std::sqrt(integrals.row(k).sum() / space.surface().area()));
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
+fit_errors(const Spline_space_3& space, const Surface_function_view& f,
+           const Eigen::MatrixXd& coefficients) {
+  constexpr int degree_of_rule = 8;
+  constexpr std::size_t capacity = Integration_node_block::capacity;
+  const int number = f.components();
+  return root_means(space, number, [&](std::size_t sheet, Eigen::Ref<Eigen::VectorXd> squares) {
+    Block_evaluation<capacity> u(space, sheet, coefficients);
+    std::vector<double> values(number * capacity);
+    space.integration().visit_nodes(sheet, degree_of_rule, [&](Integration_node_block& block) {
+      f(block.points.data(), block.size, values.data());
+      u.set_points(block.positions);
+      for(int k = 0; k < number; ++k) {
+        const Node_values of_u = u.values(k);
+        for(std::size_t i = 0; i < block.size; ++i) {
+          const double difference = values[number * i + k] - of_u[i];
+          squares[k] += block.weights[i] * difference * difference;
+        }
+      }
+    });
+  });
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 gradient_residuals(const Spline_space_3& space, const Vector_field_view& v,
                    const Eigen::MatrixXd& coefficients) {
   constexpr int degree_of_rule = 2;
-  constexpr std::size_t capacity = Integration_node_block::capacity, grain = 256;
-  const int number = v.channels(), depth = space.depth();
-  const double h = space.octree().cell_width(depth);
-  const std::size_t number_of_sheets = space.number_of_sheets(depth);
-  Eigen::MatrixXd squares =
-      Eigen::MatrixXd::Zero(number, static_cast<Eigen::Index>(number_of_sheets));
-  parallel_for(space.options().is_parallel, 0, number_of_sheets, grain,
-               [&](std::size_t begin, std::size_t end) {
-                 std::vector<double> values(v.components() * capacity);
-                 for(std::size_t sheet = begin; sheet < end; ++sheet) {
-                   Block_evaluation<capacity> u(space, sheet, coefficients);
-                   space.integration().visit_nodes(
-                       sheet, degree_of_rule, [&](Integration_node_block& block) {
-                         v(block.points.data(), block.size, values.data());
-                         u.set_points(block.positions);
-                         for(int k = 0; k < number; ++k) {
-                           const Node_values x = u.derivatives(k, 0), y = u.derivatives(k, 1),
-                                             z = u.derivatives(k, 2);
-                           for(std::size_t i = 0; i < block.size; ++i) {
-                             const double* const w = values.data() + v.components() * i + 3 * k;
-                             const double dx = x[i] / h - w[0], dy = y[i] / h - w[1],
-                                          dz = z[i] / h - w[2];
-                             const auto [fx, fy, fz] = product(block.metrics[i], dx, dy, dz);
-                             squares(k, sheet) += block.weights[i] * (dx * fx + dy * fy + dz * fz);
-                           }
-                         }
-                       });
-                 }
-               });
-  std::vector<double> result;
-  for(int k = 0; k < number; ++k)
-    result.push_back(h * std::sqrt(squares.row(k).sum() / space.surface().area()));
-  return result;
+  constexpr std::size_t capacity = Integration_node_block::capacity;
+  const int number = v.channels();
+  const double h = space.octree().cell_width(space.depth());
+  return root_means(space, number, [&](std::size_t sheet, Eigen::Ref<Eigen::VectorXd> squares) {
+    Block_evaluation<capacity> u(space, sheet, coefficients);
+    std::vector<double> values(v.components() * capacity);
+    space.integration().visit_nodes(sheet, degree_of_rule, [&](Integration_node_block& block) {
+      v(block.points.data(), block.size, values.data());
+      u.set_points_and_slopes(block.positions);
+      for(int k = 0; k < number; ++k) {
+        const Node_values x = u.derivatives(k, 0), y = u.derivatives(k, 1), z = u.derivatives(k, 2);
+        for(std::size_t i = 0; i < block.size; ++i) {
+          const double* const w = values.data() + v.components() * i + 3 * k;
+          const double dx = x[i] / h - w[0], dy = y[i] / h - w[1], dz = z[i] / h - w[2];
+          const auto [fx, fy, fz] = product(block.metrics[i], dx, dy, dz);
+          squares[k] += block.weights[i] * (dx * fx + dy * fy + dz * fz);
+        }
+      }
+    });
+  });
 }
 
 } // namespace internal
