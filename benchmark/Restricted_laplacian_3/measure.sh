@@ -52,6 +52,7 @@ eigensolver_comparison   eigensolver_comparison bunny_closed_70k 7
 eigensolver_comparison   eigensolver_comparison --no-peer --stabilization 1e-4 bunny_closed_70k 7
 library_comparison       library_comparison
 evaluation               evaluation
+solvers_on_one_space     solvers_on_one_space
 texture_stitching        texture_stitching --threads 2
 gradient_integration     gradient_integration --space split --mesh head_male_color_18k --depth 6 7 8
 gradient_integration     gradient_integration --space split --mesh spot_color_5k8 --depth 6 7 8

@@ -540,6 +540,15 @@ for name, value, text in [("seconds", "seconds", lambda x: f"{x:.1f}"), ("memory
 add_table("evaluation", "evaluation", ["what", "threads", "seconds"],
           {"Values of 100 functions": lambda r: r["what"].replace("_", " ")}, by_threads, "seconds", seconds)
 
+ONE_SPACE = {"solver": "solver", "operators": "operators", "of_operators": "solver of operators",
+             "tensor": "with a tensor", "steps": "each by itself", "guess": "from the step before"}
+for name, value, text, kinds in [("setup", "seconds", seconds, ["solver", "operators", "of_operators", "tensor"]),
+                                 ("steps", "seconds", seconds, ["steps", "guess"]),
+                                 ("iterations", "iterations", str, ["steps", "guess"])]:
+    add_table("one_space_" + name, "solvers_on_one_space", ["mesh", "what", "seconds", "iterations"],
+              {"Mesh": "mesh"}, of(ONE_SPACE, "what"), value, text, 1, [ONE_SPACE[k] for k in kinds],
+              lambda r, k=kinds: r["what"] in k)
+
 
 # ---- thin features and tessellations
 

@@ -121,7 +121,9 @@ TEST_CASE("poisson_problems_report_progress_and_can_be_canceled", "[callbacks]")
     const Eigen::VectorXd one = RL::assemble_load(space, height);
     Eigen::VectorXd x, y;
     check_callback(
-        [&](const Callback& callback) { static_cast<void>(solver.solve(one, x, 1e-6, callback)); },
+        [&](const Callback& callback) {
+          static_cast<void>(solver.solve(one, x, {1e-6, callback}));
+        },
         4);
     static_cast<void>(solver.solve(one, y, 1e-6));
     CHECK(x == y);
@@ -130,10 +132,10 @@ TEST_CASE("poisson_problems_report_progress_and_can_be_canceled", "[callbacks]")
     for(Eigen::Index k = 0; k < 9; ++k)
       several.col(k) = one * (k + 1.);
     std::vector<double> parts;
-    static_cast<void>(solver.solve(several, solutions, 1e-6, [&](double part) {
-      parts.push_back(part);
-      return true;
-    }));
+    static_cast<void>(solver.solve(several, solutions, {1e-6, [&](double part) {
+                                                          parts.push_back(part);
+                                                          return true;
+                                                        }}));
     CHECK(std::is_sorted(parts.begin(), parts.end()));
     CHECK(std::find_if(parts.begin(), parts.end(),
                        [](double part) { return std::abs(part - 8. / 9) < 1e-9; }) != parts.end());

@@ -208,6 +208,80 @@ TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
   CHECK(together.col(2).norm() == 0);
 }
 
+TEST_CASE("a_first_guess_saves_iterations_and_changes_no_solution", "[poisson]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(3));
+  const RL::Poisson_solver solver =
+      RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-9));
+  const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
+  RL::Solve_options from_guess;
+  from_guess.has_first_guess = true;
+  for(int columns : {1, 9}) {
+    Eigen::MatrixXd b(space.dimension(), columns), solution;
+    for(int k = 0; k < columns; ++k)
+      b.col(k) = (k + 1) * random_load(space, k);
+    const RL::Solve_report report = solver.solve(b, solution);
+    const auto check = [&](const Eigen::MatrixXd& x, double tolerance) {
+      for(int k = 0; k < columns; ++k) {
+        const Eigen::VectorXd difference = x.col(k) - solution.col(k);
+        CHECK(std::sqrt(difference.dot(mass * difference)) <=
+              tolerance * std::sqrt(solution.col(k).dot(mass * solution.col(k))));
+      }
+    };
+    // the solution, and a constant that does not matter
+    Eigen::MatrixXd x = solution.array() + 3;
+    CHECK(solver.solve(b, x, from_guess).iterations <= 1);
+    check(x, 1e-8);
+    // that of a problem nearby
+    x = solution;
+    const RL::Solve_report next = solver.solve(1.0001 * b, x, from_guess);
+    CHECK(next.converged);
+    CHECK(next.iterations < report.iterations);
+    check(x / 1.0001, 1e-8);
+    // one that is worse than none
+    x = 1e6 * Eigen::MatrixXd::Random(b.rows(), columns);
+    CHECK(solver.solve(b, x, from_guess).converged);
+    check(x, 1e-8);
+
+    const auto refused = [&](Eigen::MatrixXd guess) {
+      try {
+        static_cast<void>(solver.solve(b, guess, from_guess));
+      } catch(const RL::Parameter_error& error) {
+        return error.parameter();
+      }
+      return std::string();
+    };
+    CHECK(refused(x.topRows(5)) == "x");
+    CHECK(refused(Eigen::MatrixXd()) == "x");
+    x(3, columns - 1) = std::numeric_limits<double>::quiet_NaN();
+    CHECK(refused(x) == "x");
+  }
+}
+
+TEST_CASE("solvers_of_several_weights_share_their_operators", "[poisson]") {
+  for(bool is_paper_space : {false, true}) {
+    const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)),
+                                   params::octree_depth(4).paper_space(is_paper_space));
+    const auto np = params::relative_tolerance(1e-10);
+    const std::vector<RL::Operators> operators = RL::multigrid_operators(space);
+    const Eigen::VectorXd b = random_load(space, 1);
+    for(double alpha : {0., 0.3, 100.}) {
+      Eigen::VectorXd expected, x;
+      CHECK(RL::make_poisson_solver(space, alpha, np).solve(b, expected).converged);
+      CHECK(RL::make_poisson_solver(space, operators, alpha, np).solve(b, x).converged);
+      CHECK((x - expected).dot(operators.back().stiffness * (x - expected)) <=
+            1e-12 * expected.dot(operators.back().stiffness * expected));
+    }
+    CHECK_THROWS_AS(RL::make_poisson_solver(space, operators, -1.), RL::Parameter_error);
+    CHECK_THROWS_AS(RL::make_poisson_solver(space, std::vector<RL::Operators>()),
+                    RL::Parameter_error);
+  }
+  // those of another space
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4)),
+      other(shapes::mesh(shapes::box(1, 0.7, 0.4, 3, 1)), params::octree_depth(4));
+  CHECK_THROWS_AS(RL::make_poisson_solver(space, RL::multigrid_operators(other)),
+                  RL::Parameter_error);
+}
+
 TEST_CASE("patches_cover_all_elements_and_colors_do_not_interact", "[poisson]") {
   for(const auto& soup : {shapes::sphere(4), shapes::box(1, 1, 0.03, 9, 1)}) {
     const Mesh mesh = shapes::mesh(soup);

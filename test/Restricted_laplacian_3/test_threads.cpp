@@ -257,6 +257,28 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
   lanes::mass_blocks(sheets, q);
   CHECK(difference(p, q) <= 1e-15);
 
+  // a full block of nodes, and one whose last group of four is not full
+  for(std::size_t size : {RL::Integration_node_block::capacity, std::size_t(13)})
+    for(bool has_weights : {false, true}) {
+      std::array<double, RL::Integration_node_block::capacity> weights;
+      RL::Integration_node_block block = {};
+      block.size = size;
+      for(std::size_t i = 0; i < size; ++i) {
+        for(auto& coordinates : block.positions)
+          coordinates[i] = 1.2 * uniform(generator) - 0.1;
+        block.weights[i] = uniform(generator);
+        weights[i] = uniform(generator);
+        for(double& entry : block.metrics[i])
+          entry = uniform(generator);
+      }
+      internal::Sheet_moments of_plain = a[0], of_lanes = a[0];
+      plain::add_node_moments(block, has_weights ? weights.data() : nullptr, of_plain);
+      lanes::add_node_moments(block, has_weights ? weights.data() : nullptr, of_lanes);
+      CHECK(difference(of_plain, of_lanes) <= 1e-15);
+      CHECK(of_plain.sum(internal::Sheet_moments::area) >
+            a[0].sum(internal::Sheet_moments::area) + 1);
+    }
+
   internal::Node_positions positions;
   internal::Node_values values;
   for(std::size_t i = 0; i < values.size(); ++i) {

@@ -110,9 +110,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit Function_fitter::project(
   const Progress progress(callback);
   const Poisson_solver& solver = this->solver(c, progress.part(0, internal::end_of_setup));
   Function_fit result;
-  static_cast<Solve_report&>(result) =
-      solver.solve(loads / unit(), result.coefficients, m_options.solver.relative_tolerance,
-                   progress.part(internal::end_of_setup, 1).callback());
+  static_cast<Solve_report&>(result) = solver.solve(
+      loads / unit(), result.coefficients,
+      {m_options.solver.relative_tolerance, progress.part(internal::end_of_setup, 1).callback()});
   result.normal_stabilization = c;
   result.assembly_seconds = m_assembly_seconds;
   return result;
@@ -157,9 +157,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Function_fitter::solve_least_squ
     const Residual& residual, const Progress& progress, Eigen::MatrixXd& x) {
   const Poisson_solver& solver =
       this->solver(stabilization(), progress.part(0, internal::end_of_setup));
-  return solver.solve(residual.loads / unit(), x, m_options.solver.relative_tolerance,
-                      internal::Least_squares_end{residual.squares, energy_tolerance()},
-                      progress.part(internal::end_of_setup, 1).callback());
+  Solve_options options(m_options.solver.relative_tolerance,
+                        progress.part(internal::end_of_setup, 1).callback());
+  options.least_squares = {residual.squares, energy_tolerance()};
+  return solver.solve(residual.loads / unit(), x, options);
 }
 
 /// fits what is left

@@ -45,8 +45,8 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Poisson_solution solution;
   static_cast<Solve_report&>(solution) =
-      solver.solve(load, solution.coefficients, problem.options.relative_tolerance,
-                   progress.part(0.7, 1).callback());
+      solver.solve(load, solution.coefficients,
+                   {problem.options.relative_tolerance, progress.part(0.7, 1).callback()});
   solution.assembly_seconds = assembly_seconds;
   solution.kernel_dimension = solver.kernel_dimension();
   return solution;

@@ -203,8 +203,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients(
   }
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Eigen::MatrixXd x;
-  static_cast<Solve_report&>(result.fit) =
-      solver.solve(loads, x, options.solver.relative_tolerance, progress.part(0.65, 1).callback());
+  static_cast<Solve_report&>(result.fit) = solver.solve(
+      loads, x, {options.solver.relative_tolerance, progress.part(0.65, 1).callback()});
   // The solver takes means from the sum of all loads, where those of a small weight are lost to
   // rounding beside those of the gradients. They are known without it.
   std::vector<int> shifted = result.components;

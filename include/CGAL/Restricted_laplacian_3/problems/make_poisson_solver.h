@@ -11,7 +11,6 @@
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
@@ -19,6 +18,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -61,9 +61,15 @@ Poisson_solver constrained_solver(const Spline_space_3& space, const Elliptic_op
                                   const Poisson_solver_options& options, const Progress& progress,
                                   Eigen::VectorXd& load);
 
-/// with matrices of any patterns
-Poisson_solver poisson_solver_of(const Spline_space_3& space, const Operators& operators,
-                                 double alpha, const Poisson_solver_options& options);
+/// the levels from the coarsest of a hierarchy to depth
+std::vector<Operators> multigrid_operators(const Spline_space_3& space,
+                                           double normal_stabilization);
+
+/// \param operators those of the finest level, or of all levels of a hierarchy, coarsest first; the
+/// patterns of a level may differ, for instance with a lumped mass matrix
+Poisson_solver poisson_solver_of(const Spline_space_3& space, const Operators* operators,
+                                 std::size_t number, double alpha,
+                                 const Poisson_solver_options& options);
 
 } // namespace internal
 
@@ -107,7 +113,43 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators& operators,
                                    double alpha = 0,
                                    const NamedParameters& np = parameters::default_values()) {
-  return internal::poisson_solver_of(space, operators, alpha, np);
+  return internal::poisson_solver_of(space, &operators, 1, alpha, np);
+}
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// Assembles the operators of all levels of a multigrid hierarchy on a space, coarsest first, for
+/// solvers that differ by their screening weight: time steps of several lengths, for instance.
+/// \param space the space
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_stabilization
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+template <class NamedParameters = parameters::Default_named_parameters>
+std::vector<Operators>
+multigrid_operators(const Spline_space_3& space,
+                    const NamedParameters& np = parameters::default_values()) {
+  return internal::multigrid_operators(space, internal::normal_stabilization(space, np));
+}
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// A `Poisson_solver` for \f$(S + \alpha M)\, \eta = b\f$ on the finest level of a space, with
+/// operators of all levels: nothing is integrated, and no product of matrices formed.
+/// \param space the space; its prolongations and patches make the hierarchy
+/// \param operators the result of `multigrid_operators()` for this space
+/// \param alpha screening weight, at least 0, in units of 1 / area
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_solver{`1e-3`}
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain, or if the operators are not those
+/// of the space
+template <class NamedParameters = parameters::Default_named_parameters>
+Poisson_solver make_poisson_solver(const Spline_space_3& space,
+                                   const std::vector<Operators>& operators, double alpha = 0,
+                                   const NamedParameters& np = parameters::default_values()) {
+  return internal::poisson_solver_of(space, operators.data(), operators.size(), alpha, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers

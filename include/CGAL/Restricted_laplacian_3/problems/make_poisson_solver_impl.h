@@ -11,7 +11,9 @@
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -88,21 +90,53 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver constrained_solver(
   return solver;
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Operators>
+multigrid_operators(const Spline_space_3& space, double normal_stabilization) {
+  // Matrices of the space of the paper are not the Galerkin products, which are computed then.
+  const int coarsest = space.is_paper_space() ? space.depth() : coarsest_multigrid_level(space);
+  return assemble_operators_of_levels(space, coarsest, space.depth(), normal_stabilization);
+}
+
+/// \f$S + \alpha M\f$
+inline Sparse_matrix shifted_stiffness(const Operators& operators, double alpha) {
+  const auto& [s, m] = operators;
+  const auto is_same = [](const int* a, const int* b, Eigen::Index size) {
+    return a && b && std::equal(a, a + size, b);
+  };
+  if(alpha == 0)
+    return s;
+  if(!s.isCompressed() || !m.isCompressed() || s.nonZeros() != m.nonZeros() ||
+     !is_same(s.outerIndexPtr(), m.outerIndexPtr(), s.cols()) ||
+     !is_same(s.innerIndexPtr(), m.innerIndexPtr(), s.nonZeros()))
+    return s + alpha * m;
+  Sparse_matrix result = s;
+  result.coeffs() += alpha * m.coeffs();
+  return result;
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver
-poisson_solver_of(const Spline_space_3& space, const Operators& operators, double alpha,
-                  const Poisson_solver_options& options) {
+poisson_solver_of(const Spline_space_3& space, const Operators* operators, std::size_t number,
+                  double alpha, const Poisson_solver_options& options) {
   check_alpha(alpha);
-  const auto n = static_cast<Eigen::Index>(space.dimension());
-  for(const Sparse_matrix* matrix : {&operators.stiffness, &operators.mass})
-    if(matrix->rows() != n || matrix->cols() != n)
-      throw Parameter_error("operators", "do not fit the dimension of the space");
+  const int levels = static_cast<int>(number);
+  if(levels != 1 && levels != space.depth() - coarsest_multigrid_level(space) + 1)
+    throw Parameter_error("operators", "are not those of the levels of a hierarchy");
+  std::vector<Sparse_matrix> matrices;
+  for(int i = 0; i < levels; ++i) {
+    const auto n = static_cast<Eigen::Index>(space.dimension(space.depth() - levels + 1 + i));
+    for(const Sparse_matrix* matrix : {&operators[i].stiffness, &operators[i].mass})
+      if(matrix->rows() != n || matrix->cols() != n)
+        throw Parameter_error("operators", "do not fit the dimension of the space");
+    matrices.push_back(shifted_stiffness(operators[i], alpha));
+  }
+  const Sparse_matrix& mass = operators[number - 1].mass;
   const Eigen::VectorXd integrals =
       space.is_paper_space() ? assemble_element_integrals(space)
-                             : Eigen::VectorXd(operators.mass * Eigen::VectorXd::Ones(n));
-  // The patterns may differ, for instance with a lumped mass matrix.
-  Sparse_matrix a = alpha != 0 ? Sparse_matrix(operators.stiffness + alpha * operators.mass)
-                               : operators.stiffness;
-  return poisson_solver(space, std::move(a), {}, integrals, alpha * integrals, options);
+                             : Eigen::VectorXd(mass * Eigen::VectorXd::Ones(mass.cols()));
+  Sparse_matrix finest = std::move(matrices.back());
+  matrices.pop_back();
+  return poisson_solver(space, std::move(finest), std::move(matrices), integrals, alpha * integrals,
+                        options);
 }
 
 } // namespace internal

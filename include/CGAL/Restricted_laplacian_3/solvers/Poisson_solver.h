@@ -12,9 +12,10 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -63,6 +64,9 @@ struct Poisson_solver_options {
   }
 };
 
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Solvers
 /// When the iteration for a least-squares problem ends, at the latest: the solution \f$x\f$ of
 /// \f$A x = b\f$ minimizes \f$x^T A\, x - 2\, b^T x + s\f$, and an error well below the square
 /// root of the minimum does not show.
@@ -71,14 +75,29 @@ struct Least_squares_end {
   Eigen::VectorXd squares;
   /// largest estimated error in the norm of the energy, over the square root of the minimum; 0: any
   double tolerance = 0;
-
-  /// for the right-hand sides from this one on
-  Least_squares_end from(Eigen::Index first) const {
-    return {squares.tail((std::max)(squares.size() - first, Eigen::Index(0))), tolerance};
-  }
 };
 
-} // namespace internal
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// What a call of `Poisson_solver::solve()` has otherwise than the solver.
+struct Solve_options {
+  /// in place of that of the solver, between 0 and 1
+  std::optional<double> relative_tolerance;
+  /// is told which part of the work is done, from 0 to 1, as far as residuals show it; if it
+  /// returns `false`, the computation ends with an exception
+  std::function<bool(double)> callback;
+  /// Whether the argument for the solution is a first guess, as that of the time step before is. It
+  /// is improved by nested iteration where that makes the residual smaller, and ignored if its
+  /// residual is larger than the right-hand side.
+  bool has_first_guess = false;
+  /// if the problem is one of least squares
+  Least_squares_end least_squares;
+
+  Solve_options() = default;
+  /// \param relative_tolerance in place of that of the solver, between 0 and 1
+  /// \param callback as above
+  Solve_options(double relative_tolerance, std::function<bool(double)> callback = {})
+    : relative_tolerance(relative_tolerance), callback(std::move(callback)) {}
+};
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// Solves \f$A x = b\f$ for a symmetric positive semi-definite matrix by conjugate gradients that
@@ -180,32 +199,16 @@ public:
 
   /// Solves \f$A x = b\f$.
   /// \param b right-hand side, as many rows as the matrix
-  /// \param x on return the solution; its old content is not used
+  /// \param x on return the solution; its old content is used if it is a first guess
+  /// \param options what is not as in the constructor; a number stands for a tolerance
   /// \throws Parameter_error if the number of rows does not fit, or if an entry is not finite
-  Solve_report solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) const;
-
-  /// The same with another tolerance than that of the constructor, between 0 and 1.
-  /// \param b,x as above
-  /// \param relative_tolerance in place of that of the constructor
-  /// \param callback is told which part of the work is done, from 0 to 1, as far as residuals show
-  /// it; if it returns `false`, the computation ends with an exception
   /// \throws Canceled if the callback returned `false`
   Solve_report solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
-                     double relative_tolerance,
-                     const std::function<bool(double)>& callback = {}) const;
+                     const Solve_options& options = Solve_options()) const;
 
   /// The same for each column of `b`; up to eight at a time share each pass over the matrices.
-  Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x) const;
-
-  /// The same for each column with another tolerance, and a callback as above.
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
-                     double relative_tolerance,
-                     const std::function<bool(double)>& callback = {}) const;
-
-  /// The same for least-squares problems.
-  Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
-                     double relative_tolerance, const internal::Least_squares_end& end,
-                     const std::function<bool(double)>& callback = {}) const;
+                     const Solve_options& options = Solve_options()) const;
 
 private:
   struct Impl;

@@ -70,6 +70,14 @@ inline Poisson_solver_options checked(const Sparse_matrix& a, const Eigen::Vecto
 
 /// What a solver keeps, and the iteration.
 struct Poisson_solver::Impl {
+  /// what is asked of the iteration for some columns
+  struct Block_options {
+    double relative_tolerance;
+    bool has_first_guess;
+    Least_squares_end least_squares;
+    internal::Progress progress;
+  };
+
   /// \param a is compressed
   Impl(Sparse_matrix&& a, Multigrid_levels levels, const Eigen::VectorXd& element_integrals,
        const Eigen::VectorXd& constant_loads, const Options& given)
@@ -103,33 +111,48 @@ struct Poisson_solver::Impl {
       throw Parameter_error("b", "has an entry that is not a finite number");
   }
 
+  static void check_guess(const Eigen::Ref<const Eigen::MatrixXd>& b,
+                          const Eigen::Ref<const Eigen::MatrixXd>& x) {
+    if(x.rows() != b.rows() || x.cols() != b.cols())
+      throw Parameter_error("x", "is a first guess, but not of the size of the right-hand side");
+    if(!x.allFinite())
+      throw Parameter_error("x", "has an entry that is not a finite number, as a first guess");
+  }
+
   /// \param x a vector or a matrix, gets the size of `b`
   template <class Vectors>
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Vectors& x,
-                     double relative_tolerance, const internal::Least_squares_end& end,
-                     const internal::Progress& progress) const {
-    check(b, relative_tolerance);
+                     const Solve_options& given) const {
+    Block_options of_block;
+    of_block.relative_tolerance = given.relative_tolerance.value_or(options.relative_tolerance);
+    of_block.has_first_guess = given.has_first_guess;
+    of_block.least_squares = given.least_squares;
+    const internal::Progress progress(given.callback);
+    check(b, of_block.relative_tolerance);
+    if(given.has_first_guess)
+      check_guess(b, x);
+    else
+      x.resize(b.rows(), b.cols());
     Solve_report report;
     report.set_status(Solve_status::converged);
     report.relative_energy_error = 0;
     report.setup_seconds = setup_seconds;
     CGAL::Real_timer timer;
     timer.start();
-    x.resize(b.rows(), b.cols());
     for(Eigen::Index first = 0; first < b.cols(); first += internal::vectors_of_a_block) {
       // Some columns travel with empty ones: eight take about twice as long as one.
       const Eigen::Index left = b.cols() - first;
       const auto part = [&](Eigen::Index column) {
         return static_cast<double>((std::min)(column, b.cols())) / static_cast<double>(b.cols());
       };
-      const internal::Progress of_block =
-          progress.part(part(first), part(first + internal::vectors_of_a_block));
+      const Eigen::VectorXd& squares = given.least_squares.squares;
+      of_block.least_squares.squares =
+          squares.tail((std::max)(squares.size() - first, Eigen::Index(0)));
+      of_block.progress = progress.part(part(first), part(first + internal::vectors_of_a_block));
       if(left == 1)
-        solve_block<1>(relative_tolerance, end.from(first), b.rightCols(left), x.rightCols(left),
-                       of_block, report);
+        solve_block<1>(of_block, b.rightCols(left), x.rightCols(left), report);
       else
-        solve_block<internal::vectors_of_a_block>(relative_tolerance, end.from(first),
-                                                  b.rightCols(left), x.rightCols(left), of_block,
+        solve_block<internal::vectors_of_a_block>(of_block, b.rightCols(left), x.rightCols(left),
                                                   report);
     }
     progress(1);
@@ -139,9 +162,8 @@ struct Poisson_solver::Impl {
 
   /// solves for the first columns of `b`, at most `K`, and adds to the report
   template <int K>
-  void solve_block(double relative_tolerance, const internal::Least_squares_end& end,
-                   const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::Ref<Eigen::MatrixXd> x,
-                   const internal::Progress& progress, Solve_report& report) const {
+  void solve_block(const Block_options& given, const Eigen::Ref<const Eigen::MatrixXd>& b,
+                   Eigen::Ref<Eigen::MatrixXd> x, Solve_report& report) const {
     std::visit(
         [&](const auto& hierarchy) {
           typename std::decay_t<decltype(hierarchy)>::template Workspace<K> workspace;
@@ -155,7 +177,7 @@ struct Poisson_solver::Impl {
               [&](const Block& p, Block& q) {
                 hierarchy.template apply<K>(p, q, cycle, options.smoothing_steps, workspace);
               },
-              cycle, relative_tolerance, end, b, x, progress, report);
+              cycle, given, b, x, report);
         },
         multigrid);
   }
@@ -165,11 +187,13 @@ struct Poisson_solver::Impl {
   /// \param cycle its shape; W-cycles that are found to diverge become V-cycles
   template <int K>
   void iterate(internal::Block_operator<K> guess, internal::Block_operator<K> precondition,
-               Cycle& cycle, double relative_tolerance, const internal::Least_squares_end& end,
+               Cycle& cycle, const Block_options& given,
                const Eigen::Ref<const Eigen::MatrixXd>& b_all, Eigen::Ref<Eigen::MatrixXd> x_all,
-               const internal::Progress& progress, Solve_report& report) const {
+               Solve_report& report) const {
     using Block = internal::Block_vector<K>;
     using Row = internal::Block_row<K>;
+    const double relative_tolerance = given.relative_tolerance;
+    const internal::Progress& progress = given.progress;
     const Eigen::Index count = (std::min)(b_all.cols(), Eigen::Index(K));
     Block load = Block::Zero(b_all.rows(), K), b, x, r;
     load.leftCols(count) = b_all.leftCols(count);
@@ -195,25 +219,49 @@ struct Poisson_solver::Impl {
       if(progress.is_shown())
         progress(part_done<K>(internal::dot<K>(p, p).sqrt(), norm, relative_tolerance));
     };
+    Row residual;
+    const auto update_residual = [&] {
+      matrix.template residual<K>(b, x, r, options.is_parallel);
+      project(r);
+      residual = internal::dot<K>(r, r).sqrt();
+    };
     progress(0);
-    guess(b, x);
-    matrix.template residual<K>(b, x, r, options.is_parallel);
-    project(r);
+    if(given.has_first_guess) {
+      Block guessed = Block::Zero(load.rows(), K);
+      guessed.leftCols(count) = x_all.leftCols(count);
+      guessed = guessed * scale.inverse().matrix().asDiagonal();
+      x = guessed;
+      update_residual();
+      const Block left = r;
+      const Row of_guess = residual;
+      guess(left, x);
+      x += guessed;
+      update_residual();
+      for(int k = 0; k < K; ++k)
+        if(!(residual[k] <= of_guess[k])) {
+          x.col(k) = guessed.col(k);
+          r.col(k) = left.col(k);
+          residual[k] = of_guess[k];
+        }
+    } else {
+      guess(b, x);
+      update_residual();
+    }
 
     // The recursively updated residual drifts away from the true one. Start again from the true one
     // as long as that helps.
     int iterations = 0;
     internal::Conjugate_gradient_record<K> record(options.energy_tolerance);
-    if(end.tolerance > 0) {
+    if(given.least_squares.tolerance > 0) {
       Block constants = Block::Zero(load.rows(), K);
       means.template shift_solution<K>(load, constants);
       Row squares = Row::Zero();
       for(int k = 0; k < static_cast<int>(count); ++k)
-        squares[k] = end.squares[k];
-      record.compare_with_least_squares(
-          squares / scale.square() - internal::dot<K>(constants, load), end.tolerance);
+        squares[k] = given.least_squares.squares[k];
+      record.compare_with_least_squares(squares / scale.square() -
+                                            internal::dot<K>(constants, load),
+                                        given.least_squares.tolerance);
     }
-    Row residual = internal::dot<K>(r, r).sqrt();
     // A first guess that is worse than none comes from cycles that diverge, on a near-kernel or by
     // rounding.
     const auto start_at_zero_where_worse = [&] {
@@ -227,7 +275,7 @@ struct Poisson_solver::Impl {
         }
       return was_worse;
     };
-    if(start_at_zero_where_worse())
+    if(start_at_zero_where_worse() && !given.has_first_guess)
       cycle = Cycle::V;
     const auto is_left = [&] {
       for(int k = 0; k < K; ++k)
@@ -245,12 +293,10 @@ struct Poisson_solver::Impl {
       else
         internal::conjugate_gradient<K>(multiply, precondition, project, r, x, target, iterations,
                                         options.maximum_iterations, record);
-      matrix.template residual<K>(b, x, r, options.is_parallel);
-      project(r);
-      const Row next = internal::dot<K>(r, r).sqrt();
-      has_improved = (next.max(target) < residual.max(target) * restart_gain).any();
-      residual = next;
-      if(cycle == Cycle::W && (record.amplifies() || !(next <= norm).all())) {
+      const Row last = residual;
+      update_residual();
+      has_improved = (residual.max(target) < last.max(target) * restart_gain).any();
+      if(cycle == Cycle::W && (record.amplifies() || !(residual <= norm).all())) {
         cycle = Cycle::V;
         start_at_zero_where_worse();
         has_improved = true;
@@ -351,31 +397,15 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Poisson_solver::setup_seconds() const 
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
-Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) const {
-  return solve(b, x, options().relative_tolerance);
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Poisson_solver::solve(
-    const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x, double relative_tolerance,
-    const std::function<bool(double)>& callback) const {
-  return m_impl->solve(b, x, relative_tolerance, {}, internal::Progress(callback));
+Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
+                      const Solve_options& options) const {
+  return m_impl->solve(b, x, options);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
-Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x) const {
-  return solve(b, x, options().relative_tolerance);
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Poisson_solver::solve(
-    const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x, double relative_tolerance,
-    const std::function<bool(double)>& callback) const {
-  return m_impl->solve(b, x, relative_tolerance, {}, internal::Progress(callback));
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Poisson_solver::solve(
-    const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x, double relative_tolerance,
-    const internal::Least_squares_end& end, const std::function<bool(double)>& callback) const {
-  return m_impl->solve(b, x, relative_tolerance, end, internal::Progress(callback));
+Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
+                      const Solve_options& options) const {
+  return m_impl->solve(b, x, options);
 }
 
 } // namespace Restricted_laplacian_3

@@ -7,14 +7,12 @@
 #include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
-#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -109,66 +107,12 @@ inline Sheet_moments::Component bernstein_products(const std::array<double, 3>& 
   return result;
 }
 
-/// Adds the nodes of a block.
-/// \param mass_weights a factor for each node, or null
-inline void add_nodes(const Integration_node_block& nodes, const double* mass_weights,
-                      Sheet_integrals& integrals) {
-  for(std::size_t node = 0; node < nodes.size; ++node) {
-    const double weight = nodes.weights[node];
-    const auto products = bernstein_products(
-        {nodes.positions[0][node], nodes.positions[1][node], nodes.positions[2][node]});
-    std::array<double, Sheet_moments::components> factors;
-    for(int k = 0; k < 6; ++k)
-      factors[k] = weight * nodes.metrics[node][k];
-    factors[Sheet_moments::mass] = mass_weights ? weight * mass_weights[node] : weight;
-    factors[Sheet_moments::area] = weight;
-    for(int i = 0; i < number_of_moments; ++i)
-      for(int k = 0; k < Sheet_moments::components; ++k)
-        integrals.moments.values[i][k] += factors[k] * products[i];
-    integrals.add_normal(nodes.points[node].normal, weight);
-  }
-}
-
 inline double triangle_area(const std::array<double, 3>& p, const std::array<double, 3>& q,
                             const std::array<double, 3>& r) {
   const double ux = q[0] - p[0], uy = q[1] - p[1], uz = q[2] - p[2];
   const double vx = r[0] - p[0], vy = r[1] - p[1], vz = r[2] - p[2];
   const double cx = uy * vz - uz * vy, cy = uz * vx - ux * vz, cz = ux * vy - uy * vx;
   return std::sqrt(cx * cx + cy * cy + cz * cz) / 2;
-}
-
-/// Calls `visit(t, barycentric, weight)` for the nodes of a cubature rule on the triangles of a
-/// fragment, fanned out from its first corner; `t` is the local coordinate in the cell, weights are
-/// in units of the squared cell width.
-template <class Visitor>
-void for_each_node(const Fragment& fragment, const std::array<int, 3>& cell,
-                   const std::vector<Triangle_quadrature_node>& rule, Visitor&& visit) {
-  if(fragment.size < 3)
-    return;
-  const auto local = [&](std::size_t corner) {
-    std::array<double, 3> t;
-    for(int axis = 0; axis < 3; ++axis)
-      t[axis] = fragment.corners[corner].position[axis] - cell[axis];
-    return t;
-  };
-  std::array<std::array<double, 3>, 3> t;
-  t[0] = local(0);
-  t[2] = local(1);
-  const auto& l0 = fragment.corners[0].barycentric;
-  for(std::size_t i = 2; i < fragment.size; ++i) {
-    t[1] = t[2];
-    t[2] = local(i);
-    const double area = triangle_area(t[0], t[1], t[2]);
-    const auto &l1 = fragment.corners[i - 1].barycentric, &l2 = fragment.corners[i].barycentric;
-    for(const Triangle_quadrature_node& node : rule) {
-      std::array<double, 3> p, l;
-      for(int axis = 0; axis < 3; ++axis) {
-        p[axis] = node.b0 * t[0][axis] + node.b1 * t[1][axis] + node.b2 * t[2][axis];
-        l[axis] = node.b0 * l0[axis] + node.b1 * l1[axis] + node.b2 * l2[axis];
-      }
-      visit(p, l, node.weight * area);
-    }
-  }
 }
 
 /// Contracts moments with one factor per axis:

@@ -6,15 +6,14 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/Padded_rule.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/cell_integrals.h>
-#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -36,32 +35,6 @@ inline Linear_values linear_values(const Fragment_corner& corner, const std::arr
   }
   return result;
 }
-
-/// A cubature rule array by array, with numbers after the last node up to a multiple of four.
-struct Padded_rule {
-  std::size_t size;
-  std::vector<double> b0, b1, b2, weight;
-
-  explicit Padded_rule(const std::vector<Triangle_quadrature_node>& nodes)
-    : size(nodes.size()), b0((size + 3) / 4 * 4), b1(b0.size()), b2(b0.size()), weight(b0.size()) {
-    for(std::size_t i = 0; i < size; ++i) {
-      b0[i] = nodes[i].b0;
-      b1[i] = nodes[i].b1;
-      b2[i] = nodes[i].b2;
-      weight[i] = nodes[i].weight;
-    }
-  }
-
-  /// that of `triangle_quadrature()`
-  static const Padded_rule& of_degree(int degree) {
-    static const std::array<Padded_rule, 4> rules = {
-        Padded_rule(triangle_quadrature(2)), Padded_rule(triangle_quadrature(5)),
-        Padded_rule(triangle_quadrature(8)), Padded_rule(triangle_quadrature(12))};
-    const std::size_t size = triangle_quadrature(degree).size();
-    return *std::find_if(rules.begin(), rules.end(),
-                         [size](const Padded_rule& rule) { return rule.size == size; });
-  }
-};
 
 /// A triangle of a fragment, and what all of its nodes have in common.
 struct Fragment_triangle {

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
@@ -60,7 +60,9 @@ inline void add_sheet_integrals(const Triangulated_surface_3& surface,
     std::array<double, Integration_node_block::capacity> weights;
     if(weight)
       (*weight)(block.points.data(), block.size, weights.data());
-    add_nodes(block, weight ? weights.data() : nullptr, integrals);
+    add_node_moments(block, weight ? weights.data() : nullptr, integrals.moments);
+    for(std::size_t i = 0; i < block.size; ++i)
+      integrals.add_normal(block.points[i].normal, block.weights[i]);
   });
 }
 

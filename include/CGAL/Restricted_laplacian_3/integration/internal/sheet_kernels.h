@@ -5,8 +5,10 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_KERNELS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
+#include <CGAL/Restricted_laplacian_3/integration/internal/Padded_rule.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/cell_integrals.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +58,48 @@ struct Packed_entry {
   }
 };
 
+/// A triangle of a fragment: local coordinates of its corners in the cell, and its area in units of
+/// the squared cell width.
+struct Cell_triangle {
+  std::array<std::array<double, 3>, 3> corners;
+  double area;
+};
+
+/// The triangles of a fragment that have an area, fanned out from its first corner.
+struct Cell_triangles {
+  std::size_t size = 0;
+  std::array<Cell_triangle, Fragment::capacity> triangles;
+
+  Cell_triangles(const Fragment& fragment, const std::array<int, 3>& cell) {
+    const auto corner = [&](std::size_t i) {
+      const auto& p = fragment.corners[i].position;
+      return std::array<double, 3>{p[0] - cell[0], p[1] - cell[1], p[2] - cell[2]};
+    };
+    for(std::size_t i = 2; i < fragment.size; ++i) {
+      Cell_triangle& t = triangles[size];
+      t.corners = {corner(0), corner(i - 1), corner(i)};
+      t.area = triangle_area(t.corners[0], t.corners[1], t.corners[2]);
+      if(t.area > 0)
+        ++size;
+    }
+  }
+  const Cell_triangle* begin() const { return triangles.data(); }
+  const Cell_triangle* end() const { return begin() + size; }
+};
+
+/// what a node of a block adds to the components of moments, times the products there
+/// \param mass_weights a factor for each node, or null
+inline std::array<double, Sheet_moments::components>
+moment_factors(const Integration_node_block& nodes, const double* mass_weights, std::size_t node) {
+  const double weight = nodes.weights[node];
+  std::array<double, Sheet_moments::components> result;
+  for(int k = 0; k < 6; ++k)
+    result[k] = weight * nodes.metrics[node][k];
+  result[Sheet_moments::mass] = mass_weights ? weight * mass_weights[node] : weight;
+  result[Sheet_moments::area] = weight;
+  return result;
+}
+
 /// The same computations without vectors: for other compilers and older processors, and what the
 /// vectors are compared with in tests.
 namespace plain {
@@ -64,18 +108,33 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
                          const Symmetric_tensor_3& metric, Sheet_moments& moments,
                          double mass_weight) {
   Sheet_moments::Component own = {};
-  for_each_node(
-      fragment, cell, triangle_quadrature(12),
-      [&own](const std::array<double, 3>& t, const std::array<double, 3>&, double weight) {
-        const auto products = bernstein_products(t);
-        for(int i = 0; i < number_of_moments; ++i)
-          own[i] += weight * products[i];
-      });
+  const Padded_rule& rule = Padded_rule::of_degree(12);
+  for(const auto& [corners, area] : Cell_triangles(fragment, cell))
+    for(std::size_t node = 0; node < rule.size; ++node) {
+      std::array<double, 3> t;
+      for(int axis = 0; axis < 3; ++axis)
+        t[axis] = rule.b0[node] * corners[0][axis] + rule.b1[node] * corners[1][axis] +
+                  rule.b2[node] * corners[2][axis];
+      const auto products = bernstein_products(t);
+      for(int i = 0; i < number_of_moments; ++i)
+        own[i] += rule.weight[node] * area * products[i];
+    }
   for(int i = 0; i < number_of_moments; ++i) {
     for(int k = 0; k < 6; ++k)
       moments.values[i][k] += metric[k] * own[i];
     moments.values[i][Sheet_moments::mass] += mass_weight * own[i];
     moments.values[i][Sheet_moments::area] += own[i];
+  }
+}
+
+inline void add_node_moments(const Integration_node_block& nodes, const double* mass_weights,
+                             Sheet_moments& moments) {
+  for(std::size_t node = 0; node < nodes.size; ++node) {
+    const auto products = bernstein_products(nodes.position(node));
+    const auto factors = moment_factors(nodes, mass_weights, node);
+    for(int i = 0; i < number_of_moments; ++i)
+      for(int k = 0; k < Sheet_moments::components; ++k)
+        moments.values[i][k] += factors[k] * products[i];
   }
 }
 
@@ -166,66 +225,44 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void contract_axis(const Lanes* in, i
 
 // ---- moments of fragments
 
-/// Taylor's rule, 4 nodes in a vector
-struct Lane_rule {
-  static constexpr int groups = 8;
-  Lanes b0[groups], b1[groups], b2[groups], weight[groups];
-
-  static const Lane_rule& get() {
-    static const Lane_rule rule = [] {
-      Lane_rule r;
-      const auto& nodes = triangle_quadrature(12);
-      static_assert(sizeof(Lanes) == 4 * sizeof(double), "four numbers in a vector");
-      for(std::size_t i = 0; i < nodes.size(); ++i) {
-        r.b0[i / 4][i % 4] = nodes[i].b0;
-        r.b1[i / 4][i % 4] = nodes[i].b1;
-        r.b2[i / 4][i % 4] = nodes[i].b2;
-        r.weight[i / 4][i % 4] = nodes[i].weight;
-      }
-      return r;
-    }();
-    return rule;
-  }
-};
-
-/// Bernstein polynomials of degree 4 of one coordinate at all nodes of a triangle
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void bernstein_4(const Lane_rule& rule, double c0,
-                                                          double c1, double c2,
-                                                          Lanes (&b)[5][Lane_rule::groups]) {
-  for(int g = 0; g < Lane_rule::groups; ++g) {
-    const Lanes t = rule.b0[g] * c0 + rule.b1[g] * c1 + rule.b2[g] * c2;
-    const Lanes u = 1 - t, t2 = t * t, u2 = u * u, tu = t * u, tu4 = 4 * tu;
-    b[0][g] = u2 * u2;
-    b[1][g] = tu4 * u2;
-    b[2][g] = 6 * tu * tu;
-    b[3][g] = tu4 * t2;
-    b[4][g] = t2 * t2;
-  }
+/// Bernstein polynomials of degree 4 of four coordinates
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void bernstein_4(const Lanes& t, Lanes& b0, Lanes& b1,
+                                                          Lanes& b2, Lanes& b3, Lanes& b4) {
+  const Lanes u = 1 - t, t2 = t * t, u2 = u * u, tu = t * u, tu4 = 4 * tu;
+  b0 = u2 * u2;
+  b1 = tu4 * u2;
+  b2 = 6 * tu * tu;
+  b3 = tu4 * t2;
+  b4 = t2 * t2;
 }
 
 /// Adds \f$\int B_a B_b B_c\f$ over a triangle; the sum over the components of a vector is left to
 /// the caller. 32 nodes take 125 x 8 fused operations of vectors, plus 25 x 8 products of the
 /// factors of two axes: the accumulators are loaded and stored only once for all nodes.
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_triangle(const std::array<double, 3>& p,
-                                                                    const std::array<double, 3>& q,
-                                                                    const std::array<double, 3>& r,
-                                                                    double area, Lanes* sums) {
-  const Lane_rule& rule = Lane_rule::get();
-  Lanes x[5][Lane_rule::groups], y[5][Lane_rule::groups], z[5][Lane_rule::groups];
-  bernstein_4(rule, p[0], q[0], r[0], x);
-  bernstein_4(rule, p[1], q[1], r[1], y);
-  bernstein_4(rule, p[2], q[2], r[2], z);
-  for(int c = 0; c < 5; ++c)
-    for(int g = 0; g < Lane_rule::groups; ++g)
-      z[c][g] *= rule.weight[g] * area;
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_triangle(const Cell_triangle& triangle,
+                                                                    Lanes* sums) {
+  const Padded_rule& rule = Padded_rule::of_degree(12);
+  constexpr int groups = 8; // of 4 nodes each
+  const auto& [p, q, r] = triangle.corners;
+  Lanes x[5][groups], y[5][groups], z[5][groups];
+  for(int g = 0; g < groups; ++g) {
+    const Lanes b0 = load(rule.b0.data() + 4 * g), b1 = load(rule.b1.data() + 4 * g),
+                b2 = load(rule.b2.data() + 4 * g),
+                weight = load(rule.weight.data() + 4 * g) * triangle.area;
+    bernstein_4(b0 * p[0] + b1 * q[0] + b2 * r[0], x[0][g], x[1][g], x[2][g], x[3][g], x[4][g]);
+    bernstein_4(b0 * p[1] + b1 * q[1] + b2 * r[1], y[0][g], y[1][g], y[2][g], y[3][g], y[4][g]);
+    bernstein_4(b0 * p[2] + b1 * q[2] + b2 * r[2], z[0][g], z[1][g], z[2][g], z[3][g], z[4][g]);
+    for(auto& of_nodes : z)
+      of_nodes[g] *= weight;
+  }
   for(int c = 0; c < 5; ++c)
     for(int b = 0; b < 5; ++b) {
-      Lanes yz[Lane_rule::groups];
-      for(int g = 0; g < Lane_rule::groups; ++g)
+      Lanes yz[groups];
+      for(int g = 0; g < groups; ++g)
         yz[g] = y[b][g] * z[c][g];
       Lanes* row = sums + 5 * (b + 5 * c);
       Lanes s0 = row[0], s1 = row[1], s2 = row[2], s3 = row[3], s4 = row[4];
-      for(int g = 0; g < Lane_rule::groups; ++g) {
+      for(int g = 0; g < groups; ++g) {
         s0 += x[0][g] * yz[g];
         s1 += x[1][g] * yz[g];
         s2 += x[2][g] * yz[g];
@@ -245,18 +282,8 @@ add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
              const Symmetric_tensor_3& metric, Sheet_moments& moments, double mass_weight) {
   // padded to whole groups of four
   Lanes sums[number_of_moments + 3] = {};
-  std::array<std::array<double, 3>, 3> t;
-  for(std::size_t i = 0; i < fragment.size; ++i) {
-    std::array<double, 3>& corner = t[i == 0 ? 0 : 2];
-    t[1] = t[2];
-    for(int axis = 0; axis < 3; ++axis)
-      corner[axis] = fragment.corners[i].position[axis] - cell[axis];
-    if(i < 2)
-      continue;
-    const double area = triangle_area(t[0], t[1], t[2]);
-    if(area > 0)
-      add_triangle(t[0], t[1], t[2], area, sums);
-  }
+  for(const Cell_triangle& triangle : Cell_triangles(fragment, cell))
+    add_triangle(triangle, sums);
   const Lanes low = {metric[0], metric[1], metric[2], metric[3]},
               high = {metric[4], metric[5], mass_weight, 1};
   for(int i = 0; i < number_of_moments; i += 4) {
@@ -268,6 +295,52 @@ add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
       store(load(to + 4) + four[j] * high, to + 4);
     }
   }
+}
+
+/// 125 x 2 fused operations of vectors for each node, whose eight factors are two vectors: eight
+/// times as many as for a node of a triangle, whose metric all nodes share.
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
+add_node_moments(const Integration_node_block& nodes, const double* mass_weights,
+                 Sheet_moments& moments) {
+  constexpr std::size_t capacity = Integration_node_block::capacity, groups = capacity / 4;
+  Lanes x[5][groups], y[5][groups], z[5][groups];
+  double factors[capacity][Sheet_moments::components];
+  for(std::size_t g = 0; 4 * g < nodes.size; ++g) {
+    const auto& [tx, ty, tz] = nodes.positions;
+    bernstein_4(load(tx.data() + 4 * g), x[0][g], x[1][g], x[2][g], x[3][g], x[4][g]);
+    bernstein_4(load(ty.data() + 4 * g), y[0][g], y[1][g], y[2][g], y[3][g], y[4][g]);
+    bernstein_4(load(tz.data() + 4 * g), z[0][g], z[1][g], z[2][g], z[3][g], z[4][g]);
+  }
+  for(std::size_t node = 0; node < nodes.size; ++node) {
+    const auto of_node = moment_factors(nodes, mass_weights, node);
+    std::copy(of_node.begin(), of_node.end(), factors[node]);
+  }
+  for(int c = 0; c < 5; ++c)
+    for(int b = 0; b < 5; ++b) {
+      double products[5][capacity];
+      for(std::size_t g = 0; 4 * g < nodes.size; ++g) {
+        const Lanes yz = y[b][g] * z[c][g];
+        for(int a = 0; a < 5; ++a)
+          store(x[a][g] * yz, products[a] + 4 * g);
+      }
+      Lanes low[5], high[5];
+      auto* const row = moments.values.data() + 5 * (b + 5 * c);
+      for(int a = 0; a < 5; ++a) {
+        low[a] = load(row[a].data());
+        high[a] = load(row[a].data() + 4);
+      }
+      for(std::size_t node = 0; node < nodes.size; ++node) {
+        const Lanes f = load(factors[node]), g = load(factors[node] + 4);
+        for(int a = 0; a < 5; ++a) {
+          low[a] += products[a][node] * f;
+          high[a] += products[a][node] * g;
+        }
+      }
+      for(int a = 0; a < 5; ++a) {
+        store(low[a], row[a].data());
+        store(high[a], row[a].data() + 4);
+      }
+    }
 }
 
 // ---- coarser levels
@@ -375,6 +448,13 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
                          const Symmetric_tensor_3& metric, Sheet_moments& moments,
                          double mass_weight) {
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_fragment(fragment, cell, metric, moments, mass_weight));
+}
+
+/// Adds the nodes of a block.
+/// \param mass_weights a factor for each node, or null
+inline void add_node_moments(const Integration_node_block& nodes, const double* mass_weights,
+                             Sheet_moments& moments) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_node_moments(nodes, mass_weights, moments));
 }
 
 /// Adds the moments of a child to those of its parent, whose area unit is four times that of the

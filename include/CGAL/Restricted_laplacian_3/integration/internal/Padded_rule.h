@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_PADDED_RULE_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_PADDED_RULE_H
+
+#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// A cubature rule array by array, with weights 0 after the last node up to a multiple of four.
+struct Padded_rule {
+  std::size_t size;
+  std::vector<double> b0, b1, b2, weight;
+
+  explicit Padded_rule(const std::vector<Triangle_quadrature_node>& nodes)
+    : size(nodes.size()), b0((size + 3) / 4 * 4), b1(b0.size()), b2(b0.size()), weight(b0.size()) {
+    for(std::size_t i = 0; i < size; ++i) {
+      b0[i] = nodes[i].b0;
+      b1[i] = nodes[i].b1;
+      b2[i] = nodes[i].b2;
+      weight[i] = nodes[i].weight;
+    }
+  }
+
+  /// that of `triangle_quadrature()`
+  static const Padded_rule& of_degree(int degree) {
+    static const std::array<Padded_rule, 4> rules = {
+        Padded_rule(triangle_quadrature(2)), Padded_rule(triangle_quadrature(5)),
+        Padded_rule(triangle_quadrature(8)), Padded_rule(triangle_quadrature(12))};
+    const std::size_t size = triangle_quadrature(degree).size();
+    return *std::find_if(rules.begin(), rules.end(),
+                         [size](const Padded_rule& rule) { return rule.size == size; });
+  }
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_PADDED_RULE_H
