@@ -257,6 +257,28 @@ TEST_CASE("a_first_guess_saves_iterations_and_changes_no_solution", "[poisson]")
   }
 }
 
+TEST_CASE("least_squares_end_when_the_error_does_not_show", "[poisson]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
+  const RL::Poisson_solver solver =
+      RL::make_poisson_solver(space, 1, params::relative_tolerance(1e-12));
+  const Eigen::VectorXd b = random_load(space, 2);
+  Eigen::VectorXd exact, x;
+  const int iterations = solver.solve(b, exact).iterations;
+  // so x^T A x - 2 b^T x + s has the minimum 1e-2 b^T x
+  RL::Solve_options options;
+  options.least_squares.squares = Eigen::VectorXd::Constant(1, 1.01 * b.dot(exact));
+  options.least_squares.tolerance = 0.1;
+  const RL::Solve_report report = solver.solve(b, x, options);
+  CHECK(report.converged);
+  CHECK(report.iterations < iterations);
+  CHECK(report.relative_residual > 1e-12);
+  // the square of the error is that of b^T x in conjugate gradients
+  CHECK(b.dot(exact - x) <= 0.1 * 0.1 * 0.01 * b.dot(exact));
+  const RL::Least_squares_end none = {options.least_squares.squares, 0};
+  options.least_squares = none;
+  CHECK(solver.solve(b, x, options).iterations == iterations);
+}
+
 TEST_CASE("solvers_of_several_weights_share_their_operators", "[poisson]") {
   for(bool is_paper_space : {false, true}) {
     const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)),
