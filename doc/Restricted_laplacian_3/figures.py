@@ -400,7 +400,7 @@ def table_iterations_share():
         of_cycle = found.setdefault(r["depth"], {}).setdefault(r["c"], [])
         of_cycle.append(r["enough"] and r["its"] <= 15)
     return table(["Depth", "Systems", "V-cycles", "W-cycles"],
-                 [[str(d), whole(len(by["v"])), whole(sum(by["v"])), whole(sum(by["w"]))]
+                 [[str(d), whole(len(by["v"])), whole(sum(by["v"])), whole(sum(by["w"])) if "w" in by else ""]
                   for d, by in sorted(found.items())], 0)
 
 
