@@ -51,7 +51,7 @@ void run(const char* name, const Make& make_surface, int depth, int threads, boo
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
 #endif
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = depth;
   options.split_elements = is_split;
   options.is_parallel = threads > 1;

@@ -179,7 +179,7 @@ void compare_on_matrices(const Options& o) {
       exact = Eigen::Map<const Eigen::VectorXd>(records[0].values, o.pairs);
   }
   measure("multigrid_eigenpairs", [&] {
-    RL::internal::Multigrid_eigenpairs_options options;
+    RL::Multigrid_eigenpairs_options options;
     options.relative_tolerance = o.tolerance;
     options.is_parallel = o.threads > 1;
     return RL::internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), o.pairs,
@@ -198,7 +198,7 @@ void compare_from_mesh(const Options& o) {
     std::vector<RL::Operators> operators =
         level_operators(space, RL::internal::coarsest_multigrid_level(space), o);
     const double matrix_seconds = timer.time();
-    RL::internal::Multigrid_eigenpairs_options options;
+    RL::Multigrid_eigenpairs_options options;
     options.relative_tolerance = tolerance;
     options.is_parallel = o.threads > 1;
     const RL::Eigenpairs pairs =

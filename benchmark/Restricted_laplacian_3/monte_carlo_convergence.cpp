@@ -79,7 +79,7 @@ struct Points {
 };
 
 RL::Spline_space_3 space_of(const RL::Triangulated_surface_3& surface, int depth, bool is_split) {
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = depth;
   options.split_elements = options.split_point_set = is_split;
   return RL::Spline_space_3(surface, options);
@@ -172,7 +172,7 @@ void run_eigenvalues() {
               "mean", "estimated");
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified})
     for(std::size_t number = 10000; number <= 1000000; number *= 10) {
-      RL::internal::Monte_carlo_options options;
+      RL::Monte_carlo_options options;
       options.number_of_samples = number;
       options.sampling = sampling;
       options.seed = 1;

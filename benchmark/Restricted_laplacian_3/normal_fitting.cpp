@@ -138,9 +138,8 @@ private:
     timer.start();
     return timer;
   }
-  static RL::internal::Spline_space_options options(const std::string& kind, int depth,
-                                                    int threads) {
-    RL::internal::Spline_space_options result = space_options(depth, kind == "split", threads);
+  static RL::Spline_space_options options(const std::string& kind, int depth, int threads) {
+    RL::Spline_space_options result = space_options(depth, kind == "split", threads);
     result.paper_space = kind == "paper";
     return result;
   }

@@ -199,7 +199,7 @@ public:
     m_solver.reset();
     Matrix a = *m_a;
     std::vector<Matrix> coarse = m_coarse.matrices;
-    RL::internal::Poisson_solver_options options =
+    RL::Poisson_solver_options options =
         solver_options(m_name == "ours" ? "patch" : "point", m_threads, 1e-3, m_maximum_iterations);
     if(m_name == "ours_paper") {
       options.stand_alone_multigrid = true;
@@ -550,9 +550,8 @@ public:
   const std::vector<std::string>& summary() const { return m_summary; }
 
 private:
-  RL::internal::Spline_space_options options_of_space(int threads) const {
-    RL::internal::Spline_space_options options =
-        space_options(m_depth, m_options.is_split, threads);
+  RL::Spline_space_options options_of_space(int threads) const {
+    RL::Spline_space_options options = space_options(m_depth, m_options.is_split, threads);
     options.paper_space = m_options.is_paper;
     return options;
   }

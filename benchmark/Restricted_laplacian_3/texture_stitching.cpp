@@ -97,8 +97,8 @@ bool has(const std::string& method, const std::string& part) {
   return method.find(part) != std::string::npos;
 }
 
-RL::internal::Color_stitching_options options_of(const std::string& method, const Options& o) {
-  RL::internal::Color_stitching_options options;
+RL::Color_stitching_options options_of(const std::string& method, const Options& o) {
+  RL::Color_stitching_options options;
   options.gradient_source =
       has(method, "bp") ? RL::Gradient_source::back_projection : RL::Gradient_source::scans;
   options.match_exposures = has(method, "exp");
@@ -146,7 +146,7 @@ void run(const Mesh& mesh, const Options& o, double lamp, int depth) {
   for(const std::string& method : o.methods)
     for(const double alpha :
         o.alphas.empty() ? std::vector<double>{RL::Color_stitcher::default_screening} : o.alphas) {
-      RL::internal::Color_stitching_options options = options_of(method, o);
+      RL::Color_stitching_options options = options_of(method, o);
       options.screening_weight = alpha / mesh.surface.area();
       timer.reset();
       RL::Color_stitcher stitcher(space, options);

@@ -5,5 +5,5 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints_impl.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble_impl.h>
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators_impl.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system_impl.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual_impl.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system_impl.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual_impl.h>

@@ -3,8 +3,8 @@
 
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product_impl.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse_impl.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/smoothers_impl.h>
 
 namespace CGAL {

@@ -36,7 +36,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 double z(const RL::Surface_point& p) { return p.point.z(); }
 
 RL::Spline_space_3 space_at_depth(const shapes::Triangles& t, int depth) {
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = depth;
   return RL::Spline_space_3(RL::Triangulated_surface_3(t.points, t.faces), options);
 }

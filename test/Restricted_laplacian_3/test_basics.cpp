@@ -13,8 +13,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/version.h>
 
 #include <algorithm>

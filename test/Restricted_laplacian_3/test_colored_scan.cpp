@@ -173,12 +173,15 @@ TEST_CASE("vertices_are_covered_by_the_rules", "[stitch]") {
     return RL::Colored_scan(scan_surface(moved), linear_colors(moved.points), scan_identity,
                             viewpoint);
   };
-  const auto number = [&](const RL::Colored_scan& scan,
-                          const RL::internal::Back_projection_options& o) {
+  const auto number = [&](const RL::Colored_scan& scan, const RL::Back_projection_options& o) {
     return RL::back_project_colors(surface, scan, o).vertices.size();
   };
-  RL::internal::Back_projection_options options;
+  RL::Back_projection_options options;
   CHECK(number(scan_at(0.03, scan_above), options) == 441);
+  CHECK(RL::back_project_colors(surface, scan_at(0.03, scan_above), options).gradients.size() ==
+        441);
+  options.with_gradients = false;
+  CHECK(RL::back_project_colors(surface, scan_at(0.03, scan_above), options).gradients.empty());
   // distance
   options.maximum_distance = 0.029;
   CHECK(number(scan_at(0.03, scan_above), options) == 0);
@@ -197,7 +200,7 @@ TEST_CASE("vertices_are_covered_by_the_rules", "[stitch]") {
   options.oriented_surface = false;
   CHECK(number(scan_at(0, Point_3(0.5, 0.5, -1)), options) == 441);
   // normals: a scan that is tilted around the y axis, by 50 and 70 degrees
-  options = RL::internal::Back_projection_options();
+  options = RL::Back_projection_options();
   options.maximum_distance = 1;
   for(const double angle : {50., 70.}) {
     const double c = std::cos(angle * CGAL_PI / 180), s = std::sin(angle * CGAL_PI / 180);
@@ -215,7 +218,7 @@ TEST_CASE("quality_is_that_of_the_formula", "[stitch]") {
   const Point_3 viewpoint(0.5, 0.5, 2);
   const RL::Colored_scan scan(scan_surface(moved), linear_colors(moved.points), scan_identity,
                               viewpoint);
-  RL::internal::Back_projection_options options;
+  RL::Back_projection_options options;
   options.maximum_distance = 0.1;
   options.boundary_width = 0.25;
   const RL::Back_projection projection = RL::back_project_colors(surface, scan, options);
@@ -381,11 +384,11 @@ TEST_CASE("bad_scans_are_refused", "[stitch]") {
                   RL::Parameter_error);
 
   const auto with = [&](auto change) {
-    RL::internal::Back_projection_options options;
+    RL::Back_projection_options options;
     change(options);
     RL::Color_back_projector(surface, options);
   };
-  using O = RL::internal::Back_projection_options;
+  using O = RL::Back_projection_options;
   CHECK_NOTHROW(with([](O&) {}));
   CHECK_THROWS_WITH(with([](O& o) { o.maximum_distance = 0; }), Catch::Contains("maximum_dist"));
   CHECK_THROWS_WITH(with([](O& o) { o.maximum_distance = scan_nan; }), Catch::Contains("maximum"));

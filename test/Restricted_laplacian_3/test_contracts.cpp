@@ -367,7 +367,7 @@ TEST_CASE("eigenpairs_do_not_depend_on_the_factorization", "[contracts]") {
 TEST_CASE("options_of_eigenpairs_do_what_they_say", "[contracts]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), RL::parameters::octree_depth(3));
   const RL::Operators o = RL::assemble_operators(space);
-  RL::internal::Eigenpairs_options options;
+  RL::Eigenpairs_options options;
   const RL::Eigenpairs expected = RL::smallest_eigenpairs(o.stiffness, o.mass, 10);
   REQUIRE(expected.converged);
   CHECK(expected.regularization >= options.regularization);

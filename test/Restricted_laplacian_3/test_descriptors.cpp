@@ -105,7 +105,7 @@ TEST_CASE("many_functions_have_the_values_of_each_of_them", "[descriptors][threa
   t.faces.push_back({0, last, 0}); // the only face of that vertex has no area
   // a vertex whose first face has no area
   t.faces.insert(t.faces.begin(), {t.faces[0][0], t.faces[0][0], t.faces[0][1]});
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = 4;
   for(bool is_parallel : {false, true}) {
     options.is_parallel = is_parallel;

@@ -54,7 +54,7 @@ Level_matrices level_matrices(const RL::Spline_space_3& space, int coarsest, dou
 }
 
 RL::Eigenpairs multigrid_pairs(const Level_matrices& m, int k,
-                               const RL::internal::Multigrid_eigenpairs_options& options) {
+                               const RL::Multigrid_eigenpairs_options& options) {
   return RL::multigrid_eigenpairs(m.stiffness, m.mass, m.prolongations, m.patches, k, options);
 }
 
@@ -62,7 +62,7 @@ RL::Eigenpairs multigrid_pairs(const Level_matrices& m, int k,
 void check_pairs(const Mesh& mesh, int depth, int k) {
   const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
   const Level_matrices m = level_matrices(space, 2);
-  RL::internal::Multigrid_eigenpairs_options options;
+  RL::Multigrid_eigenpairs_options options;
   options.relative_tolerance = 1e-6;
   const RL::Eigenpairs pairs = multigrid_pairs(m, k, options);
   const RL::Eigenpairs expected = RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), k);
@@ -156,7 +156,7 @@ TEST_CASE("multigrid_eigenpairs_do_not_depend_on_threads_or_scale", "[eigensolve
 TEST_CASE("multigrid_eigenpairs_say_when_they_have_not_converged", "[eigensolver]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
   const Level_matrices m = level_matrices(space, 2);
-  RL::internal::Multigrid_eigenpairs_options options;
+  RL::Multigrid_eigenpairs_options options;
   options.maximum_iterations = 1;
   const RL::Eigenpairs few = multigrid_pairs(m, 20, options);
   CHECK_FALSE(few.converged);
@@ -221,7 +221,7 @@ TEST_CASE("multigrid_eigenpairs_refuse_bad_input", "[eigensolver]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const RL::Spline_space_3 space(mesh, params::octree_depth(4));
   const Level_matrices m = level_matrices(space, 2);
-  RL::internal::Multigrid_eigenpairs_options options;
+  RL::Multigrid_eigenpairs_options options;
   for(int k : {-1, 0})
     CHECK_THROWS_AS(multigrid_pairs(m, k, options), RL::Parameter_error);
   CHECK_THROWS_AS(multigrid_pairs(m, 1000000, options), RL::Parameter_error);

@@ -6,7 +6,7 @@
 #include "special_shapes.h"
 #include "test_meshes.h"
 
-#include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
@@ -156,7 +156,7 @@ TEST_CASE("fits_of_normals_take_few_iterations", "[fit][slow]") {
     SKIP_TEST("bunny_uniform_18k.ply");
   const RL::Triangulated_surface_3 bunny = RL::read_surface(shapes::read(path));
   for(int depth = 4; depth <= 6; ++depth) {
-    RL::internal::Spline_space_options options;
+    RL::Spline_space_options options;
     options.octree_depth = depth;
     const RL::Spline_space_3 space(bunny, options);
     const RL::Function_fit fit =

@@ -174,8 +174,7 @@ bool is_degenerate(const shapes::Triangles& t, double cube_scale) {
 
 /// Whether the surface has too few digits for cells of this depth, see
 /// `Octree_3::largest_wall_tolerance`.
-bool has_too_few_digits(const shapes::Triangles& t,
-                        const RL::internal::Spline_space_options& options) {
+bool has_too_few_digits(const shapes::Triangles& t, const RL::Spline_space_options& options) {
   const auto [distance, extent] = distance_and_extent(t);
   const double cell_width = std::ldexp(*options.cube_scale * extent, -*options.octree_depth);
   return std::ldexp(distance, -50) > RL::Octree_3::largest_wall_tolerance * cell_width;
@@ -270,7 +269,7 @@ TEST_CASE("random_hostile_surfaces", "[fuzz]") {
     INFO("seed " << seed);
     Fuzzer fuzzer(seed);
     const shapes::Triangles t = fuzzer.surface();
-    RL::internal::Spline_space_options options;
+    RL::Spline_space_options options;
     options.octree_depth = fuzzer.depth();
     options.cube_scale = fuzzer.cube_scale();
     options.joining_tolerance = fuzzer.joining_tolerance();

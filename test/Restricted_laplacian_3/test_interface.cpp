@@ -7,14 +7,16 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection.h>
 #include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
@@ -51,6 +53,111 @@ RL::Vector_3 linear_field(const RL::Point_3& p) {
 }
 
 } // namespace
+
+TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
+  RL::Spline_space_options of_space;
+  of_space.octree_depth = 3;
+  of_space.cube_scale = 1.3;
+  const shapes::Triangles sphere = shapes::sphere(3);
+  const RL::Spline_space_3 space(RL::Triangulated_surface_3(sphere.points, sphere.faces), of_space);
+  CHECK(space.dimension() ==
+        RL::Spline_space_3(shapes::mesh(sphere), params::octree_depth(3).cube_scale(1.3))
+            .dimension());
+  const auto f = [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); };
+  const auto g = [](const RL::Surface_point& p) { return 1 + p.point.z() * p.point.z(); };
+  int calls = 0;
+  const auto count = [&](double) {
+    ++calls;
+    return true;
+  };
+
+  {
+    RL::Poisson_problem problem(f);
+    problem.alpha_function = g;
+    problem.normal_stabilization = 0.01;
+    problem.solver.relative_tolerance = 1e-9;
+    problem.callback = count;
+    const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
+    CHECK(solution.converged);
+    CHECK(calls > 2);
+    CHECK(solution.coefficients ==
+          RL::solve_screened_poisson(space, f, g,
+                                     params::normal_stabilization(0.01).relative_tolerance(1e-9))
+              .coefficients);
+    CHECK(RL::solve_poisson_problem(space, RL::Poisson_problem(f)).coefficients ==
+          RL::solve_poisson(space, f).coefficients);
+    RL::Poisson_problem with_number(f);
+    with_number.alpha = 3;
+    CHECK(RL::solve_poisson_problem(space, with_number).coefficients ==
+          RL::solve_screened_poisson(space, f, 3).coefficients);
+    // a value at a point
+    const RL::Surface_location center = {5, {1. / 3, 1. / 3, 1. / 3}};
+    with_number.constraints.emplace(space);
+    with_number.constraints->add(center, 2, 1e6);
+    with_number.solver.relative_tolerance = 1e-9;
+    const RL::Poisson_solution constrained = RL::solve_poisson_problem(space, with_number);
+    CHECK(RL::Spline_function_3(space, constrained.coefficients).value(center) ==
+          Approx(2).epsilon(1e-3));
+  }
+  {
+    RL::Function_fit_options options;
+    options.smoothing_weight = 0.1;
+    options.refinement_steps = 1;
+    options.solver.relative_tolerance = 1e-6;
+    CHECK(RL::Function_fitter(space, options).fit(f).coefficients ==
+          RL::fit_function(
+              space, f, params::smoothing_weight(0.1).refinement_steps(1).relative_tolerance(1e-6))
+              .coefficients);
+  }
+  {
+    RL::Curvature_options options;
+    options.smoothing_weight = 0.01;
+    options.refinement_steps = 2;
+    options.fit.energy_tolerance = 0;
+    options.fit.solver.relative_tolerance = 1e-6;
+    calls = 0;
+    options.callback = count;
+    const auto np = params::smoothing_weight(0.01).refinement_steps(2).energy_tolerance(0.);
+    const auto values = [](const RL::Curvature_field& field) {
+      std::vector<double> result;
+      for(const RL::Surface_curvature& curvature : field.at_vertices())
+        result.push_back(curvature.mean);
+      return result;
+    };
+    CHECK(values(RL::estimate_curvature(space, options)) ==
+          values(RL::estimate_curvature(space, np.relative_tolerance(1e-6))));
+    CHECK(calls > 2);
+    options = RL::Curvature_options();
+    options.method = RL::Curvature_method::coordinates;
+    CHECK(values(RL::estimate_curvature(space, options)) ==
+          values(RL::estimate_curvature(
+              space, params::curvature_method(RL::Curvature_method::coordinates))));
+    CHECK(values(RL::estimate_curvature(space)) != values(RL::estimate_curvature(space, options)));
+  }
+  {
+    const auto v = [](const RL::Surface_point& p) { return linear_field(p.point); };
+    RL::Gradient_options options;
+    RL::Gradient_screening& screening = options.screening;
+    CHECK(!screening.has_weight());
+    CHECK(screening.mean_or_zero(2) == Eigen::Vector2d(0, 0));
+    screening.target = f;
+    screening.weight_function = g;
+    CHECK(screening.has_weight());
+    options.normal_stabilization = 1e-4;
+    options.solver.relative_tolerance = 1e-8;
+    calls = 0;
+    options.callback = count;
+    const RL::Gradient_fit fit = RL::integrate_gradient_field(space, v, options);
+    CHECK(fit.converged);
+    CHECK(calls > 2);
+    CHECK(fit.coefficients == RL::integrate_gradient_field(space, v,
+                                                           params::target_values(f)
+                                                               .screening_weight(g)
+                                                               .normal_stabilization(1e-4)
+                                                               .relative_tolerance(1e-8))
+                                  .coefficients);
+  }
+}
 
 TEST_CASE("values_at_vertices_are_interpolated_linearly", "[interface]") {
   Mesh mesh = shapes::mesh(shapes::box(1, 0.7, 0.4, 2, 3));

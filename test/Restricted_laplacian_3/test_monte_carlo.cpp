@@ -12,7 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
-#include <CGAL/Restricted_laplacian_3/problems/internal/Running_mean.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/Running_mean.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
@@ -205,6 +205,13 @@ TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo][threads]") {
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified}) {
     const auto np = params::number_of_samples(50000).sampling(sampling).random_seed(7);
     const RL::Estimated_operators expected = RL::estimate_operators(sampled_space(t, 4), 4, np);
+    RL::Monte_carlo_options options = np;
+    CHECK(options.seed != 1234);
+    options.seed = 1234;
+    const auto mass = [&](const RL::Monte_carlo_options& of_mass) {
+      return RL::estimate_operators(sampled_space(t, 4), 4, of_mass).operators.mass;
+    };
+    CHECK((mass(options).coeffs() == mass(np.random_seed(1234)).coeffs()).all());
     for(std::size_t threads : {1, 2}) {
 #ifdef CGAL_LINKED_WITH_TBB
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

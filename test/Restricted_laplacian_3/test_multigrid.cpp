@@ -507,7 +507,7 @@ TEST_CASE("solution_is_in_double_precision", "[multigrid][threads]") {
   const Eigen::VectorXd expected = random_vector(finest, 5), b = a * expected;
   for(RL::Smoother_type smoother : {RL::Smoother_type::patch, RL::Smoother_type::point})
     for(bool is_parallel : {false, true}) {
-      RL::internal::Poisson_solver_options options;
+      RL::Poisson_solver_options options;
       options.smoother = smoother;
       options.is_parallel = is_parallel;
       options.relative_tolerance = 1e-12;
@@ -593,7 +593,7 @@ TEST_CASE("error_in_the_report_is_that_of_four_steps_before", "[multigrid]") {
   const Sparse_matrix a = path_matrix(finest, 0.01);
   const Eigen::VectorXd expected = random_vector(finest, 5), b = a * expected;
   const auto energy = [&](const Eigen::VectorXd& x) { return x.dot(a * x); };
-  RL::internal::Poisson_solver_options options;
+  RL::Poisson_solver_options options;
   options.relative_tolerance = 1e-14;
   options.smoother = RL::Smoother_type::point; // slower, so that there are steps to look at
   const auto solver = [&] {
@@ -643,7 +643,7 @@ TEST_CASE("status_tells_how_an_iteration_ended", "[multigrid]") {
   const int finest = size_of_finest;
   const Sparse_matrix a = path_matrix(finest, 0.01);
   const Eigen::VectorXd b = random_vector(finest, 5);
-  RL::internal::Poisson_solver_options options;
+  RL::Poisson_solver_options options;
   const auto report = [&](double coarse_factor) {
     RL::Multigrid_levels levels = path_levels();
     const Sparse_matrix middle = RL::galerkin_product(a, levels.prolongations[1], false),

@@ -314,7 +314,7 @@ TEST_CASE("violated_preconditions_throw_in_debug_builds", "[octree]") {
 #else
   using Exception = CGAL::Precondition_exception;
   const shapes::Triangles t = shapes::sphere(1);
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = 2;
   const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);
   const RL::Octree_3& octree = space.octree();

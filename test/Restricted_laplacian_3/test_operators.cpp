@@ -9,7 +9,7 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
@@ -313,7 +313,7 @@ TEST_CASE("prolongation_preserves_functions", "[operators]") {
 
 TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators][slow]") {
   const auto check = [](const shapes::Triangles& a, const shapes::Triangles& b, int depth) {
-    RL::internal::Spline_space_options options;
+    RL::Spline_space_options options;
     options.octree_depth = depth;
     const RL::Spline_space_3 first(RL::Triangulated_surface_3(a.points, a.faces), options);
     const RL::Spline_space_3 second(RL::Triangulated_surface_3(b.points, b.faces), options);
@@ -567,7 +567,7 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
 
 TEST_CASE("stabilization_does_not_depend_on_the_unit_of_length", "[operators]") {
   const shapes::Triangles original = shapes::sphere(3);
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = 4;
   const auto assemble = [&options](const shapes::Triangles& t) {
     const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);

@@ -62,7 +62,7 @@ RL::Triangulated_surface_3 surface_of_points(const Oriented_points& points,
 
 RL::Spline_space_3 space_of_points(const Oriented_points& points, const std::vector<double>& areas,
                                    int depth, bool is_split = false, bool is_parallel = false) {
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = depth;
   options.split_point_set = is_split;
   options.is_parallel = is_parallel;
@@ -159,7 +159,7 @@ TEST_CASE("points_with_the_areas_of_samples_give_their_operators", "[points]") {
   // The corners of the box belong to both, so that both have the same grid.
   const shapes::Triangles box = shapes::box(1, 0.8, 0.6, 3, 1);
   const RL::Triangulated_surface_3 mesh(box.points, box.faces);
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = 2;
   options.split_elements = false;
   const RL::Spline_space_3 space(mesh, options);
@@ -473,7 +473,7 @@ TEST_CASE("points_on_the_boundary_of_the_domain_cube", "[points]") {
   Oriented_points with_corners = points; // which lie on the last walls
   with_corners.push_back({{0, 0, 0}, {-1, -1, -1}});
   with_corners.push_back({{1, 1, 1}, {1, 1, 1}});
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = 2;
   options.cube_scale = 1;
   const std::vector<double> areas(with_corners.size(), 0.01);

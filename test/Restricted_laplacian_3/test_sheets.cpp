@@ -32,7 +32,7 @@ using shapes::Triangles;
 RL::Spline_space_3 space_of(const Triangles& t, int depth, bool is_split = true,
                             std::optional<double> cube_scale = std::nullopt,
                             std::optional<double> joining_tolerance = std::nullopt) {
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = depth;
   options.split_elements = is_split;
   options.cube_scale = cube_scale;

@@ -67,7 +67,7 @@ Triangles grid(double x, double width, double height, int n) {
 
 Eigen::VectorXd eigenvalues(const Triangles& t, int count, int depth,
                             std::optional<double> joining = std::nullopt) {
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = depth;
   options.joining_tolerance = joining;
   const RL::Laplace_spectrum spectrum =

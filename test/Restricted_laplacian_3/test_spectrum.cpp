@@ -52,6 +52,30 @@ TEST_CASE("eigenvalues_of_the_sphere", "[spectrum]") {
   CHECK(restricted_sphere_error(6, 4) <= 3.6e-4);
 }
 
+TEST_CASE("options_of_spectra_say_what_named_parameters_say", "[spectrum]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(3));
+  RL::Laplace_spectrum_options options;
+  options.eigensolver = RL::Eigensolver::multigrid;
+  options.normal_stabilization = 1e-3;
+  options.multigrid.relative_tolerance = 1e-2;
+  const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 9, options);
+  CHECK(spectrum.eigenvalues == RL::laplace_spectrum(space, 9,
+                                                     params::eigensolver(RL::Eigensolver::multigrid)
+                                                         .normal_stabilization(1e-3)
+                                                         .relative_tolerance(1e-2))
+                                    .eigenvalues);
+  CHECK(spectrum.eigenvalues != RL::laplace_spectrum(space, 9).eigenvalues);
+  CHECK(spectrum.vertex_values.cols() == 9);
+
+  const RL::Operators operators = RL::assemble_operators(space);
+  RL::Eigenpairs_options of_factorization;
+  of_factorization.tolerance = 1e-3;
+  CHECK(RL::smallest_eigenpairs(operators.stiffness, operators.mass, 9, of_factorization).values ==
+        RL::smallest_eigenpairs(operators.stiffness, operators.mass, 9,
+                                params::relative_tolerance(1e-3))
+            .values);
+}
+
 TEST_CASE("eigenvalues_of_the_fine_sphere_converge_with_order_four", "[spectrum][slow]") {
   std::vector<double> errors;
   for(int depth = 2; depth <= 5; ++depth)

@@ -71,7 +71,7 @@ std::vector<RL::Colored_scan> sphere_scans(int level, std::size_t number) {
 }
 
 RL::Spline_space_3 stitch_space(const shapes::Triangles& t, int depth, bool is_parallel = false) {
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = depth;
   options.is_parallel = is_parallel;
   return RL::Spline_space_3(RL::read_surface(t.points, t.faces), options);
@@ -79,7 +79,7 @@ RL::Spline_space_3 stitch_space(const shapes::Triangles& t, int depth, bool is_p
 
 RL::Color_stitcher stitcher_of(const RL::Spline_space_3& space,
                                const std::vector<RL::Colored_scan>& scans,
-                               const RL::internal::Color_stitching_options& options = {}) {
+                               const RL::Color_stitching_options& options = {}) {
   RL::Color_stitcher stitcher(space, options);
   for(const RL::Colored_scan& scan : scans)
     stitcher.add(scan);
@@ -128,7 +128,7 @@ TEST_CASE("seams_of_overlapping_scans_vanish", "[stitch]") {
                        Case{true, Source::scans, true, 9e-3, 20},
                        // the colors that pull are those of different exposures
                        Case{false, Source::back_projection, true, 3e-2, 20}}) {
-    RL::internal::Color_stitching_options options;
+    RL::Color_stitching_options options;
     options.match_exposures = c.match_exposures;
     options.gradient_source = c.source;
     options.vertex_details = c.vertex_details;
@@ -352,7 +352,7 @@ TEST_CASE("scans_that_miss_the_surface_are_told", "[stitch]") {
   const RL::Spline_space_3 reversed = stitch_space(inwards, 3);
   CHECK_THAT(stitch_message([&] { stitcher_of(reversed, {good}).stitch(); }),
              Catch::Contains("scan"));
-  RL::internal::Color_stitching_options options;
+  RL::Color_stitching_options options;
   options.back_projection.oriented_surface = false;
   RL::Color_stitcher turned = stitcher_of(reversed, {good}, options),
                      plain = stitcher_of(space, {good});
@@ -364,7 +364,7 @@ TEST_CASE("scans_that_miss_the_surface_are_told", "[stitch]") {
 }
 
 TEST_CASE("options_of_stitching_do_what_they_say", "[stitch]") {
-  using Options = RL::internal::Color_stitching_options;
+  using Options = RL::Color_stitching_options;
   const shapes::Triangles t = shapes::sphere(3);
   const RL::Spline_space_3 space = stitch_space(t, 3);
   // coarser than the surface, and with an oblique and small one among them
@@ -492,7 +492,7 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   const RL::Spline_space_3 space = stitch_space(t, 3);
   for(const auto source : {RL::Gradient_source::scans, RL::Gradient_source::back_projection}) {
     report(t.faces, params::gradient_source(source).octree_depth(3));
-    RL::internal::Color_stitching_options options;
+    RL::Color_stitching_options options;
     options.gradient_source = source;
     const RL::Stitched_colors expected = stitcher_of(space, scans, options).stitch();
     double difference = 0; // of two tolerances of the solver
@@ -517,7 +517,7 @@ TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", 
     scans.emplace_back(RL::read_surface(seen.points, seen.faces), colors,
                        RL::Scan_pose(CGAL::IDENTITY), CGAL::ORIGIN + Vector_3(4, i * 4., 0));
   }
-  RL::internal::Color_stitching_options options;
+  RL::Color_stitching_options options;
   options.linear_light = true;
   const RL::Stitched_colors r = stitcher_of(space, scans, options).stitch();
   for(int k = 0; k < 3; ++k)
@@ -580,7 +580,7 @@ TEST_CASE("stitching_does_not_depend_on_the_number_of_threads", "[stitch][thread
   const std::vector<RL::Colored_scan> scans = sphere_scans(4, 5);
   const RL::Spline_space_3 serial = stitch_space(t, 4, false), parallel = stitch_space(t, 4, true);
   for(const auto source : {RL::Gradient_source::scans, RL::Gradient_source::back_projection}) {
-    RL::internal::Color_stitching_options options;
+    RL::Color_stitching_options options;
     options.gradient_source = source;
     const RL::Stitched_colors a = stitcher_of(serial, scans, options).stitch(),
                               b = stitcher_of(parallel, scans, options).stitch();
@@ -627,7 +627,7 @@ TEST_CASE("stitching_survives_bad_triangles_and_scales", "[stitch]") {
                                        {{0, 1, 2}});
   const RL::Colored_scan scan(one, {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}, {0.7, 0.8, 0.9}},
                               RL::Scan_pose(CGAL::IDENTITY), Point_3(0.3, 0.3, 2));
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = 2;
   const RL::Spline_space_3 space(one, options);
   const RL::Stitched_colors r = stitcher_of(space, {scan}).stitch();

@@ -7,13 +7,13 @@
 #include "shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/fragment_nodes.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
-#include <CGAL/Restricted_laplacian_3/splines/internal/Block_evaluation.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/Cell_load.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/splines/shared/Block_evaluation.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -57,7 +57,7 @@ bool are_identical(const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
 
 struct Assembled {
   Assembled(const Mesh& mesh, int depth, bool is_split, bool is_parallel) {
-    RL::internal::Spline_space_options options;
+    RL::Spline_space_options options;
     options.octree_depth = depth;
     options.split_elements = is_split;
     options.is_parallel = is_parallel;

@@ -27,8 +27,8 @@ namespace benchmarks {
 
 namespace RL = CGAL::Restricted_laplacian_3;
 
-inline RL::internal::Spline_space_options space_options(int depth, bool is_split, int threads) {
-  RL::internal::Spline_space_options options;
+inline RL::Spline_space_options space_options(int depth, bool is_split, int threads) {
+  RL::Spline_space_options options;
   options.is_parallel = threads > 1;
   options.octree_depth = depth;
   options.split_elements = is_split;
@@ -62,9 +62,9 @@ inline auto limit_threads(int threads) {
 }
 
 /// \param smoother patch, the default of the package, or point
-inline RL::internal::Poisson_solver_options
-solver_options(const std::string& smoother, int threads, double tolerance, int maximum_iterations) {
-  RL::internal::Poisson_solver_options options;
+inline RL::Poisson_solver_options solver_options(const std::string& smoother, int threads,
+                                                 double tolerance, int maximum_iterations) {
+  RL::Poisson_solver_options options;
   options.smoother = smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point;
   options.is_parallel = threads > 1;
   options.relative_tolerance = tolerance;

@@ -45,7 +45,7 @@ struct Spectrum {
 inline void solve(const RL::Operators& operators, int kernel, int count, Spectrum& spectrum) {
   CGAL::Real_timer timer;
   timer.start();
-  RL::internal::Eigenpairs_options options;
+  RL::Eigenpairs_options options;
   options.tolerance = 1e-8;
   const RL::Eigenpairs pairs =
       RL::smallest_eigenpairs(operators.stiffness, operators.mass, kernel + count, options);
@@ -67,7 +67,7 @@ inline const char* name_of(Space space) {
 
 inline RL::Spline_space_3 space_of(const RL::Triangulated_surface_3& surface, Space space,
                                    int depth) {
-  RL::internal::Spline_space_options options;
+  RL::Spline_space_options options;
   options.octree_depth = depth;
   options.paper_space = space == Space::paper;
   options.split_elements = space == Space::split;

@@ -5,10 +5,11 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ESTIMATE_CURVATURE_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/Real_timer.h>
@@ -88,58 +89,6 @@ Fit_report estimate_curvature(const PointRange& points, const TriangleRange& tri
                               const NamedParameters& np = parameters::default_values()) {
   return internal::estimate_curvature(
       internal::Soup_source<PointRange, TriangleRange>(points, triangles), curvatures, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Estimates the curvature of the surface of a space.
-/// \param space the space in which normals or coordinates are fitted
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_curvature_method
-///   \named_of_curvature
-///   \named_concurrency_tag
-/// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain
-/// \throws Canceled if the callback returned `false`
-///
-/// On points, whose boundary is not known, `Curvature_method::coordinates` takes the surface as
-/// closed.
-template <class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
-Curvature_field estimate_curvature(const Spline_space_3& space,
-                                   const NamedParameters& np = parameters::default_values()) {
-  Curvature_method method = Curvature_method::normals;
-  internal::read_parameter(np, internal_np::curvature_method, method);
-  if(method == Curvature_method::coordinates)
-    return Curvature_field(space, internal::fit_coordinate_laplacian(
-                                      space, internal::curvature_options(space, false, np),
-                                      internal::progress_of(np)));
-  return internal::curvature_of_surface(space, method == Curvature_method::face_normals,
-                                        internal::curvature_options(space, true, np),
-                                        internal::progress_of(np));
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Estimates the curvature of a surface from a field of normals (paper, section 5.3): the field is
-/// fitted by splines, see `Function_fitter`; the derivative of the fit \f$u\f$ is projected to the
-/// plane that is orthogonal to \f$u\f$, divided by \f$\lvert u \rvert\f$, and symmetrized.
-/// \param space the space in which the normals are fitted
-/// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
-/// about unit length
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_curvature
-///   \named_concurrency_tag
-/// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
-Curvature_field estimate_curvature(const Spline_space_3& space,
-                                   const Surface_function_view& normals,
-                                   const NamedParameters& np = parameters::default_values()) {
-  return internal::curvature_of_field(space, normals, internal::curvature_options(space, true, np),
-                                      internal::progress_of(np));
 }
 
 namespace internal {

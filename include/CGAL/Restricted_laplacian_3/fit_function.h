@@ -4,12 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_FIT_FUNCTION_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_FIT_FUNCTION_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/function_components.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
 
 #include <CGAL/Real_timer.h>
 

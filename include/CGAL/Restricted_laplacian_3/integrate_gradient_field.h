@@ -4,12 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATE_GRADIENT_FIELD_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATE_GRADIENT_FIELD_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/function_components.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
 #include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>
 
 #include <CGAL/Real_timer.h>
@@ -38,8 +39,10 @@ auto optional_function(const Function& f, OnSurface&& on_surface) {
 /// \param target,weight function objects on `Surface_point`, a number, or `Param_not_found`; have
 /// to outlive the result
 template <class Target, class Weight, class NamedParameters>
-Screening make_screening(const Target& target, const Weight& weight, const NamedParameters& np) {
-  Screening screening;
+Gradient_options gradient_options(const Target& target, const Weight& weight,
+                                  const NamedParameters& np) {
+  Gradient_options options;
+  Gradient_screening& screening = options.screening;
   if constexpr(!std::is_same_v<Target, internal_np::Param_not_found>)
     screening.target = target;
   if constexpr(std::is_arithmetic_v<Weight>)
@@ -50,7 +53,10 @@ Screening make_screening(const Target& target, const Weight& weight, const Named
     const auto mean = parameters::get_parameter(np, internal_np::mean_value);
     screening.mean = Function_components<std::decay_t<decltype(mean)>>::read(mean);
   }
-  return screening;
+  read_parameter(np, internal_np::normal_stabilization, options.normal_stabilization);
+  options.solver = Poisson_solver_options(np, default_gradient_tolerance);
+  read_parameter(np, internal_np::callback, options.callback);
+  return options;
 }
 
 template <class Source, class Field, class PropertyMap, class NamedParameters>
@@ -70,19 +76,18 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   const auto weight =
       optional_function(parameters::get_parameter(np, internal_np::screening_weight),
                         [&](const auto& f) { return numbers_on_surface(source, f); });
-  const Screening screening = make_screening(target, weight, np);
+  const Gradient_options options = gradient_options(target, weight, np);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
-  const Gradient_options options = gradient_options(space, np);
   bool with_details = false;
   read_parameter(np, internal_np::vertex_details, with_details);
   const double end_of_splines = with_details ? 0.8 : 1;
-  Gradient_solution solution = integrate_gradients(space, field, screening, options,
-                                                   progress.part(part_of_space, end_of_splines));
+  Gradient_solution solution =
+      integrate_gradients(space, field, options, progress.part(part_of_space, end_of_splines));
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(with_details)
-    add_details(space, field, screening, options.solver, solution, values);
+    add_details(space, field, options.screening, options.solver, solution, values);
   progress(1);
   put_rows(source, values, u);
   solution.fit.space_seconds = space_seconds;
@@ -214,10 +219,7 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_
                                       const NamedParameters& np = parameters::default_values()) {
   const auto target = parameters::get_parameter(np, internal_np::target_values);
   const auto weight = parameters::get_parameter(np, internal_np::screening_weight);
-  return internal::integrate_gradients(space, v, internal::make_screening(target, weight, np),
-                                       internal::gradient_options(space, np),
-                                       internal::progress_of(np))
-      .fit;
+  return integrate_gradient_field(space, v, internal::gradient_options(target, weight, np));
 }
 
 } // namespace Restricted_laplacian_3

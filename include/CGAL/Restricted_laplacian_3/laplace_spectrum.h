@@ -40,7 +40,8 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if the callback returned `false`
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
+          internal::Require_named_parameters<NamedParameters> = 0,
+          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
 Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
                                   const NamedParameters& np = parameters::default_values()) {
   return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, k, np);
@@ -70,26 +71,6 @@ Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange&
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
-/// \param space the space; its finest level is used
-/// \param k number of pairs, positive
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_spectrum
-/// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorization fails
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
-Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
-                                  const NamedParameters& np = parameters::default_values()) {
-  Laplace_spectrum spectrum = laplace_eigenpairs(space, k, np);
-  internal::add_vertex_values(space, spectrum);
-  return spectrum;
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
 /// The `k` smallest eigenvalues and eigenvectors of the cotangent Laplacian of the triangulation,
 /// for comparison.
 /// \param tm the surface, a mesh of triangles
@@ -112,30 +93,6 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
   Laplace_spectrum spectrum = internal::cotangent_eigenpairs(surface, k, lumped_mass);
   spectrum.report.space_seconds = space_seconds;
   return spectrum;
-}
-
-/// \ingroup PkgRestrictedLaplacian3Solvers
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
-/// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
-/// `vertex_values` remains empty.
-/// \param space the space; its finest level is used
-/// \param k number of pairs, positive
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_spectrum
-/// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain
-/// \throws Numerical_error if a factorization fails
-/// \throws Canceled if the callback returned `false`
-template <class NamedParameters = parameters::Default_named_parameters>
-Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
-                                    const NamedParameters& np = parameters::default_values()) {
-  internal::Space_spectrum_options options;
-  options.multigrid = np;
-  options.normal_stabilization = default_spectrum_stabilization(space);
-  internal::read_parameter(np, internal_np::eigensolver, options.eigensolver);
-  internal::read_parameter(np, internal_np::normal_stabilization, options.normal_stabilization);
-  return internal::space_eigenpairs(space, k, options);
 }
 
 namespace internal {

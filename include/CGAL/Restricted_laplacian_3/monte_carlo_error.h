@@ -18,9 +18,8 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-namespace internal {
-
-/// the named parameters of `estimate_operators()` and `estimate_eigenvalues()`, read
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of `estimate_operators()` and `estimate_eigenvalues()`.
 struct Monte_carlo_options {
   /// of all batches together; each has this over `number_of_batches`, rounded down
   std::size_t number_of_samples = 1000000;
@@ -32,17 +31,17 @@ struct Monte_carlo_options {
   /// how the samples of a batch are drawn
   Sampling sampling = Sampling::independent;
 
+  /// the defaults
   Monte_carlo_options() = default;
-  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Monte_carlo_options(const NamedParameters& np) {
-    read_parameter(np, internal_np::number_of_samples, number_of_samples);
-    read_parameter(np, internal_np::number_of_batches, number_of_batches);
-    read_parameter(np, internal_np::random_seed, seed);
-    read_parameter(np, internal_np::sampling, sampling);
+    internal::read_parameter(np, internal_np::number_of_samples, number_of_samples);
+    internal::read_parameter(np, internal_np::number_of_batches, number_of_batches);
+    internal::read_parameter(np, internal_np::random_seed, seed);
+    internal::read_parameter(np, internal_np::sampling, sampling);
   }
 };
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Matrices from samples, and the standard error of each of their entries.
@@ -84,7 +83,7 @@ struct Estimated_eigenvalues {
 /// \param normal_stabilization,stabilized as in `assemble_operators()`
 /// \throws Parameter_error if the level or a parameter is outside its domain
 Estimated_operators estimate_operators(const Spline_space_3& space, int level,
-                                       const internal::Monte_carlo_options& np = {},
+                                       const Monte_carlo_options& np = {},
                                        double normal_stabilization = 0,
                                        Stabilized stabilized = Stabilized::stiffness_and_mass);
 
@@ -117,7 +116,7 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
 /// \throws Parameter_error if `k` or a parameter is outside its domain
 /// \throws Numerical_error if a factorization fails, or if not all eigenvalues were found
 Estimated_eigenvalues estimate_eigenvalues(const Spline_space_3& space, int k,
-                                           const internal::Monte_carlo_options& np = {},
+                                           const Monte_carlo_options& np = {},
                                            double normal_stabilization = 0);
 
 } // namespace Restricted_laplacian_3

@@ -8,7 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
-#include <CGAL/Restricted_laplacian_3/problems/internal/Running_mean.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/Running_mean.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 
 #include <Eigen/Core>
@@ -56,9 +56,9 @@ private:
 
 } // namespace internal
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Estimated_operators estimate_operators(
-    const Spline_space_3& space, int level, const internal::Monte_carlo_options& options,
-    double normal_stabilization, Stabilized stabilized) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Estimated_operators
+estimate_operators(const Spline_space_3& space, int level, const Monte_carlo_options& options,
+                   double normal_stabilization, Stabilized stabilized) {
   space.checked_level(level);
   const internal::Sample_batches batches(space, options);
   internal::Running_mean stiffness, mass;
@@ -81,8 +81,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Estimated_operators estimate_operators(
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Estimated_eigenvalues
-estimate_eigenvalues(const Spline_space_3& space, int k,
-                     const internal::Monte_carlo_options& options, double normal_stabilization) {
+estimate_eigenvalues(const Spline_space_3& space, int k, const Monte_carlo_options& options,
+                     double normal_stabilization) {
   if(k < 1)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
   const internal::Sample_batches batches(space, options);

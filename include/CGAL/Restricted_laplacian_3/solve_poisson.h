@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVE_POISSON_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
@@ -53,22 +54,24 @@ Point_constraints vertex_constraints(const Source& source, const Spline_space_3&
 /// \param alpha a number, or a function on the surface, to which the problem refers
 /// \param boundary_values a function, which counts only if it is among the named parameters
 template <class Alpha, class BoundaryValues, class NamedParameters>
-Poisson_problem poisson_problem(const Spline_space_3& space, const Surface_function_view& f,
-                                const Alpha& alpha, const BoundaryValues& boundary_values,
-                                const NamedParameters& np, const Progress& progress) {
+Poisson_problem poisson_problem(const Surface_function_view& f, const Alpha& alpha,
+                                const BoundaryValues& boundary_values, const NamedParameters& np,
+                                const Progress& progress) {
   constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
   constexpr double tolerance =
       has_boundary_values || is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>
           ? tolerance_with_constraints
           : Poisson_solver_options::default_tolerance;
-  Poisson_problem problem = {f, {}, {}, {}, {np, tolerance}, progress};
+  Poisson_problem problem(f);
   if constexpr(std::is_arithmetic_v<Alpha>)
-    problem.elliptic.reaction = static_cast<double>(alpha);
+    problem.alpha = static_cast<double>(alpha);
   else
-    problem.elliptic.reaction_function = alpha;
-  problem.elliptic.normal_stabilization = normal_stabilization(space, np);
+    problem.alpha_function = alpha;
   if constexpr(has_boundary_values)
     problem.boundary_values = boundary_values;
+  read_parameter(np, internal_np::normal_stabilization, problem.normal_stabilization);
+  problem.solver = Poisson_solver_options(np, tolerance);
+  problem.callback = progress.callback();
   return problem;
 }
 
@@ -105,7 +108,7 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const auto right_hand_side = surface_function(source, f);
   const auto weight = number_or_surface_function(source, alpha);
   const auto boundary_values = surface_function(source, boundary_values_of(np));
-  Poisson_problem problem = poisson_problem(space, right_hand_side, weight, boundary_values, np,
+  Poisson_problem problem = poisson_problem(right_hand_side, weight, boundary_values, np,
                                             progress.part(part_of_space, 1));
   if constexpr(is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>)
     problem.constraints = vertex_constraints(source, space, np);
@@ -127,8 +130,7 @@ Poisson_solution solve_poisson_in_space(const Spline_space_3& space, const Surfa
   const Progress progress = progress_of(np);
   progress(0);
   const auto boundary_values = boundary_values_of(np);
-  return solve_poisson_problem(space,
-                               poisson_problem(space, f, alpha, boundary_values, np, progress));
+  return solve_poisson_problem(space, poisson_problem(f, alpha, boundary_values, np, progress));
 }
 
 /// refuses a weight that is a number and not positive

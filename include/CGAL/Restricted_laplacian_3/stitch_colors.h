@@ -10,7 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 #include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
-#include <CGAL/Restricted_laplacian_3/textures/internal/color_values.h>
+#include <CGAL/Restricted_laplacian_3/textures/shared/color_values.h>
 
 #include <CGAL/Real_timer.h>
 

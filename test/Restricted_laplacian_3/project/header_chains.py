@@ -6,7 +6,8 @@
 
 usage: header_chains.py --all|--public INCLUDE_DIR OUTPUT_DIR [HEADER LEFT OUT]...
 
---public leaves out what only other headers include: folders named internal, and definitions (_impl.h).
+--public leaves out what only other headers include: folders named internal or shared, and
+definitions (_impl.h).
 
 If B reaches A anyway, then B compiles alone exactly if it compiles after A: so one source that
 includes A and then B is about both. A source is a chain of such headers, and there are as few chains
@@ -80,7 +81,7 @@ def main():
     output_dir.mkdir(parents=True, exist_ok=True)
     names = []
     chosen = {header for header in includes
-              if not is_public or not ("/internal/" in header or header.endswith("_impl.h"))}
+              if not is_public or not re.search("/internal/|/shared/|_impl[.]h$", header)}
     found = list(chains({header: reached(header, includes) & chosen for header in chosen}))
     if sum(map(len, found)) != len(chosen):
         sys.exit("some headers include each other")

@@ -83,7 +83,10 @@ def main():
             elif target == PACKAGE + ".h":
                 errors.append(f"{header}: includes the header of the whole package")
             elif target.startswith(PACKAGE + "/"):
-                own.append(target[len(PACKAGE) + 1:])
+                target = target[len(PACKAGE) + 1:]
+                own.append(target)
+                if "/internal/" in target and room_of(target) not in (room, "foundation"):
+                    errors.append(f"{header}: includes {target}, which is {room_of(target)}'s own")
             elif room in without_meshes and ABOUT_MESHES.match(target):
                 errors.append(f"{header}: is in {room}, without meshes, and includes {target}")
 

@@ -8,8 +8,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/wall_crossings.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/sheet_integrals.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/wall_crossings.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 
 #include <boost/math/quadrature/gauss.hpp>

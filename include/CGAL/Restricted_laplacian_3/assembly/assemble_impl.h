@@ -7,8 +7,8 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Operator_assembly.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Sparse_sink.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/sheet_loads.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/sheet_loads.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 

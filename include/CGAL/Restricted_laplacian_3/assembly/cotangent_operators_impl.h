@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_COTANGENT_OPERATORS_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/linear_elements.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/linear_elements.h>
 
 #include <Eigen/SparseCore>
 

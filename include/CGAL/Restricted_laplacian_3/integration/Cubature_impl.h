@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/fragment_nodes.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 
 #include <array>
 #include <cstddef>

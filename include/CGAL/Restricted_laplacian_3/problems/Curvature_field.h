@@ -5,18 +5,19 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -98,29 +99,72 @@ private:
   Fit_report m_report;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of `estimate_curvature()`.
+struct Curvature_options {
+  /// what is fitted
+  Curvature_method method = Curvature_method::normals;
+  /// in units of length^2; without a value the squared width of the finest cells, by which waves
+  /// about as long as cells are smoothed away, and with them most of the noise of a triangulation;
+  /// 0 for points, for `Curvature_method::coordinates`, and where the surface has a boundary, where
+  /// the natural condition would bend the normals
+  std::optional<double> smoothing_weight;
+  /// without a value one with smoothing, and none without
+  std::optional<int> refinement_steps;
+  /// of the fit, whose smoothing and refinement are those above; without values its stabilization
+  /// is `default_curvature_stabilization` and its energy tolerance 3e-4
+  Function_fit_options fit;
+  /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
+  /// ends with an exception
+  std::function<bool(double)> callback;
+
+  /// the defaults
+  Curvature_options() = default;
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
+  Curvature_options(const NamedParameters& np) : fit(np) {
+    internal::read_parameter(np, internal_np::curvature_method, method);
+    internal::read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
+    internal::read_parameter(np, internal_np::refinement_steps, refinement_steps);
+    internal::read_parameter(np, internal_np::callback, callback);
+  }
+};
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Estimates the curvature of the surface of a space.
+/// \param space the space in which normals or coordinates are fitted
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_curvature_method
+///   \named_of_curvature
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+/// \throws Canceled if the callback returned `false`
+///
+/// On points, whose boundary is not known, `Curvature_method::coordinates` takes the surface as
+/// closed.
+Curvature_field estimate_curvature(const Spline_space_3& space, const Curvature_options& np = {});
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Estimates the curvature of a surface from a field of normals (paper, section 5.3): the field is
+/// fitted by splines, see `Function_fitter`; the derivative of the fit \f$u\f$ is projected to the
+/// plane that is orthogonal to \f$u\f$, divided by \f$\lvert u \rvert\f$, and symmetrized.
+/// \param space the space in which the normals are fitted
+/// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
+/// about unit length
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_curvature
+///   \named_concurrency_tag
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
+/// \throws Canceled if the callback returned `false`
+Curvature_field estimate_curvature(const Spline_space_3& space,
+                                   const Surface_function_view& normals,
+                                   const Curvature_options& np = {});
+
 namespace internal {
-
-/// The smoothing weight: waves about as long as cells are wide are smoothed away, and with them
-/// most of the noise of a triangulation. It follows from the space alone: a weight that followed
-/// from the faces would make the result depend on them. Nothing near boundaries, where the natural
-/// condition would bend the normals, nor for points, whose normals come from no triangulation.
-double curvature_smoothing_weight(const Spline_space_3& space);
-
-template <class NamedParameters>
-Function_fit_options curvature_options(const Spline_space_3& space, bool with_smoothing,
-                                       const NamedParameters& np) {
-  Function_fit_options options = np;
-  if(!options.normal_stabilization)
-    options.normal_stabilization = default_curvature_stabilization;
-  if(!options.energy_tolerance)
-    options.energy_tolerance = default_curvature_tolerance;
-  if(with_smoothing)
-    options.smoothing_weight = curvature_smoothing_weight(space);
-  read_parameter(np, internal_np::smoothing_weight, options.smoothing_weight);
-  options.refinement_steps = options.smoothing_weight > 0 ? 1 : 0;
-  read_parameter(np, internal_np::refinement_steps, options.refinement_steps);
-  return options;
-}
 
 /// Vertex normals interpolated linearly and renormalized: where they cancel, that of the face.
 class Interpolated_normals {
@@ -140,20 +184,6 @@ private:
   static constexpr double smallest_length = 1e-8;
   std::vector<Vector_3> m_normals;
 };
-
-/// the curvature by the Laplacian of the coordinates, in the weak form
-Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
-                                      const Function_fit_options& options,
-                                      const Progress& progress);
-
-/// the curvature by the derivative of the fit of a field of normals
-Curvature_field curvature_of_field(const Spline_space_3& space,
-                                   const Surface_function_view& normals,
-                                   const Function_fit_options& options, const Progress& progress);
-
-/// the same with the normals of the surface at the vertices, or of the faces
-Curvature_field curvature_of_surface(const Spline_space_3& space, bool of_faces,
-                                     const Function_fit_options& options, const Progress& progress);
 
 } // namespace internal
 

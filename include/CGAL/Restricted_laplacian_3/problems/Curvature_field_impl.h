@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
@@ -95,11 +96,22 @@ Curvature_field::curvatures(const Spline_jets& jets) const {
 
 namespace internal {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE double curvature_smoothing_weight(const Spline_space_3& space) {
-  if(space.surface().is_point_set() || !boundary_sides(space).empty())
-    return 0;
+/// what the options say, with what follows from the space where they say nothing
+inline Function_fit_options curvature_fit_options(const Spline_space_3& space,
+                                                  const Curvature_options& given,
+                                                  bool with_smoothing) {
+  Function_fit_options options = given.fit;
+  if(!options.normal_stabilization)
+    options.normal_stabilization = default_curvature_stabilization;
+  if(!options.energy_tolerance)
+    options.energy_tolerance = default_curvature_tolerance;
+  // A weight that followed from the faces would make the result depend on them.
   const double h = space.octree().cell_width(space.depth());
-  return h * h;
+  const bool smooths =
+      with_smoothing && !space.surface().is_point_set() && boundary_sides(space).empty();
+  options.smoothing_weight = given.smoothing_weight.value_or(smooths ? h * h : 0);
+  options.refinement_steps = given.refinement_steps.value_or(options.smoothing_weight > 0 ? 1 : 0);
+  return options;
 }
 
 /// \f$\int \Delta x_k\, b_i\f$ in the weak form, a column for each coordinate \f$x_k\f$:
@@ -116,8 +128,10 @@ inline Eigen::MatrixXd coordinate_laplacian_loads(const Spline_space_3& space) {
   return loads;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit fit_coordinate_laplacian(
-    const Spline_space_3& space, const Function_fit_options& options, const Progress& progress) {
+/// the curvature by the Laplacian of the coordinates, in the weak form
+inline Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
+                                             const Function_fit_options& options,
+                                             const Progress& progress) {
   progress(0);
   const auto normal = function_of_degree([](const Surface_point& p) { return p.normal; }, 0);
   Eigen::MatrixXd loads(static_cast<Eigen::Index>(space.dimension()), 6);
@@ -126,24 +140,30 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit fit_coordinate_laplacian(
   return Function_fitter(space, options).project(loads, progress.part(0.2, 1).callback());
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
-curvature_of_field(const Spline_space_3& space, const Surface_function_view& normals,
-                   const Function_fit_options& options, const Progress& progress) {
-  return Curvature_field(space, Function_fitter(space, options).fit(normals, progress.callback()));
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
-curvature_of_surface(const Spline_space_3& space, bool of_faces,
-                     const Function_fit_options& options, const Progress& progress) {
-  if(of_faces)
-    return curvature_of_field(
-        space, function_of_degree([](const Surface_point& p) { return p.normal; }, 0), options,
-        progress);
-  return curvature_of_field(space, Interpolated_normals(vertex_normals(space.surface())), options,
-                            progress);
-}
-
 } // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
+estimate_curvature(const Spline_space_3& space, const Surface_function_view& normals,
+                   const Curvature_options& options) {
+  Function_fitter fitter(space, internal::curvature_fit_options(space, options, true));
+  return Curvature_field(space, fitter.fit(normals, options.callback));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
+estimate_curvature(const Spline_space_3& space, const Curvature_options& options) {
+  switch(options.method) {
+  case Curvature_method::coordinates:
+    return Curvature_field(space, internal::fit_coordinate_laplacian(
+                                      space, internal::curvature_fit_options(space, options, false),
+                                      internal::Progress(options.callback)));
+  case Curvature_method::face_normals:
+    return estimate_curvature(
+        space, function_of_degree([](const Surface_point& p) { return p.normal; }, 0), options);
+  default:
+    return estimate_curvature(
+        space, internal::Interpolated_normals(vertex_normals(space.surface())), options);
+  }
+}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

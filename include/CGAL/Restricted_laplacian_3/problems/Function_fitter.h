@@ -55,8 +55,12 @@ namespace internal {
 
 struct Fit_residual;
 
-/// the named parameters of a `Function_fitter`, read
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of a `Function_fitter`.
 struct Function_fit_options {
+  /// the default of `relative_tolerance`
   static constexpr double default_tolerance = 1e-8;
 
   /// weight \f$w \ge 0\f$ of \f$\int \lvert \nabla u \rvert^2\f$, in units of length^2
@@ -71,18 +75,18 @@ struct Function_fit_options {
   /// of the linear systems
   Poisson_solver_options solver;
 
+  /// the defaults
   Function_fit_options() { solver.relative_tolerance = default_tolerance; }
-  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Function_fit_options(const NamedParameters& np) : solver(np, default_tolerance) {
-    read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
-    read_parameter(np, internal_np::refinement_steps, refinement_steps);
-    read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
-    read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
+    internal::read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
+    internal::read_parameter(np, internal_np::refinement_steps, refinement_steps);
+    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    internal::read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
     solver.energy_tolerance = 0; // relative to the solution
   }
 };
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Fits
 /// Fits functions on a surface by splines: set up once, it fits any number of functions, each a
@@ -122,7 +126,7 @@ struct Function_fit_options {
 /// The systems are solved by conjugate gradients with a multigrid preconditioner, a
 /// `Poisson_solver`, for up to eight components at a time.
 class Function_fitter {
-  using Options = internal::Function_fit_options;
+  using Options = Function_fit_options;
 
 public:
   /// of the residual, relative to the right-hand side

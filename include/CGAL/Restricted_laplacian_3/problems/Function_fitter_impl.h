@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_FUNCTION_FITTER_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_FUNCTION_FITTER_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
@@ -136,7 +136,7 @@ Function_fitter::solver(double normal_stabilization, const Progress& progress) {
       return solver;
   CGAL::Real_timer timer;
   timer.start();
-  internal::Poisson_solver_options options = m_options.solver;
+  Poisson_solver_options options = m_options.solver;
   if(energy_tolerance() > 0)
     options.energy_tolerance = internal::smallest_error_of_fits;
   // The matrix M + w S in units of the squared cell width.

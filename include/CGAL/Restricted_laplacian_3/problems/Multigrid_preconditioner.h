@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/Core>

@@ -5,9 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -15,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -32,27 +31,46 @@ struct Poisson_solution : Solve_report {
   int kernel_dimension = 0;
 };
 
-namespace internal {
-
-/// A Poisson problem on a space, \f$\Delta u = f\f$, or \f$\alpha u - \Delta u = f\f$ if
-/// \f$\alpha\f$ is not 0, with prescribed values where wanted.
+/// \ingroup PkgRestrictedLaplacian3Options
+/// A Poisson problem, \f$\Delta u = f\f$, or a screened one,
+/// \f$\alpha u - \Delta u = f\f$. Functions are referred to, and have to outlive it.
 struct Poisson_problem {
+  /// the right-hand side
   Surface_function_view f;
-  Elliptic_operator elliptic;
+  /// screening weight, at least 0, in units of 1 / area
+  double alpha = 0;
+  /// the screening weight as a function whose values are not negative, in place of the number
+  std::optional<Surface_function_view> alpha_function;
+  /// what the solution is on the boundary; the natural condition without a value
   std::optional<Surface_function_view> boundary_values;
+  /// what the solution is at points
   std::optional<Point_constraints> constraints;
-  Poisson_solver_options options;
-  Progress progress;
+  /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
+  std::optional<double> normal_stabilization;
+  /// of the linear system; prescribed values need a smaller tolerance, such as 1e-7
+  Poisson_solver_options solver;
+  /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
+  /// ends with an exception
+  std::function<bool(double)> callback;
+
+  /// a Poisson problem without prescribed values
+  explicit Poisson_problem(const Surface_function_view& f) : f(f) {}
 };
 
-/// Prescribed values enter the right-hand side with large factors, and its norm with them: the
-/// same relative residual means less.
-constexpr double tolerance_with_constraints = 1e-7;
-
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// What `solve_poisson()` and `solve_screened_poisson()` do in a space.
+/// \param space the space that the solution is in
+/// \param problem what is solved, and how
+/// \throws Parameter_error if something is outside its domain, or if a value of a function is not
+/// finite
+/// \throws Canceled if the callback returned `false`
 Poisson_solution solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem);
 
-/// A location of each vertex that has a face of positive area; \f$-1\f$ as its barycentric
-/// coordinate marks the others.
+namespace internal {
+
+/// the tolerance of problems with prescribed values
+constexpr double tolerance_with_constraints = 1e-7;
+
 std::vector<Surface_location> locations_of_vertices(const Triangulated_surface_3& surface);
 
 /// refuses a screening weight that is not a positive number

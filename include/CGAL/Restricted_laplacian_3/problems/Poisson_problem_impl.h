@@ -5,9 +5,9 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 
@@ -24,33 +24,37 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-namespace internal {
-
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solution
 solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem) {
   CGAL::Real_timer timer;
   timer.start();
-  const Progress& progress = problem.progress;
+  const internal::Progress progress(problem.callback);
   progress(0);
-  const Elliptic_operator& elliptic = problem.elliptic;
+  internal::Elliptic_operator elliptic;
+  elliptic.reaction = problem.alpha;
+  elliptic.reaction_function = problem.alpha_function;
+  elliptic.normal_stabilization =
+      problem.normal_stabilization.value_or(default_normal_stabilization(space));
   Eigen::VectorXd load = assemble_load(space, problem.f);
   if(elliptic.reaction == 0 && !elliptic.reaction_function)
     load = -load;
-  const Progress of_setup = progress.part(0.1, 0.7);
+  const internal::Progress of_setup = progress.part(0.1, 0.7);
   const Poisson_solver solver =
       problem.boundary_values || problem.constraints
-          ? constrained_solver(space, elliptic, problem.boundary_values, problem.constraints,
-                               problem.options, of_setup, load)
-          : elliptic_solver(space, elliptic, problem.options, of_setup);
+          ? internal::constrained_solver(space, elliptic, problem.boundary_values,
+                                         problem.constraints, problem.solver, of_setup, load)
+          : internal::elliptic_solver(space, elliptic, problem.solver, of_setup);
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Poisson_solution solution;
   static_cast<Solve_report&>(solution) =
       solver.solve(load, solution.coefficients,
-                   {problem.options.relative_tolerance, progress.part(0.7, 1).callback()});
+                   {problem.solver.relative_tolerance, progress.part(0.7, 1).callback()});
   solution.assembly_seconds = assembly_seconds;
   solution.kernel_dimension = solver.kernel_dimension();
   return solution;
 }
+
+namespace internal {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_location>
 locations_of_vertices(const Triangulated_surface_3& surface) {

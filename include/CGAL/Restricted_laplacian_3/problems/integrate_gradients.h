@@ -4,12 +4,9 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTEGRATE_GRADIENTS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTEGRATE_GRADIENTS_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -17,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -52,16 +50,22 @@ namespace internal {
 /// the tolerance of `integrate_gradient_field()`
 constexpr double default_gradient_tolerance = 1e-5;
 
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Options
 /// What pulls the solution to given values: targets \f$g\f$, a weight, and the mean where there are
 /// none.
-struct Screening {
+struct Gradient_screening {
+  /// \f$g\f$, a component for each channel
   std::optional<Surface_function_view> target;
-  /// a number, or a function; without both there is no weight
+  /// \f$\alpha > 0\f$, in units of 1 / area; without weights there are only the gradients
   std::optional<double> weight;
+  /// \f$\alpha \ge 0\f$ as a function, in place of the number
   std::optional<Surface_function_view> weight_function;
   /// what is wanted of the means of the channels; empty if nothing is
   Eigen::VectorXd mean;
 
+  /// whether there is a weight
   bool has_weight() const { return weight || weight_function; }
   /// 0 if none is given
   Eigen::VectorXd mean_or_zero(int channels) const;
@@ -71,6 +75,36 @@ struct Screening {
   void check(int channels) const;
 };
 
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of `integrate_gradient_field()`. Functions are referred to, and have to
+/// outlive it.
+struct Gradient_options {
+  /// what pulls the solution
+  Gradient_screening screening;
+  /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
+  std::optional<double> normal_stabilization;
+  /// of the linear system; the tolerance is 1e-5 unless set otherwise
+  Poisson_solver_options solver;
+  /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
+  /// ends with an exception
+  std::function<bool(double)> callback;
+
+  /// the defaults
+  Gradient_options() { solver.relative_tolerance = internal::default_gradient_tolerance; }
+};
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// Integrates a vector field in a space, as the template of this name does.
+/// \param space the space that the solution is in
+/// \param v the field
+/// \param options what the named parameters of the template say
+/// \throws Parameter_error as there
+/// \throws Canceled if the callback returned `false`
+Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_field_view& v,
+                                      const Gradient_options& options);
+
+namespace internal {
+
 /// a fit, with what is needed to keep its means when details are added
 struct Gradient_solution {
   Gradient_fit fit;
@@ -79,24 +113,13 @@ struct Gradient_solution {
   std::vector<char> is_screened;
 };
 
-struct Gradient_options {
-  Poisson_solver_options solver;
-  double normal_stabilization;
-};
-
-template <class NamedParameters>
-Gradient_options gradient_options(const Spline_space_3& space, const NamedParameters& np) {
-  return {{np, default_gradient_tolerance}, normal_stabilization(space, np)};
-}
-
 Gradient_solution integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
-                                      const Screening& screening, const Gradient_options& options,
-                                      const Progress& progress = Progress());
+                                      const Gradient_options& options, const Progress& progress);
 
 /// corrects the values of a solution at the vertices
 /// \throws Input_error if the surface is a point set
 void add_details(const Spline_space_3& space, const Vector_field_view& v,
-                 const Screening& screening, const Poisson_solver_options& options,
+                 const Gradient_screening& screening, const Poisson_solver_options& options,
                  Gradient_solution& solution, Eigen::MatrixXd& values);
 
 } // namespace internal

@@ -5,15 +5,18 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTEGRATE_GRADIENTS_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/sheet_loads.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/sheet_loads.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
-#include <CGAL/Restricted_laplacian_3/splines/internal/spline_evaluation.h>
+#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection.h>
+#include <CGAL/Restricted_laplacian_3/splines/shared/spline_evaluation.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -27,13 +30,12 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-namespace internal {
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd Screening::mean_or_zero(int channels) const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+Gradient_screening::mean_or_zero(int channels) const {
   return mean.size() > 0 ? mean : Eigen::VectorXd(Eigen::VectorXd::Zero(channels));
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Screening::check(int channels) const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Gradient_screening::check(int channels) const {
   if(target && target->components() != channels)
     throw Parameter_error("target_values", "need as many components as the field has channels");
   if(weight && !(*weight > 0 && std::isfinite(*weight)))
@@ -45,11 +47,13 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Screening::check(int channels) const {
     throw Parameter_error("mean_value", "is not finite");
 }
 
+namespace internal {
+
 /// The weight and the targets at some points, for a screening that has them: the target is not read
 /// where the weight is 0.
 class Screening_values {
 public:
-  Screening_values(const Screening& screening, int channels)
+  Screening_values(const Gradient_screening& screening, int channels)
     : m_screening(screening), m_channels(static_cast<std::size_t>(channels)) {}
 
   /// \throws Parameter_error if a weight or a target cannot be used; names the face
@@ -83,22 +87,22 @@ public:
   const double* target(std::size_t i) const { return m_targets.data() + m_channels * i; }
 
 private:
-  const Screening& m_screening;
+  const Gradient_screening& m_screening;
   std::size_t m_channels;
   std::vector<double> m_weights, m_targets;
 };
 
 /// degrees on the triangles
-inline int weight_degree(const Screening& screening) {
+inline int weight_degree(const Gradient_screening& screening) {
   return screening.weight_function ? screening.weight_function->degree() : 0;
 }
-inline int target_degree(const Screening& screening) {
+inline int target_degree(const Gradient_screening& screening) {
   return screening.target ? screening.target->degree() : 0;
 }
 
 /// \f$\int \alpha\, g_k\, b_i\f$, or \f$\int g_k\, b_i\f$ if there is no weight
 inline Eigen::MatrixXd weighted_target_loads(const Spline_space_3& space,
-                                             const Screening& screening) {
+                                             const Gradient_screening& screening) {
   const int number = screening.target->components(), depth = space.depth();
   const int degree = 6 + (std::min)(weight_degree(screening) + target_degree(screening), 6);
   const double h = space.octree().cell_width(depth);
@@ -122,8 +126,9 @@ inline Eigen::MatrixXd weighted_target_loads(const Spline_space_3& space,
 /// The means of the solution on the components of the matrix, a row for each.
 /// \param target_loads those of the weighted target, or of the target if there is no weight; not
 /// used if there is no target
-inline Eigen::MatrixXd component_means(const Mean_projection& constants, const Screening& screening,
-                                       int channels, const Eigen::MatrixXd& target_loads) {
+inline Eigen::MatrixXd component_means(const Mean_projection& constants,
+                                       const Gradient_screening& screening, int channels,
+                                       const Eigen::MatrixXd& target_loads) {
   const int number = constants.number_of_components();
   Eigen::MatrixXd means(number, channels);
   means.rowwise() = screening.mean_or_zero(channels).transpose();
@@ -169,9 +174,10 @@ inline void shift_to_means(const std::vector<int>& components, const Eigen::Vect
   }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients(
-    const Spline_space_3& space, const Vector_field_view& v, const Screening& screening,
-    const Gradient_options& options, const Progress& progress) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution
+integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
+                    const Gradient_options& options, const Progress& progress) {
+  const Gradient_screening& screening = options.screening;
   screening.check(v.channels());
   CGAL::Real_timer timer;
   timer.start();
@@ -184,7 +190,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients(
   elliptic.reaction = screening.weight.value_or(0);
   elliptic.reaction_function = screening.weight_function;
   elliptic.name_of_reaction = "screening_weight";
-  elliptic.normal_stabilization = options.normal_stabilization;
+  elliptic.normal_stabilization =
+      options.normal_stabilization.value_or(default_normal_stabilization(space));
   Eigen::VectorXd constant_loads;
   const Poisson_solver solver =
       elliptic_solver(space, elliptic, options.solver, progress.part(0.15, 0.65), &constant_loads);
@@ -241,9 +248,9 @@ inline std::vector<int> components_of_vertices(const Spline_space_3& space,
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-add_details(const Spline_space_3& space, const Vector_field_view& v, const Screening& screening,
-            const Poisson_solver_options& options, Gradient_solution& solution,
-            Eigen::MatrixXd& values) {
+add_details(const Spline_space_3& space, const Vector_field_view& v,
+            const Gradient_screening& screening, const Poisson_solver_options& options,
+            Gradient_solution& solution, Eigen::MatrixXd& values) {
   CGAL::Real_timer timer;
   timer.start();
   space.surface().require_triangles("vertex_details");
@@ -283,6 +290,11 @@ add_details(const Spline_space_3& space, const Vector_field_view& v, const Scree
 }
 
 } // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_fit integrate_gradient_field(
+    const Spline_space_3& space, const Vector_field_view& v, const Gradient_options& options) {
+  return internal::integrate_gradients(space, v, options, internal::Progress(options.callback)).fit;
+}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
@@ -35,15 +35,6 @@ Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                               const Eigen::VectorXd& integrals,
                               const Eigen::VectorXd& constant_loads,
                               const Poisson_solver_options& options);
-
-/// the `callback` among named parameters, if it is there
-template <class NamedParameters> Progress progress_of(const NamedParameters& np) {
-  return Progress(parameters::choose_parameter(parameters::get_parameter(np, internal_np::callback),
-                                               Progress::Callback()));
-}
-
-/// of the time that a function takes on a mesh, that of its space
-constexpr double part_of_space = 0.15;
 
 /// with the matrices of all levels from one pass over the surface
 /// \param constant_loads if not null, on return what the matrix maps the constant 1 to
@@ -168,7 +159,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space,
 /// \throws Parameter_error if a parameter is outside its domain
 Poisson_solver make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                                    const Eigen::VectorXd& element_integrals, double alpha = 0,
-                                   const internal::Poisson_solver_options& np = {});
+                                   const Poisson_solver_options& np = {});
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// A `Poisson_solver` for \f$A \eta = b\f$ on the finest level of a space, with a copy of the
@@ -185,7 +176,7 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, Sparse_matrix&& 
 /// \throws Parameter_error if a parameter is outside its domain
 Poisson_solver make_poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
                                    const Eigen::VectorXd& element_integrals, double alpha = 0,
-                                   const internal::Poisson_solver_options& np = {});
+                                   const Poisson_solver_options& np = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -143,7 +143,7 @@ poisson_solver_of(const Spline_space_3& space, const Operators* operators, std::
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver make_poisson_solver(
     const Spline_space_3& space, Sparse_matrix&& a, const Eigen::VectorXd& element_integrals,
-    double alpha, const internal::Poisson_solver_options& options) {
+    double alpha, const Poisson_solver_options& options) {
   internal::check_alpha(alpha);
   return internal::poisson_solver(space, std::move(a), {}, element_integrals,
                                   alpha * element_integrals, options);
@@ -151,7 +151,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver make_poisson_solver(
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver make_poisson_solver(
     const Spline_space_3& space, const Sparse_matrix& a, const Eigen::VectorXd& element_integrals,
-    double alpha, const internal::Poisson_solver_options& options) {
+    double alpha, const Poisson_solver_options& options) {
   return make_poisson_solver(space, Sparse_matrix(a), element_integrals, alpha, options);
 }
 

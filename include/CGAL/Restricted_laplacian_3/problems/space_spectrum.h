@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -45,24 +46,59 @@ struct Laplace_spectrum {
   Solve_report report;
 };
 
-namespace internal {
-
-/// What `laplace_eigenpairs()` does unless told otherwise.
-struct Space_spectrum_options {
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of `laplace_spectrum()` and `laplace_eigenpairs()`.
+struct Laplace_spectrum_options {
+  /// how eigenpairs are computed
   Eigensolver eigensolver = Eigensolver::automatic;
-  /// of the stiffness matrix
-  double normal_stabilization = 0;
+  /// factor \f$c\f$ of the stabilization, of the stiffness matrix alone; without a value
+  /// `default_spectrum_stabilization()`
+  std::optional<double> normal_stabilization;
   /// those of `Eigensolver::multigrid`; `callback` is called by both eigensolvers, and whether
   /// several threads are used is a matter of the space
   Multigrid_eigenpairs_options multigrid;
+
+  /// the defaults
+  Laplace_spectrum_options() = default;
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
+  Laplace_spectrum_options(const NamedParameters& np) : multigrid(np) {
+    internal::read_parameter(np, internal_np::eigensolver, eigensolver);
+    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+  }
 };
 
-/// `laplace_eigenpairs()` with its options read
-Laplace_spectrum space_eigenpairs(const Spline_space_3& space, int k,
-                                  const Space_spectrum_options& options);
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
+/// \param space the space; its finest level is used
+/// \param k number of pairs, positive
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_spectrum
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+/// \throws Numerical_error if a factorization fails
+/// \throws Canceled if the callback returned `false`
+Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
+                                  const Laplace_spectrum_options& np = {});
 
-/// sets `vertex_values` from the coefficients of the eigenfunctions
-void add_vertex_values(const Spline_space_3& space, Laplace_spectrum& spectrum);
+/// \ingroup PkgRestrictedLaplacian3Solvers
+/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
+/// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
+/// `vertex_values` remains empty.
+/// \param space the space; its finest level is used
+/// \param k number of pairs, positive
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_spectrum
+/// \cgalNamedParamsEnd
+/// \throws Parameter_error if a parameter is outside its domain
+/// \throws Numerical_error if a factorization fails
+/// \throws Canceled if the callback returned `false`
+Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
+                                    const Laplace_spectrum_options& np = {});
+
+namespace internal {
 
 /// `multigrid_eigenpairs()` on a space, with operators of the levels from `coarsest` to depth
 Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest,

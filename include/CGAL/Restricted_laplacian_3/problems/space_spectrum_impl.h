@@ -44,14 +44,15 @@ inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
 }
 
 /// Whether `multigrid_eigenpairs()` is used.
-inline bool uses_multigrid(const Spline_space_3& space, const Space_spectrum_options& options) {
+inline bool uses_multigrid(const Spline_space_3& space, double normal_stabilization,
+                           const Laplace_spectrum_options& options) {
   constexpr std::size_t smallest_dimension = 5000; // with fewer a factorization is as fast
   if(options.eigensolver == Eigensolver::multigrid && space.is_paper_space())
     throw Parameter_error("eigensolver", "must not be multigrid in the space of the paper, whose "
                                          "levels are not nested");
   return options.eigensolver == Eigensolver::multigrid ||
          (options.eigensolver == Eigensolver::automatic && !space.is_paper_space() &&
-          options.normal_stabilization > 0 && space.dimension() >= smallest_dimension);
+          normal_stabilization > 0 && space.dimension() >= smallest_dimension);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs
@@ -68,43 +69,53 @@ multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest, std::vector<O
                               options);
 }
 
+} // namespace internal
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
-space_eigenpairs(const Spline_space_3& space, int k, const Space_spectrum_options& options) {
+laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_options& options) {
   if(k < 1)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
-  const bool is_multigrid = uses_multigrid(space, options);
+  const double stabilization =
+      options.normal_stabilization.value_or(default_spectrum_stabilization(space));
+  const bool is_multigrid = internal::uses_multigrid(space, stabilization, options);
   Laplace_spectrum spectrum;
   CGAL::Real_timer timer;
   timer.start();
   constexpr double part_of_assembly = 0.15;
-  const Progress progress(options.multigrid.callback);
-  const Progress of_solver = progress.part(part_of_assembly, 1);
-  const int coarsest = is_multigrid ? coarsest_multigrid_level(space) : space.depth();
+  const internal::Progress progress(options.multigrid.callback);
+  const internal::Progress of_solver = progress.part(part_of_assembly, 1);
+  const int coarsest = is_multigrid ? internal::coarsest_multigrid_level(space) : space.depth();
   std::vector<Operators> operators = assemble_operators_of_levels(
-      space, coarsest, space.depth(), options.normal_stabilization, Stabilized::stiffness,
+      space, coarsest, space.depth(), stabilization, Stabilized::stiffness,
       progress.part(0, part_of_assembly).callback());
   spectrum.report.assembly_seconds = timer.time();
   if(is_multigrid) {
     Multigrid_eigenpairs_options of_multigrid = options.multigrid;
     of_multigrid.is_parallel = space.options().is_parallel;
     of_multigrid.callback = of_solver.callback();
-    take_pairs(multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
-               spectrum);
+    internal::take_pairs(
+        internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
+        spectrum);
   } else {
     Eigenpairs_options of_factorization;
     of_factorization.callback = of_solver.callback();
-    take_pairs(smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization),
-               spectrum);
+    internal::take_pairs(
+        smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization),
+        spectrum);
   }
   spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
   spectrum.area = space.surface().area();
   return spectrum;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void add_vertex_values(const Spline_space_3& space,
-                                                          Laplace_spectrum& spectrum) {
-  spectrum.vertex_values = Spline_functions_3(space, spectrum.pairs.vectors).values_at_vertices();
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
+laplace_spectrum(const Spline_space_3& space, int k, const Laplace_spectrum_options& options) {
+  Laplace_spectrum result = laplace_eigenpairs(space, k, options);
+  result.vertex_values = Spline_functions_3(space, result.pairs.vectors).values_at_vertices();
+  return result;
 }
+
+namespace internal {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
 cotangent_eigenpairs(const Triangulated_surface_3& surface, int k, bool lumped_mass) {

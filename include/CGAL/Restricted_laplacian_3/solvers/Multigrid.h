@@ -14,9 +14,9 @@
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Natural_smoother.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/symmetric_halves.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
 
 #include <CGAL/assertions.h>

@@ -28,8 +28,12 @@ namespace internal {
 
 class Mean_projection;
 
-/// the named parameters of a `Poisson_solver`, read
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of a `Poisson_solver`.
 struct Poisson_solver_options {
+  /// the default of `relative_tolerance`
   static constexpr double default_tolerance = 1e-3;
   /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration
   double relative_tolerance = default_tolerance;
@@ -49,24 +53,25 @@ struct Poisson_solver_options {
   /// whether several threads are used; results do not depend on that
   bool is_parallel = false;
 
+  /// the defaults
   Poisson_solver_options() = default;
-  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  /// what is among named parameters, and the defaults else
+  /// \param np named parameters
+  /// \param tolerance the default of the tolerance
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Poisson_solver_options(const NamedParameters& np, double tolerance = default_tolerance)
-    : relative_tolerance(tolerance),
-      is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
-    read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
-    read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
-    read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
-    read_parameter(np, internal_np::cycle, cycle);
-    read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
-    read_parameter(np, internal_np::stand_alone_multigrid, stand_alone_multigrid);
-    read_parameter(np, internal_np::smoother, smoother);
+    : relative_tolerance(tolerance), is_parallel(internal::is_parallel(np)) {
+    internal::read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
+    internal::read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
+    internal::read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
+    internal::read_parameter(np, internal_np::cycle, cycle);
+    internal::read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
+    internal::read_parameter(np, internal_np::stand_alone_multigrid, stand_alone_multigrid);
+    internal::read_parameter(np, internal_np::smoother, smoother);
   }
 };
 
-} // namespace internal
-
-/// \ingroup PkgRestrictedLaplacian3Solvers
+/// \ingroup PkgRestrictedLaplacian3Options
 /// When the iteration for a least-squares problem ends, at the latest: the solution \f$x\f$ of
 /// \f$A x = b\f$ minimizes \f$x^T A\, x - 2\, b^T x + s\f$, and an error well below the square
 /// root of the minimum does not show.
@@ -77,7 +82,7 @@ struct Least_squares_end {
   double tolerance = 0;
 };
 
-/// \ingroup PkgRestrictedLaplacian3Solvers
+/// \ingroup PkgRestrictedLaplacian3Options
 /// What a call of `Poisson_solver::solve()` has otherwise than the solver.
 struct Solve_options {
   /// in place of that of the solver, between 0 and 1
@@ -92,6 +97,7 @@ struct Solve_options {
   /// if the problem is one of least squares
   Least_squares_end least_squares;
 
+  /// the defaults
   Solve_options() = default;
   /// \param relative_tolerance in place of that of the solver, between 0 and 1
   /// \param callback as above
@@ -125,7 +131,7 @@ struct Solve_options {
 /// elements that nearly vanish on the surface) is left alone: its coefficients carry no
 /// information, and do not change the function on the surface.
 class Poisson_solver {
-  using Options = internal::Poisson_solver_options;
+  using Options = Poisson_solver_options;
 
 public:
   /// a matrix, column by column, in double precision

@@ -10,9 +10,9 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/conjugate_gradient.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/conjugate_gradient.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions.h>

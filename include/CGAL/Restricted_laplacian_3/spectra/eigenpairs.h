@@ -35,9 +35,8 @@ struct Eigenpairs {
   double regularization = 0;
 };
 
-namespace internal {
-
-/// the named parameters of `smallest_eigenpairs()`, read
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of `smallest_eigenpairs()`.
 struct Eigenpairs_options {
   /// of the eigenvalues, relative
   double tolerance = 1e-10;
@@ -49,16 +48,16 @@ struct Eigenpairs_options {
   /// computation ends with a `Canceled` exception
   std::function<bool(double)> callback;
 
+  /// the defaults
   Eigenpairs_options() = default;
-  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Eigenpairs_options(const NamedParameters& np) {
-    read_parameter(np, internal_np::relative_tolerance, tolerance);
-    read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
-    read_parameter(np, internal_np::callback, callback);
+    internal::read_parameter(np, internal_np::relative_tolerance, tolerance);
+    internal::read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
+    internal::read_parameter(np, internal_np::callback, callback);
   }
 };
-
-} // namespace internal
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -17,9 +17,8 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-namespace internal {
-
-/// the named parameters of `multigrid_eigenpairs()`, read
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of `multigrid_eigenpairs()`.
 struct Multigrid_eigenpairs_options {
   /// the largest of `Eigenpairs::residuals` that counts as converged; the error of an eigenvector
   /// is of the order of its residual, the relative one of an eigenvalue of the order of its square
@@ -34,18 +33,17 @@ struct Multigrid_eigenpairs_options {
   /// ends with a `Canceled` exception
   std::function<bool(double)> callback;
 
+  /// the defaults
   Multigrid_eigenpairs_options() = default;
-  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
-  Multigrid_eigenpairs_options(const NamedParameters& np)
-    : is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
-    read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
-    read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
-    read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
-    read_parameter(np, internal_np::callback, callback);
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
+  Multigrid_eigenpairs_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
+    internal::read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
+    internal::read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
+    internal::read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
+    internal::read_parameter(np, internal_np::callback, callback);
   }
 };
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
@@ -100,7 +98,7 @@ Eigenpairs multigrid_eigenpairs(std::vector<Sparse_matrix> stiffness,
                                 std::vector<Sparse_matrix> mass,
                                 std::vector<Sparse_matrix> prolongations,
                                 std::vector<Smoothing_patches> patches, int k,
-                                const internal::Multigrid_eigenpairs_options& np = {});
+                                const Multigrid_eigenpairs_options& np = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

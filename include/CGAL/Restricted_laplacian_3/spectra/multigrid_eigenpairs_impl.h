@@ -9,7 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Nested_lobpcg.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
@@ -118,7 +118,7 @@ inline void make_levels(std::size_t start, double alpha, std::vector<Sparse_matr
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
     std::vector<Sparse_matrix> stiffness, std::vector<Sparse_matrix> mass,
     std::vector<Sparse_matrix> prolongations, std::vector<Smoothing_patches> patches, int k,
-    const internal::Multigrid_eigenpairs_options& options) {
+    const Multigrid_eigenpairs_options& options) {
   // Prolongated vectors of a coarser level are no better than its discretization.
   constexpr double tolerance_of_coarse_levels = 1e-2;
   // of the eigenvalues of the first level; what is wrong in them the next level sets right
@@ -133,7 +133,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   internal::check_levels(stiffness, mass, prolongations, patches);
   internal::check_options(options);
   const std::size_t finest = stiffness.size() - 1;
-  internal::Eigenpairs_options start_options;
+  Eigenpairs_options start_options;
   start_options.callback = options.callback;
   if(k < 1 || k > stiffness[finest].cols() / internal::unknowns_of_a_start_vector)
     return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);

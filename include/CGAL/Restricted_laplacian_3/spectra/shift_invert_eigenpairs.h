@@ -108,7 +108,7 @@ Eigen::MatrixXd all_copies(Pencil& pencil, const Eigen::MatrixXd& constants, dou
 /// \throws Canceled if the callback returned `false`
 template <class SparseCholesky>
 Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
-                                   const internal::Eigenpairs_options& np = {}) {
+                                   const Eigenpairs_options& np = {}) {
   if(!s.isCompressed() || !m.isCompressed()) {
     Sparse_matrix compressed_s = s, compressed_m = m;
     compressed_s.makeCompressed();

@@ -60,7 +60,7 @@ namespace Restricted_laplacian_3 {
 /// densely, if this was compiled without Spectra
 /// \throws Canceled if the callback returned `false`
 Eigenpairs smallest_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
-                               const internal::Eigenpairs_options& np = {});
+                               const Eigenpairs_options& np = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -17,9 +17,8 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs
-smallest_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
-                    const internal::Eigenpairs_options& options) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs smallest_eigenpairs(
+    const Sparse_matrix& s, const Sparse_matrix& m, int k, const Eigenpairs_options& options) {
 #if !__has_include(<Spectra/SymEigsSolver.h>)
   static_cast<void>(options);
   Sparse_matrix compressed_s = s, compressed_m = m;

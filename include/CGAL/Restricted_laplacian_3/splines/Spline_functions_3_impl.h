@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
-#include <CGAL/Restricted_laplacian_3/splines/internal/spline_evaluation.h>
+#include <CGAL/Restricted_laplacian_3/splines/shared/spline_evaluation.h>
 
 #include <Eigen/Core>
 

@@ -48,9 +48,8 @@ class Element_numbering;
 /// \throws Parameter_error if `cube_scale` is out of range
 int default_octree_depth(const Triangulated_surface_3& surface, double cube_scale);
 
-namespace internal {
-
-/// the named parameters of a `Spline_space_3`, read
+/// \ingroup PkgRestrictedLaplacian3Options
+/// How a `Spline_space_3` is made: the named parameters of its constructors.
 struct Spline_space_options {
   /// depth \f$d\f$ of the octree; without a value `default_octree_depth()`
   std::optional<int> octree_depth;
@@ -72,20 +71,19 @@ struct Spline_space_options {
   /// linked with TBB. The results are the same.
   bool is_parallel = false;
 
+  /// the defaults
   Spline_space_options() = default;
-  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
-  Spline_space_options(const NamedParameters& np)
-    : is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
-    read_parameter(np, internal_np::octree_depth, octree_depth);
-    read_parameter(np, internal_np::cube_scale, cube_scale);
-    read_parameter(np, internal_np::paper_space, paper_space);
-    read_parameter(np, internal_np::split_elements, split_elements);
-    read_parameter(np, internal_np::split_elements, split_point_set);
-    read_parameter(np, internal_np::joining_tolerance, joining_tolerance);
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
+  Spline_space_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
+    internal::read_parameter(np, internal_np::octree_depth, octree_depth);
+    internal::read_parameter(np, internal_np::cube_scale, cube_scale);
+    internal::read_parameter(np, internal_np::paper_space, paper_space);
+    internal::read_parameter(np, internal_np::split_elements, split_elements);
+    internal::read_parameter(np, internal_np::split_elements, split_point_set);
+    internal::read_parameter(np, internal_np::joining_tolerance, joining_tolerance);
   }
 };
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The spaces of restricted splines, one for each level of the octree of a surface.
@@ -113,7 +111,7 @@ struct Spline_space_options {
 ///
 /// A space does not change, and copies share all that is large: they cost nothing.
 class Spline_space_3 {
-  using Options = internal::Spline_space_options;
+  using Options = Spline_space_options;
 
 public:
   /// stands for an element that does not exist

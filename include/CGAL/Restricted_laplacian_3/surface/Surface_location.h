@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_LOCATION_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/assertions.h>

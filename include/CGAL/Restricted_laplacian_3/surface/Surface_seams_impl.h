@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 
 #include <CGAL/assertions.h>
 

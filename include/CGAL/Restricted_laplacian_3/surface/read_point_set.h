@@ -7,8 +7,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 
 #include <CGAL/property_map.h>
 

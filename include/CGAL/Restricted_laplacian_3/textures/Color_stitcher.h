@@ -38,9 +38,8 @@ enum class Gradient_source {
   back_projection
 };
 
-namespace internal {
-
-/// the named parameters of a `Color_stitcher`, read
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of a `Color_stitcher`.
 struct Color_stitching_options {
   /// which vertices a scan covers
   Back_projection_options back_projection;
@@ -65,23 +64,23 @@ struct Color_stitching_options {
   /// of the linear systems
   Poisson_solver_options solver;
 
-  Color_stitching_options() { solver.relative_tolerance = default_gradient_tolerance; }
-  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
+  /// the defaults
+  Color_stitching_options() { solver.relative_tolerance = internal::default_gradient_tolerance; }
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Color_stitching_options(const NamedParameters& np)
-    : back_projection(np), solver(np, default_gradient_tolerance) {
-    read_parameter(np, internal_np::gradient_source, gradient_source);
-    read_parameter(np, internal_np::seam_weight, seam_weight);
-    read_parameter(np, internal_np::quality_smoothing_steps, quality_smoothing_steps);
-    read_parameter(np, internal_np::match_exposures, match_exposures);
-    read_parameter(np, internal_np::linear_light, linear_light);
-    read_parameter(np, internal_np::screening_weight, screening_weight);
-    read_parameter(np, internal_np::vertex_details, vertex_details);
-    read_parameter(np, internal_np::details_tolerance, details_tolerance);
-    read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    : back_projection(np), solver(np, internal::default_gradient_tolerance) {
+    internal::read_parameter(np, internal_np::gradient_source, gradient_source);
+    internal::read_parameter(np, internal_np::seam_weight, seam_weight);
+    internal::read_parameter(np, internal_np::quality_smoothing_steps, quality_smoothing_steps);
+    internal::read_parameter(np, internal_np::match_exposures, match_exposures);
+    internal::read_parameter(np, internal_np::linear_light, linear_light);
+    internal::read_parameter(np, internal_np::screening_weight, screening_weight);
+    internal::read_parameter(np, internal_np::vertex_details, vertex_details);
+    internal::read_parameter(np, internal_np::details_tolerance, details_tolerance);
+    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
   }
 };
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// What one scan gave to a surface. Areas are fractions of the area of the surface, from 0 to 1.
@@ -180,7 +179,7 @@ double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::uint32_t>
 ///    and steps between scans are spread over about \f$1 / \sqrt\alpha\f$.
 /// -# Connected components without any scan take the mean of the others.
 class Color_stitcher {
-  using Options = internal::Color_stitching_options;
+  using Options = Color_stitching_options;
 
 public:
   /// the default of `screening_weight`, in units of 1 / area of the surface

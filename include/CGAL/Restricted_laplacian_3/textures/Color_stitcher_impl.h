@@ -10,7 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Scan_choice.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/exposure_gains.h>
@@ -342,22 +342,21 @@ Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& t
   const auto target_function =
       function_of_degree([&](const Surface_point& p) -> Eigen::Vector3d { return target(p); }, 1);
   const Face_function<double> weight(std::move(weights));
-  internal::Screening screening;
-  screening.target = target_function;
-  screening.weight_function = weight;
-  internal::Gradient_options options = {
-      m_options.solver,
-      m_options.normal_stabilization.value_or(default_normal_stabilization(m_space))};
+  Gradient_options options;
+  options.screening.target = target_function;
+  options.screening.weight_function = weight;
+  options.normal_stabilization = m_options.normal_stabilization;
+  options.solver = m_options.solver;
   options.solver.is_parallel = is_parallel();
   internal::Gradient_solution solution = internal::integrate_gradients(
-      m_space, field, screening, options, progress.part(0, m_options.vertex_details ? 0.8 : 1));
+      m_space, field, options, progress.part(0, m_options.vertex_details ? 0.8 : 1));
   Eigen::MatrixXd values =
       Spline_functions_3(m_space, solution.fit.coefficients).values_at_vertices();
   if(m_options.vertex_details) {
-    internal::Poisson_solver_options of_details = options.solver;
+    Poisson_solver_options of_details = options.solver;
     of_details.relative_tolerance =
         (std::max)(of_details.relative_tolerance, m_options.details_tolerance);
-    internal::add_details(m_space, field, screening, of_details, solution, values);
+    internal::add_details(m_space, field, options.screening, of_details, solution, values);
   }
   static_cast<Gradient_report&>(result) = solution.fit;
   return values;

@@ -25,9 +25,8 @@ namespace Restricted_laplacian_3 {
 /// The scan of a face or vertex that has none.
 constexpr std::uint32_t no_scan = (std::numeric_limits<std::uint32_t>::max)();
 
-namespace internal {
-
-/// the named parameters of a `Color_back_projector`, read
+/// \ingroup PkgRestrictedLaplacian3Options
+/// The named parameters of a `Color_back_projector`.
 struct Back_projection_options {
   /// \f$D\f$: largest distance of a covered vertex from the scan; without a value four times the
   /// larger one of the spacings of scan and surface (`Colored_scan::spacing()`)
@@ -48,20 +47,19 @@ struct Back_projection_options {
   /// whether several threads are used
   bool is_parallel = false;
 
+  /// the defaults
   Back_projection_options() = default;
-  template <class NamedParameters, Require_named_parameters<NamedParameters> = 0>
-  Back_projection_options(const NamedParameters& np)
-    : is_parallel(Restricted_laplacian_3::internal::is_parallel(np)) {
-    read_parameter(np, internal_np::maximum_distance, maximum_distance);
-    read_parameter(np, internal_np::minimum_facing_cosine, minimum_facing_cosine);
-    read_parameter(np, internal_np::minimum_normal_cosine, minimum_normal_cosine);
-    read_parameter(np, internal_np::boundary_width, boundary_width);
-    read_parameter(np, internal_np::oriented_surface, oriented_surface);
-    read_parameter(np, internal_np::color_gradients, with_gradients);
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
+  Back_projection_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
+    internal::read_parameter(np, internal_np::maximum_distance, maximum_distance);
+    internal::read_parameter(np, internal_np::minimum_facing_cosine, minimum_facing_cosine);
+    internal::read_parameter(np, internal_np::minimum_normal_cosine, minimum_normal_cosine);
+    internal::read_parameter(np, internal_np::boundary_width, boundary_width);
+    internal::read_parameter(np, internal_np::oriented_surface, oriented_surface);
+    internal::read_parameter(np, internal_np::color_gradients, with_gradients);
   }
 };
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The colors of a scan on a surface: of the vertices that it covers, in ascending order.
@@ -102,7 +100,7 @@ struct Back_projection {
 /// Construction takes \f$O(F \log F)\f$ time for \f$F\f$ faces, a scan of \f$n\f$ vertices
 /// \f$O(\log n)\f$ for each vertex that faces its viewpoint.
 class Color_back_projector {
-  using Options = internal::Back_projection_options;
+  using Options = Back_projection_options;
 
 public:
   /// \param surface has to outlive this object
@@ -154,7 +152,7 @@ private:
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error a parameter is outside its domain
 Back_projection back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,
-                                    const internal::Back_projection_options& np = {});
+                                    const Back_projection_options& np = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

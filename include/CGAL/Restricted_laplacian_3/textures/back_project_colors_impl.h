@@ -132,7 +132,7 @@ Color_back_projector::project(const Colored_scan& scan, std::size_t begin, std::
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Back_projection
 back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,
-                    const internal::Back_projection_options& options) {
+                    const Back_projection_options& options) {
   return Color_back_projector(surface, options)(scan);
 }
 

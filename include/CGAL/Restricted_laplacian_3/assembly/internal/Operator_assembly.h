@@ -8,8 +8,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_integrals.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/sheet_integrals.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/Core>

@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_PROGRESS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 
 #include <algorithm>
 #include <functional>
@@ -68,6 +69,12 @@ private:
   std::shared_ptr<Listener> m_listener;
   double m_first = 0, m_length = 1;
 };
+
+/// the `callback` among named parameters, if it is there
+template <class NamedParameters> Progress progress_of(const NamedParameters& np) {
+  return Progress(parameters::choose_parameter(parameters::get_parameter(np, internal_np::callback),
+                                               Progress::Callback()));
+}
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

@@ -9,7 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Nearest_points.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Nearest_points.h>
 
 #include <boost/range/iterator_range.hpp>
 

@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/wall_crossings.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/wall_crossings.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 

@@ -4,13 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_VERTEX_DETAILS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_VERTEX_DETAILS_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/internal/linear_elements.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/linear_elements.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/conjugate_gradient.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/conjugate_gradient.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>

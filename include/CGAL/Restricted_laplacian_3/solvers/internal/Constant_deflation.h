@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/connected_components.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/connected_components.h>
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 
 #include <Eigen/Core>
 

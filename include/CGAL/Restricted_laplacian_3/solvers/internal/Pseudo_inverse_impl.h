@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/connected_components.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/connected_components.h>
 
 #include <CGAL/assertions.h>
 

@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_INTERNAL_COLUMN_PANELS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/panel_kernels.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/panel_kernels.h>
 
 #include <Eigen/Core>
 

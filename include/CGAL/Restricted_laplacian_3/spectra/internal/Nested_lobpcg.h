@@ -7,8 +7,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Ritz_basis.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/largest_pairs.h>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_matrix.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Column_panels.h>
 
 #include <Eigen/Core>

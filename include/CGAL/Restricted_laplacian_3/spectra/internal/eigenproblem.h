@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/connected_components.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/connected_components.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 
 #include <CGAL/assertions.h>

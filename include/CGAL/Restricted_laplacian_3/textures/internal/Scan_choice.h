@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Surface_edges.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Labelling.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/scan_properties.h>

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_SCAN_SEARCH_H
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Nearest_points.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Nearest_points.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Triangle_tree.h>
 
 #include <algorithm>

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_SHEET_LOADS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_SHEET_LOADS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_SHEET_LOADS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_SHEET_LOADS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/Cell_load.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/Core>
@@ -116,4 +116,4 @@ inline Node_values weighted_component(const Integration_node_block& block, const
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_SHEET_LOADS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_SHEET_LOADS_H

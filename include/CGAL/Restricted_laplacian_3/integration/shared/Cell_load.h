@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_CELL_LOAD_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_CELL_LOAD_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_CELL_LOAD_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_CELL_LOAD_H
 
 #include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
@@ -145,4 +145,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_CELL_LOAD_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_CELL_LOAD_H

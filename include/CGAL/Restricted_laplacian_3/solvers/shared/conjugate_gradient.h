@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONJUGATE_GRADIENT_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONJUGATE_GRADIENT_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_CONJUGATE_GRADIENT_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_CONJUGATE_GRADIENT_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 
 #include <algorithm>
 #include <array>
@@ -200,4 +200,4 @@ void stationary_iteration(Block_operator<K> multiply, Block_operator<K> precondi
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONJUGATE_GRADIENT_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_CONJUGATE_GRADIENT_H

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_MATRIX_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_MATRIX_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_SYMMETRIC_MATRIX_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_SYMMETRIC_MATRIX_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/panel_kernels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/symmetric_halves.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/panel_kernels.h>
 
 #include <CGAL/assertions.h>
 
@@ -146,4 +146,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_MATRIX_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_SYMMETRIC_MATRIX_H

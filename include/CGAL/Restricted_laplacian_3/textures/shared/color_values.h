@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_COLOR_VALUES_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_COLOR_VALUES_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_SHARED_COLOR_VALUES_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_SHARED_COLOR_VALUES_H
 
-#include <CGAL/Restricted_laplacian_3/surface/internal/function_components.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 
 #include <Eigen/Core>
@@ -71,4 +71,4 @@ template <class Value> Value make_color(const Rgb_color& color) {
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_COLOR_VALUES_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_SHARED_COLOR_VALUES_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONNECTED_COMPONENTS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONNECTED_COMPONENTS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_CONNECTED_COMPONENTS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_CONNECTED_COMPONENTS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
@@ -70,4 +70,4 @@ inline std::vector<char> maps_constants_to(const Eigen::VectorXd& v, const Spars
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CONNECTED_COMPONENTS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_CONNECTED_COMPONENTS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_NEAREST_POINTS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_NEAREST_POINTS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_NEAREST_POINTS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_NEAREST_POINTS_H
 
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
@@ -72,4 +72,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_NEAREST_POINTS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_NEAREST_POINTS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_POINT_NEIGHBORHOOD_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_POINT_NEIGHBORHOOD_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_POINT_NEIGHBORHOOD_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_POINT_NEIGHBORHOOD_H
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
@@ -65,4 +65,4 @@ inline double largest_gap(const std::vector<std::array<double, 2>>& neighbors) {
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_POINT_NEIGHBORHOOD_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_POINT_NEIGHBORHOOD_H

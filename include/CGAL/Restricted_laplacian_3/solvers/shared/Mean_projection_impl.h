@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_MEAN_PROJECTION_IMPL_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_MEAN_PROJECTION_IMPL_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_MEAN_PROJECTION_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_MEAN_PROJECTION_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection.h>
 
-#include <CGAL/Restricted_laplacian_3/solvers/internal/connected_components.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/connected_components.h>
 
 #include <CGAL/assertions.h>
 
@@ -84,4 +84,4 @@ void Mean_projection::shift_solution(const Block_vector<K>& b, Block_vector<K>& 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_MEAN_PROJECTION_IMPL_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_MEAN_PROJECTION_IMPL_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_INTERNAL_SPLINE_EVALUATION_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_INTERNAL_SPLINE_EVALUATION_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SHARED_SPLINE_EVALUATION_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SHARED_SPLINE_EVALUATION_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
@@ -171,4 +171,4 @@ inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_INTERNAL_SPLINE_EVALUATION_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SHARED_SPLINE_EVALUATION_H

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_FUNCTION_COMPONENTS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_FUNCTION_COMPONENTS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_FUNCTION_COMPONENTS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_FUNCTION_COMPONENTS_H
 
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/coordinates.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 
 #include <CGAL/number_utils.h>
 
@@ -157,4 +157,4 @@ auto interpolated_components(const Source& source, const PropertyMap& map) {
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_FUNCTION_COMPONENTS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_FUNCTION_COMPONENTS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_FIT_RESIDUAL_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_FIT_RESIDUAL_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_FIT_RESIDUAL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_FIT_RESIDUAL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
@@ -46,7 +46,7 @@ std::vector<double> gradient_residuals(const Spline_space_3& space, const Vector
 } // namespace CGAL
 
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
-#include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual_impl.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual_impl.h>
 #endif
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_FIT_RESIDUAL_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_FIT_RESIDUAL_H

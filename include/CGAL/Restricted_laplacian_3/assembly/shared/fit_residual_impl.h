@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_FIT_RESIDUAL_IMPL_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_FIT_RESIDUAL_IMPL_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_FIT_RESIDUAL_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_FIT_RESIDUAL_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/internal/fit_residual.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/sheet_loads.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/sheet_loads.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/splines/internal/Block_evaluation.h>
+#include <CGAL/Restricted_laplacian_3/splines/shared/Block_evaluation.h>
 
 #include <array>
 #include <cmath>
@@ -136,4 +136,4 @@ gradient_residuals(const Spline_space_3& space, const Vector_field_view& v,
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_FIT_RESIDUAL_IMPL_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_FIT_RESIDUAL_IMPL_H

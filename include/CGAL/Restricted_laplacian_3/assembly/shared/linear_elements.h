@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_LINEAR_ELEMENTS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_LINEAR_ELEMENTS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_LINEAR_ELEMENTS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_LINEAR_ELEMENTS_H
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
@@ -48,4 +48,4 @@ inline void add_block(const Triangulated_surface_3::Triangle& triangle,
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_LINEAR_ELEMENTS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_LINEAR_ELEMENTS_H

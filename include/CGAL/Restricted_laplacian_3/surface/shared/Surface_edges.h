@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_SURFACE_EDGES_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_SURFACE_EDGES_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_SURFACE_EDGES_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_SURFACE_EDGES_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
@@ -106,4 +106,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_SURFACE_EDGES_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_SURFACE_EDGES_H

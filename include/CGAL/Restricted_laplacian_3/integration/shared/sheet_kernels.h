@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_KERNELS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_KERNELS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_SHEET_KERNELS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_SHEET_KERNELS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/Padded_rule.h>
@@ -478,4 +478,4 @@ inline void mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packe
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_KERNELS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_SHEET_KERNELS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ASSEMBLE_SYSTEM_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ASSEMBLE_SYSTEM_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_ASSEMBLE_SYSTEM_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_ASSEMBLE_SYSTEM_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Stored_entries.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
@@ -65,7 +65,7 @@ double checked_normal_stabilization(double c);
 } // namespace CGAL
 
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system_impl.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system_impl.h>
 #endif
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ASSEMBLE_SYSTEM_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_ASSEMBLE_SYSTEM_H

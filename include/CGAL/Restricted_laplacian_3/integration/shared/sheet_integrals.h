@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_INTEGRALS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_INTEGRALS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_SHEET_INTEGRALS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_SHEET_INTEGRALS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
-#include <CGAL/Restricted_laplacian_3/integration/internal/sheet_kernels.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
@@ -70,4 +70,4 @@ inline void add_sheet_integrals(const Triangulated_surface_3& surface,
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_INTERNAL_SHEET_INTEGRALS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_SHARED_SHEET_INTEGRALS_H

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ASSEMBLE_SYSTEM_IMPL_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ASSEMBLE_SYSTEM_IMPL_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_ASSEMBLE_SYSTEM_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_ASSEMBLE_SYSTEM_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Operator_assembly.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Sparse_sink.h>
-#include <CGAL/Restricted_laplacian_3/assembly/internal/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 
@@ -68,4 +68,4 @@ assemble_system(const Spline_space_3& space, int coarsest, const Elliptic_operat
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ASSEMBLE_SYSTEM_IMPL_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_ASSEMBLE_SYSTEM_IMPL_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_BLOCK_VECTORS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_BLOCK_VECTORS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_BLOCK_VECTORS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_BLOCK_VECTORS_H
 
 #include <Eigen/Core>
 
@@ -28,4 +28,4 @@ template <int K> Eigen::Map<const Block_row<K>> row(const Block_vector<K>& x, Ei
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_BLOCK_VECTORS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_BLOCK_VECTORS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_PANEL_KERNELS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_PANEL_KERNELS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_PANEL_KERNELS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_PANEL_KERNELS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
 
@@ -175,4 +175,4 @@ void add_symmetric_column(const double* values, const int* rows, std::size_t cou
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_PANEL_KERNELS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_PANEL_KERNELS_H

@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_MEAN_PROJECTION_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_MEAN_PROJECTION_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_MEAN_PROJECTION_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_MEAN_PROJECTION_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/block_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 
 #include <Eigen/Core>
 #include <Eigen/StdVector>
@@ -75,7 +75,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Mean_projection_impl.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection_impl.h>
 #endif
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_MEAN_PROJECTION_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_MEAN_PROJECTION_H

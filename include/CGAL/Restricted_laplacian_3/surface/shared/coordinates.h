@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_COORDINATES_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_COORDINATES_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_COORDINATES_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_COORDINATES_H
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -48,4 +48,4 @@ Own with_coordinates_of(const T& t, const GeomTraits& traits = GeomTraits()) {
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_COORDINATES_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_COORDINATES_H

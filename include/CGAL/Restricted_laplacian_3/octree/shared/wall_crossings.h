@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_WALL_CROSSINGS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_WALL_CROSSINGS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_WALL_CROSSINGS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_WALL_CROSSINGS_H
 
 #include <algorithm>
 #include <array>
@@ -31,4 +31,4 @@ inline std::vector<double> wall_crossings(const std::array<double, 3>& p,
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_WALL_CROSSINGS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_WALL_CROSSINGS_H
