@@ -277,6 +277,22 @@ TEST_CASE("least_squares_end_when_the_error_does_not_show", "[poisson]") {
   const RL::Least_squares_end none = {options.least_squares.squares, 0};
   options.least_squares = none;
   CHECK(solver.solve(b, x, options).iterations == iterations);
+
+  const auto refused = [&](const Eigen::VectorXd& squares, double tolerance) {
+    options.least_squares = {squares, tolerance};
+    try {
+      static_cast<void>(solver.solve(b, x, options));
+    } catch(const RL::Parameter_error& error) {
+      return error.parameter() == "least_squares";
+    }
+    return false;
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(refused(Eigen::VectorXd(), 0.1));
+  CHECK(refused(Eigen::VectorXd::Ones(2), 0.1));
+  CHECK(refused(Eigen::VectorXd::Constant(1, nan), 0.1));
+  CHECK(refused(Eigen::VectorXd::Ones(1), -1));
+  CHECK(refused(Eigen::VectorXd::Ones(1), nan));
 }
 
 TEST_CASE("solvers_of_several_weights_share_their_operators", "[poisson]") {
@@ -296,6 +312,10 @@ TEST_CASE("solvers_of_several_weights_share_their_operators", "[poisson]") {
     CHECK_THROWS_AS(RL::make_poisson_solver(space, operators, -1.), RL::Parameter_error);
     CHECK_THROWS_AS(RL::make_poisson_solver(space, std::vector<RL::Operators>()),
                     RL::Parameter_error);
+    // levels of the space of the paper are not nested
+    if(is_paper_space)
+      CHECK_THROWS_AS(RL::make_poisson_solver(space, RL::assemble_operators_of_levels(space, 3, 4)),
+                      RL::Parameter_error);
   }
   // those of another space
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4)),

@@ -119,7 +119,8 @@ poisson_solver_of(const Spline_space_3& space, const Operators* operators, std::
                   double alpha, const Poisson_solver_options& options) {
   check_alpha(alpha);
   const int levels = static_cast<int>(number);
-  if(levels != 1 && levels != space.depth() - coarsest_multigrid_level(space) + 1)
+  if(levels != 1 &&
+     (space.is_paper_space() || levels != space.depth() - coarsest_multigrid_level(space) + 1))
     throw Parameter_error("operators", "are not those of the levels of a hierarchy");
   std::vector<Sparse_matrix> matrices;
   for(int i = 0; i < levels; ++i) {

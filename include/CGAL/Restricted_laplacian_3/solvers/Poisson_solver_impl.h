@@ -111,6 +111,14 @@ struct Poisson_solver::Impl {
       throw Parameter_error("b", "has an entry that is not a finite number");
   }
 
+  static void check_least_squares(const Eigen::Ref<const Eigen::MatrixXd>& b,
+                                  const Least_squares_end& end) {
+    if(!(end.tolerance >= 0))
+      throw Parameter_error("least_squares", "has a tolerance that is negative");
+    if(end.tolerance > 0 && (end.squares.size() != b.cols() || !end.squares.allFinite()))
+      throw Parameter_error("least_squares", "needs a finite number for each right-hand side");
+  }
+
   static void check_guess(const Eigen::Ref<const Eigen::MatrixXd>& b,
                           const Eigen::Ref<const Eigen::MatrixXd>& x) {
     if(x.rows() != b.rows() || x.cols() != b.cols())
@@ -129,6 +137,7 @@ struct Poisson_solver::Impl {
     of_block.least_squares = given.least_squares;
     const internal::Progress progress(given.callback);
     check(b, of_block.relative_tolerance);
+    check_least_squares(b, given.least_squares);
     if(given.has_first_guess)
       check_guess(b, x);
     else
