@@ -7,13 +7,10 @@
 #include "support/point_input.h"
 #include "support/program.h"
 #include "support/solver_options.h"
-#include "support/space.h"
 #include "support/surface_program.h"
 #include "support/table.h"
 
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <Eigen/Core>
 
@@ -100,27 +97,18 @@ Eigen::MatrixXd table(const std::vector<RL::Surface_curvature>& curvatures) {
   return result;
 }
 
-Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
-                 const Progress& progress) {
-  CGAL::Real_timer timer;
-  timer.start();
-  progress.show("building the spline space");
-  const RL::Spline_space_3 space = make_space(surface, o);
-  const double space_seconds = timer.time();
-
-  const auto of_fit =
-      progress.step("fitting by " + std::to_string(space.dimension()) + " unknowns");
+Outcome estimate(Job& job, const Options& o) {
+  const RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
   const double h = space.octree().cell_width(space.depth());
-  const auto np = solver_parameters(o).curvature_method(method(o));
+  const auto np =
+      solver_parameters(o).curvature_method(method(o)).callback(job.step("fitting by", space));
   const RL::Curvature_field field =
-      o.smoothing < 0 ? RL::estimate_curvature(space, np.callback(of_fit))
-                      : RL::estimate_curvature(
-                            space, np.smoothing_weight(o.smoothing * h * h).callback(of_fit));
+      o.smoothing < 0 ? RL::estimate_curvature(space, np)
+                      : RL::estimate_curvature(space, np.smoothing_weight(o.smoothing * h * h));
   const RL::Fit_report& report = field.report();
-  add_space(summary, space, "each component is fitted on its own");
-  add_solve(summary, report, space_seconds, report.assembly_seconds);
+  job.add_solve(report);
   if(!report.root_mean_square_errors.empty())
-    summary.add_detail("rms_error_of_normals", report.root_mean_square_error());
+    job.summary.add_detail("rms_error_of_normals", report.root_mean_square_error());
 
   Outcome result;
   result.names = {"mean", "gaussian"};
@@ -129,8 +117,8 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
     const Value_range range(result.values.col(k));
     const std::string& name = result.names[static_cast<std::size_t>(k)];
     if(k == 0 || o.method != "coordinates") {
-      summary.add(name + "_minimum", range.low);
-      summary.add(name + "_maximum", range.high);
+      job.summary.add(name + "_minimum", range.low);
+      job.summary.add(name + "_maximum", range.high);
     }
   }
   const Eigen::Index shown = o.show == "mean" ? 0 : 1;
@@ -143,20 +131,9 @@ Outcome estimate(const RL::Triangulated_surface_3& surface, const Options& o, Su
   result.values_at = [field](const std::vector<RL::Surface_location>& locations) {
     return table(field.at_locations(locations));
   };
-  result.failure = failure_of(report);
   return result;
 }
 
 int main(int argc, char* argv[]) {
-  return run_program("estimate_curvature", [&]() -> int {
-    Options o;
-    po::variables_map given;
-    if(!read_options(argc, argv, o, given))
-      return success;
-    return run_on_surface(
-        "estimate_curvature", o, [&] { return read_mesh_or_points(o, o, given); },
-        [&](const auto& surface, Summary& summary, const Progress& progress) {
-          return estimate(surface, o, summary, progress);
-        });
-  });
+  return run_surface_program("estimate_curvature", argc, argv, read_options, estimate);
 }

@@ -8,7 +8,6 @@
 #include "support/point_input.h"
 #include "support/program.h"
 #include "support/solver_options.h"
-#include "support/space.h"
 #include "support/surface_program.h"
 #include "support/table.h"
 #include "support/vertex_data.h"
@@ -17,8 +16,6 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <Eigen/Core>
 
@@ -143,21 +140,20 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 // Three functions take hardly longer together than one of them; others are fitted one by one.
 template <class NamedParameters>
 RL::Function_fit fit_all(const RL::Spline_space_3& space, const NamedParameters& np,
-                         const Functions& functions, const Progress& progress) {
+                         const Functions& functions, const Job& job) {
   RL::Function_fitter fitter(space, np);
   const auto& values = functions.values;
-  const std::string by = " by " + std::to_string(space.dimension()) + " unknowns";
   if(values.size() == 3) {
     std::vector<RL::Vector_3> vectors;
     for(std::size_t v = 0; v < values[0].size(); ++v)
       vectors.emplace_back(values[0][v], values[1][v], values[2][v]);
     return fitter.fit(RL::Linear_surface_function<RL::Vector_3>(std::move(vectors)),
-                      progress.step("fitting" + by));
+                      job.step("fitting by", space));
   }
   RL::Function_fit result;
   for(std::size_t k = 0; k < values.size(); ++k)
     append(result, fitter.fit(RL::Linear_surface_function<double>(values[k]),
-                              progress.step("fitting " + functions.names[k] + by)));
+                              job.step("fitting " + functions.names[k] + " by", space)));
   return result;
 }
 
@@ -176,24 +172,17 @@ std::vector<Color> colors(const Options& o, const Eigen::MatrixXd& u) {
   return result;
 }
 
-Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
-            const Progress& progress) {
-  const Functions functions = o.normals ? normals(surface) : properties(surface, o);
-  CGAL::Real_timer timer;
-  timer.start();
-  progress.show("building the spline space");
-  const RL::Spline_space_3 space = make_space(surface, o);
-  const double space_seconds = timer.time();
-
+Outcome fit(Job& job, const Options& o) {
+  const Functions functions = o.normals ? normals(job.surface) : properties(job.surface, o);
+  const RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
   const double h = space.octree().cell_width(space.depth());
   const auto np =
       solver_parameters(o).smoothing_weight(o.smoothing * h * h).refinement_steps(o.refinements);
-  const RL::Function_fit fit = fit_all(space, np, functions, progress);
+  const RL::Function_fit fit = fit_all(space, np, functions, job);
 
-  add_space(summary, space, "each component is fitted on its own");
-  add_solve(summary, fit, space_seconds, fit.assembly_seconds);
-  summary.add_detail("stabilization", fit.normal_stabilization);
-  summary.add("rms_error", fit.root_mean_square_error());
+  job.add_solve(fit);
+  job.summary.add_detail("stabilization", fit.normal_stabilization);
+  job.summary.add("rms_error", fit.root_mean_square_error());
 
   Outcome result;
   // the functions themselves may be in the same file: coordinates, normals, colors
@@ -202,20 +191,9 @@ Outcome fit(const RL::Triangulated_surface_3& surface, const Options& o, Summary
   result.values = RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
   result.paint = [&o](const Eigen::MatrixXd& u) { return colors(o, u); };
   result.set_splines(space, fit.coefficients);
-  result.failure = failure_of(fit);
   return result;
 }
 
 int main(int argc, char* argv[]) {
-  return run_program("fit_function", [&]() -> int {
-    Options o;
-    po::variables_map given;
-    if(!read_options(argc, argv, o, given))
-      return success;
-    return run_on_surface(
-        "fit_function", o, [&] { return read_mesh_or_points(o, o, given); },
-        [&](const auto& surface, Summary& summary, const Progress& progress) {
-          return fit(surface, o, summary, progress);
-        });
-  });
+  return run_surface_program("fit_function", argc, argv, read_options, fit);
 }

@@ -6,7 +6,6 @@
 #include "support/command_line.h"
 #include "support/point_input.h"
 #include "support/program.h"
-#include "support/space.h"
 #include "support/spectrum.h"
 #include "support/surface_program.h"
 #include "support/table.h"
@@ -15,8 +14,6 @@
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <Eigen/Core>
 
@@ -93,16 +90,9 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
 
 // Each of these two returns the eigenvalues that were found, and sets `result` to the eigenfunction
 // that the options ask for.
-RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const Options& o,
-                                Outcome& result, Summary& summary, const Progress& progress) {
-  CGAL::Real_timer timer;
-  timer.start();
-  progress.show("building the spline space");
-  const RL::Spline_space_3 space = make_space(surface, o);
-  add_spectral_space(summary, space);
-  summary.add_detail("setup_seconds", timer.time());
-
-  RL::Eigenpairs pairs = solve_spectrum(space, o.count, o, summary, progress).pairs;
+RL::Eigenpairs solve_restricted(Job& job, const Options& o, Outcome& result) {
+  const RL::Spline_space_3 space = make_spectral_space(job);
+  RL::Eigenpairs pairs = solve_spectrum(space, o.count, o, job).pairs;
   if(o.eigenfunction < pairs.values.size()) {
     const Eigen::VectorXd u = pairs.vectors.col(o.eigenfunction);
     result = outcome(RL::Spline_function_3(space, u).values_at_vertices());
@@ -111,24 +101,24 @@ RL::Eigenpairs solve_restricted(const RL::Triangulated_surface_3& surface, const
   return pairs;
 }
 
-RL::Eigenpairs solve_cotangent(const RL::Triangulated_surface_3& surface, const Options& o,
-                               Outcome& result, Summary& summary, const Progress& progress) {
+RL::Eigenpairs solve_cotangent(Job& job, const Options& o, Outcome& result) {
+  const RL::Triangulated_surface_3& surface = job.surface;
   require(!surface.is_point_set(), "--operator cotangent needs a mesh with triangles, not points");
-  summary.add("dimension", surface.number_of_vertices());
-  CGAL::Real_timer timer;
-  timer.start();
-  progress.show("assembling");
+  job.summary.add("dimension", surface.number_of_vertices());
+  job.progress.show("assembling");
+  const double start = job.seconds();
   const RL::Operators operators = RL::cotangent_operators(surface, o.mass == "lumped");
-  const double assembly_seconds = timer.time();
+  const double assembled = job.seconds();
 
-  const auto callback = progress.step("computing eigenvalues of " +
-                                      std::to_string(operators.stiffness.rows()) + " unknowns");
+  const auto callback = job.progress.step("computing eigenvalues of " +
+                                          std::to_string(operators.stiffness.rows()) + " unknowns");
   RL::Eigenpairs pairs = RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count,
                                                  RL::parameters::callback(callback));
-  summary.add_detail("assembly_seconds", assembly_seconds);
-  summary.add_detail("solve_seconds", timer.time() - assembly_seconds);
-  summary.add_detail("iterations", pairs.iterations);
-  summary.add_detail("relative_residual", pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
+  job.summary.add_detail("assembly_seconds", assembled - start);
+  job.summary.add_detail("solve_seconds", job.seconds() - assembled);
+  job.summary.add_detail("iterations", pairs.iterations);
+  job.summary.add_detail("relative_residual",
+                         pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
   std::vector<double> u(surface.number_of_vertices(), std::nan(""));
   if(o.eigenfunction < pairs.values.size())
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
@@ -149,34 +139,20 @@ void print_eigenvalues(std::ostream& out, const Eigen::VectorXd& values) {
         << "... (--csv writes all)\n";
 }
 
-Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
-              const Progress& progress) {
+Outcome solve(Job& job, const Options& o) {
   // no eigenfunction, unless it is found
-  Outcome result = outcome(std::vector<double>(surface.number_of_vertices(), std::nan("")));
-  const RL::Eigenpairs pairs = o.operator_name == "restricted"
-                                   ? solve_restricted(surface, o, result, summary, progress)
-                                   : solve_cotangent(surface, o, result, summary, progress);
+  Outcome result = outcome(std::vector<double>(job.surface.number_of_vertices(), std::nan("")));
+  const RL::Eigenpairs pairs = o.operator_name == "restricted" ? solve_restricted(job, o, result)
+                                                               : solve_cotangent(job, o, result);
   const Eigen::VectorXd eigenvalues = pairs.values;
   result.write_table = [=](const std::string& file, const Summary& lines) {
     write_csv(file, lines, "index", {"eigenvalue"}, eigenvalues);
   };
   result.print = [=](std::ostream& out) { print_eigenvalues(out, eigenvalues); };
-  if(!pairs.converged)
-    result.failure = ": it found " + std::to_string(eigenvalues.size()) + " of " +
-                     std::to_string(o.count) + " eigenvalues";
+  check_number(job, pairs, o.count);
   return result;
 }
 
 int main(int argc, char* argv[]) {
-  return run_program("laplace_spectrum", [&]() -> int {
-    Options o;
-    po::variables_map given;
-    if(!read_options(argc, argv, o, given))
-      return success;
-    return run_on_surface(
-        "laplace_spectrum", o, [&] { return read_mesh_or_points(o, o, given); },
-        [&](const auto& surface, Summary& summary, const Progress& progress) {
-          return solve(surface, o, summary, progress);
-        });
-  });
+  return run_surface_program("laplace_spectrum", argc, argv, read_options, solve);
 }

@@ -7,15 +7,12 @@
 #include "support/point_input.h"
 #include "support/program.h"
 #include "support/solver_options.h"
-#include "support/space.h"
 #include "support/surface_program.h"
 #include "support/table.h"
 #include "support/vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <boost/random/normal_distribution.hpp>
 
@@ -140,23 +137,19 @@ void check_right_hand_side(const RL::Triangulated_surface_3& surface,
                     std::to_string(vertex));
 }
 
-Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
-              const Progress& progress) {
+Outcome solve(Job& job, const Options& o) {
+  const RL::Triangulated_surface_3& surface = job.surface;
   std::vector<double> f = right_hand_side(surface, o);
   check_right_hand_side(surface, f);
-  CGAL::Real_timer timer;
-  timer.start();
-  progress.show("building the spline space");
-  const RL::Spline_space_3 space = make_space(surface, o);
-  const double space_seconds = timer.time();
+  const RL::Spline_space_3 space =
+      job.make_space(o.alpha == 0 ? "on each component f and u have mean 0"
+                                  : "components do not influence each other");
 
-  const auto of_solver =
-      progress.step("solving for " + std::to_string(space.dimension()) + " unknowns");
   const auto np =
       solver_parameters(o)
           .cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W)
           .smoother(o.smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point)
-          .callback(of_solver);
+          .callback(job.step("solving for", space));
   // Without screening it is a matter of the solver that f has mean 0.
   if(o.alpha > 0) {
     const double mean = surface_mean(surface, f);
@@ -168,34 +161,20 @@ Outcome solve(const RL::Triangulated_surface_3& surface, const Options& o, Summa
       o.alpha > 0 ? RL::solve_screened_poisson(space, right_hand_side, o.alpha / surface.area(), np)
                   : RL::solve_poisson(space, right_hand_side, np);
 
-  add_space(summary, space,
-            o.alpha == 0 ? "on each component f and u have mean 0"
-                         : "components do not influence each other");
   if(o.alpha == 0 && !space.is_paper_space())
-    summary.add_detail("kernel_dimension", solution.kernel_dimension);
-  add_solve(summary, solution, space_seconds, solution.assembly_seconds);
+    job.summary.add_detail("kernel_dimension", solution.kernel_dimension);
+  job.add_solve(solution);
   const std::vector<double> u =
       RL::Spline_function_3(space, solution.coefficients).values_at_vertices();
   const Value_range range(u);
-  summary.add("minimum", range.low);
-  summary.add("maximum", range.high);
-  summary.add("mean", surface_mean(surface, u));
+  job.summary.add("minimum", range.low);
+  job.summary.add("maximum", range.high);
+  job.summary.add("mean", surface_mean(surface, u));
   Outcome result = outcome(u);
   result.set_splines(space, solution.coefficients);
-  result.failure = failure_of(solution);
   return result;
 }
 
 int main(int argc, char* argv[]) {
-  return run_program("solve_poisson", [&]() -> int {
-    Options o;
-    po::variables_map given;
-    if(!read_options(argc, argv, o, given))
-      return success;
-    return run_on_surface(
-        "solve_poisson", o, [&] { return read_mesh_or_points(o, o, given); },
-        [&](const auto& surface, Summary& summary, const Progress& progress) {
-          return solve(surface, o, summary, progress);
-        });
-  });
+  return run_surface_program("solve_poisson", argc, argv, read_options, solve);
 }

@@ -6,7 +6,6 @@
 #include "support/command_line.h"
 #include "support/mesh_input.h"
 #include "support/program.h"
-#include "support/space.h"
 #include "support/spectrum.h"
 #include "support/surface_program.h"
 #include "support/table.h"
@@ -15,8 +14,6 @@
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <Eigen/Core>
 
@@ -89,7 +86,7 @@ void require_descriptor(const po::variables_map& given, const Options& o, const 
 }
 
 // returns false if there is nothing more to do
-bool read_options(int argc, char* argv[], Options& o) {
+bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Descriptor", help_width);
   auto add = problem.add_options();
   add("descriptor", po::value(&o.descriptor)->value_name("NAME")->default_value(o.descriptor),
@@ -122,7 +119,6 @@ bool read_options(int argc, char* argv[], Options& o) {
                                  "the property value, one column of the descriptor"))
       .add(general_options(o));
 
-  po::variables_map given;
   if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   require_choice("descriptor", o.descriptor,
@@ -154,24 +150,18 @@ struct Spectrum : RL::Laplace_spectrum {
 };
 
 // The spectrum of a surface, with eigenfunctions at the vertices if the descriptor needs them.
-Spectrum spectrum_of(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
-                     const Progress& progress) {
-  CGAL::Real_timer timer;
-  timer.start();
-  progress.show("building the spline space");
+Spectrum spectrum_of(Job& job, const Options& o) {
   Spectrum spectrum;
-  spectrum.space = std::make_shared<const RL::Spline_space_3>(make_space(surface, o));
-  add_spectral_space(summary, *spectrum.space);
-  summary.add_detail("setup_seconds", timer.time());
-  static_cast<RL::Laplace_spectrum&>(spectrum) =
-      solve_spectrum(*spectrum.space, o.count, o, summary, progress);
+  spectrum.space = std::make_shared<const RL::Spline_space_3>(make_spectral_space(job));
+  static_cast<RL::Laplace_spectrum&>(spectrum) = solve_spectrum(*spectrum.space, o.count, o, job);
+  check_number(job, spectrum.pairs, o.count);
 
-  progress.show("evaluating eigenfunctions");
+  job.progress.show("evaluating eigenfunctions");
   if(o.is_of_vertices())
     spectrum.vertex_values =
         RL::Spline_functions_3(*spectrum.space, spectrum.pairs.vectors).values_at_vertices();
 
-  summary.add("zero_eigenvalues", RL::number_of_zero_eigenvalues(spectrum));
+  job.summary.add("zero_eigenvalues", RL::number_of_zero_eigenvalues(spectrum));
   return spectrum;
 }
 
@@ -251,9 +241,8 @@ Eigen::MatrixXd column_at(Spectrum spectrum, const std::vector<RL::Surface_locat
 }
 
 // the descriptor of all vertices
-Outcome describe_vertices(const Spectrum& spectrum, const Options& o, Summary& summary,
-                          const Progress& progress) {
-  progress.show("computing the descriptor");
+Outcome describe_vertices(const Spectrum& spectrum, const Options& o, Job& job) {
+  job.progress.show("computing the descriptor");
   const Descriptor d = descriptor_of(spectrum, o);
   const Eigen::Index column = o.is_column_given  ? o.column
                               : o.is_signature() ? d.values.cols() / 2
@@ -263,10 +252,10 @@ Outcome describe_vertices(const Spectrum& spectrum, const Options& o, Summary& s
                                         ", the number of columns");
   const std::vector<double> values(d.values.col(column).begin(), d.values.col(column).end());
   const Value_range range(values);
-  summary.add("columns", d.values.cols());
-  summary.add("column", d.columns[static_cast<std::size_t>(column)]);
-  summary.add("smallest_value", range.low);
-  summary.add("largest_value", range.high);
+  job.summary.add("columns", d.values.cols());
+  job.summary.add("column", d.columns[static_cast<std::size_t>(column)]);
+  job.summary.add("smallest_value", range.low);
+  job.summary.add("largest_value", range.high);
 
   Outcome result = outcome(values);
   result.cell_width = spectrum.space->octree().cell_width(spectrum.space->depth());
@@ -287,20 +276,19 @@ Eigen::VectorXd shape_dna(const RL::Laplace_spectrum& spectrum, const Options& o
                                                               : Normalization::none);
 }
 
-// The ShapeDNA of the surface, and its distance to that of another mesh; `converged` becomes false
-// if the solver did not converge for that one.
-Outcome describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, bool& converged,
-                       Summary& summary, const Progress& progress) {
+// The ShapeDNA of the surface, and its distance to that of another mesh.
+Outcome describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, Job& job) {
   const Eigen::VectorXd dna = shape_dna(spectrum, o);
   if(!o.other_mesh.empty()) {
-    progress.show("reading " + o.other_mesh);
+    job.progress.show("reading " + o.other_mesh);
     const Mesh_input other = read_mesh(o.other_mesh);
     Summary of_other(other);
-    const Spectrum other_spectrum = spectrum_of(other.surface, o, of_other, progress);
-    const Eigen::VectorXd other_dna = shape_dna(other_spectrum, o);
+    Job other_job(o, other.surface, of_other, job.progress);
+    const Eigen::VectorXd other_dna = shape_dna(spectrum_of(other_job, o), o);
+    if(!other_job.failure().empty())
+      job.fail(o.other_mesh + ": " + other_job.failure());
     const Eigen::Index number = std::min(dna.size(), other_dna.size());
-    summary.add("distance", RL::shape_dna_distance(dna.head(number), other_dna.head(number)));
-    converged = converged && other_spectrum.pairs.converged;
+    job.summary.add("distance", RL::shape_dna_distance(dna.head(number), other_dna.head(number)));
   }
   Outcome result;
   result.write_table = [dna](const std::string& file, const Summary& lines) {
@@ -309,28 +297,13 @@ Outcome describe_shape(const RL::Laplace_spectrum& spectrum, const Options& o, b
   return result;
 }
 
-Outcome describe(const RL::Triangulated_surface_3& surface, const Options& o, Summary& summary,
-                 const Progress& progress) {
-  const Spectrum spectrum = spectrum_of(surface, o, summary, progress);
-  summary.add("descriptor", o.descriptor);
-  bool converged = spectrum.pairs.converged;
-  Outcome result = o.is_of_vertices() ? describe_vertices(spectrum, o, summary, progress)
-                                      : describe_shape(spectrum, o, converged, summary, progress);
-  if(!converged)
-    result.failure = ": it found " + std::to_string(spectrum.eigenvalues.size()) + " of " +
-                     std::to_string(o.count) + " eigenvalues";
-  return result;
+Outcome describe(Job& job, const Options& o) {
+  const Spectrum spectrum = spectrum_of(job, o);
+  job.summary.add("descriptor", o.descriptor);
+  return o.is_of_vertices() ? describe_vertices(spectrum, o, job)
+                            : describe_shape(spectrum, o, job);
 }
 
 int main(int argc, char* argv[]) {
-  return run_program("spectral_descriptors", [&]() -> int {
-    Options o;
-    if(!read_options(argc, argv, o))
-      return success;
-    return run_on_surface(
-        "spectral_descriptors", o, [&] { return read_mesh(o.mesh); },
-        [&](const auto& surface, Summary& summary, const Progress& progress) {
-          return describe(surface, o, summary, progress);
-        });
-  });
+  return run_surface_program("spectral_descriptors", argc, argv, read_options, describe);
 }

@@ -9,15 +9,12 @@
 #include "support/program.h"
 #include "support/scan_input.h"
 #include "support/solver_options.h"
-#include "support/space.h"
 #include "support/surface_program.h"
 #include "support/table.h"
 #include "support/vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <Eigen/Core>
 
@@ -62,6 +59,7 @@ struct Options : Common_options, Solver_options {
   Options() : Solver_options(RL::Poisson_solver::default_tolerance) { space.octree_depth = 8; }
 
   std::vector<std::string> scans;
+  std::vector<RL::Scan_pose> scan_poses; // from the scans to MESH
   std::string poses, frame, method = "gradients", gradients = "back-projection", truth;
   double alpha = RL::Color_stitcher::default_screening;
   double maximum_distance = 0; // chosen
@@ -70,8 +68,16 @@ struct Options : Common_options, Solver_options {
   bool keep_exposures = false, linear_light = false, no_details = false;
 };
 
+void read_scan_poses(Options& o) {
+  const std::map<std::string, RL::Scan_pose> known_poses = read_poses(o.poses);
+  const RL::Scan_pose to_mesh = o.frame.empty() ? RL::Scan_pose(CGAL::IDENTITY)
+                                                : pose_of(known_poses, o.frame, o.poses).inverse();
+  for(const std::string& scan : o.scans)
+    o.scan_poses.push_back(to_mesh * pose_of(known_poses, scan, o.poses));
+}
+
 // returns false if there is nothing more to do
-bool read_options(int argc, char* argv[], Options& o) {
+bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
   auto add = problem.add_options();
   add("poses", po::value(&o.poses)->value_name("FILE"), "where the scans were taken from");
@@ -113,7 +119,6 @@ bool read_options(int argc, char* argv[], Options& o) {
                           "the property scan, the number of the chosen scan"))
       .add(general_options(o));
 
-  po::variables_map given;
   if(!parse_command_line(argc, argv, help, all, o, given, &o.scans))
     return false;
   require(!o.scans.empty(), "no scan is given; --help shows the options");
@@ -125,6 +130,7 @@ bool read_options(int argc, char* argv[], Options& o) {
   require(o.normal_angle > 0 && o.normal_angle <= 180,
           "the argument of --normal-angle must be in (0, 180]");
   check_solver_options(o, given);
+  read_scan_poses(o);
   return true;
 }
 
@@ -158,12 +164,12 @@ std::string reason(const RL::Scan_usage& usage) {
   return text.str();
 }
 
-void add_scans(RL::Color_stitcher& stitcher, const Options& o,
-               const std::vector<RL::Scan_pose>& poses, const Progress& progress) {
+void add_scans(RL::Color_stitcher& stitcher, const Options& o, const Progress& progress) {
   for(std::size_t i = 0; i < o.scans.size(); ++i) {
     progress.show("scan " + std::to_string(i + 1) + " of " + std::to_string(o.scans.size()) + ": " +
                   o.scans[i]);
-    const RL::Scan_usage usage = stitcher.add(read_scan(o.scans[i], poses[i], o.threads != 1));
+    const RL::Scan_usage usage =
+        stitcher.add(read_scan(o.scans[i], o.scan_poses[i], o.threads != 1));
     require(usage.covered_vertices > 0 || o.leave_out,
             "'" + o.scans[i] + "' misses the mesh: " + reason(usage));
   }
@@ -183,10 +189,11 @@ void print_scans(std::ostream& out, const Options& o, const std::vector<RL::Scan
   out << lines.str();
 }
 
-void add_stitching(Summary& summary, const RL::Stitched_colors& stitched, double space_seconds) {
+void add_stitching(Job& job, const RL::Stitched_colors& stitched) {
+  Summary& summary = job.summary;
   summary.add_detail("back_projection_seconds", stitched.back_projection_seconds);
   summary.add_detail("choice_seconds", stitched.choice_seconds);
-  add_solve(summary, stitched, space_seconds, stitched.assembly_seconds);
+  job.add_solve(stitched);
   summary.add("uncovered_area", stitched.uncovered_area);
   summary.add("uncovered_vertices", stitched.uncovered_vertices);
   summary.add("seam_length", stitched.seam_length);
@@ -204,38 +211,30 @@ void add_error(Summary& summary, const RL::Triangulated_surface_3& surface,
   summary.add("true_jump", error.true_jump);
 }
 
-Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
-               const std::vector<RL::Scan_pose>& poses, Summary& summary,
-               const Progress& progress) {
+Outcome stitch(Job& job, const Options& o) {
+  const RL::Triangulated_surface_3& surface = job.surface;
   std::vector<Color> truth;
   if(!o.truth.empty())
     truth = read_colors(o.truth);
   require(o.truth.empty() || truth.size() == surface.number_of_vertices(),
           "'" + o.truth + "' has another number of vertices than the mesh");
-  CGAL::Real_timer timer;
-  timer.start();
-  progress.show("building the spline space");
-  const RL::Spline_space_3 space = make_space(surface, o);
-  const double space_seconds = timer.time();
-  add_space(summary, space, "each component is stitched on its own");
+  const RL::Spline_space_3 space = job.make_space("each component is stitched on its own");
 
   RL::Color_stitcher stitcher(space, stitching_parameters(o, surface.area()));
-  add_scans(stitcher, o, poses, progress);
-  progress.show("choosing a scan for each triangle");
+  add_scans(stitcher, o, job.progress);
+  job.progress.show("choosing a scan for each triangle");
   stitcher.choose();
   RL::Vertex_colors found =
       o.method == "nearest" ? stitcher.nearest_colors() : stitcher.chosen_colors();
-  Outcome result;
   if(o.method == "gradients") {
-    RL::Stitched_colors stitched = stitcher.stitch(
-        progress.step("stitching with " + std::to_string(space.dimension()) + " unknowns"));
+    RL::Stitched_colors stitched = stitcher.stitch(job.step("stitching with", space));
     found.colors = std::move(stitched.colors);
-    add_stitching(summary, stitched, space_seconds);
-    result.failure = failure_of(stitched);
+    add_stitching(job, stitched);
   }
   if(!truth.empty())
-    add_error(summary, surface, found, truth);
+    add_error(job.summary, surface, found, truth);
 
+  Outcome result;
   result.names = {"scan"};
   result.values.resize(static_cast<Eigen::Index>(found.scans.size()), 1);
   for(std::size_t v = 0; v < found.scans.size(); ++v)
@@ -255,21 +254,5 @@ Outcome stitch(const RL::Triangulated_surface_3& surface, const Options& o,
 }
 
 int main(int argc, char* argv[]) {
-  return run_program("stitch_colors", [&]() -> int {
-    Options o;
-    if(!read_options(argc, argv, o))
-      return success;
-    const std::map<std::string, RL::Scan_pose> known_poses = read_poses(o.poses);
-    std::vector<RL::Scan_pose> poses;
-    const RL::Scan_pose to_mesh = o.frame.empty()
-                                      ? RL::Scan_pose(CGAL::IDENTITY)
-                                      : pose_of(known_poses, o.frame, o.poses).inverse();
-    for(const std::string& scan : o.scans)
-      poses.push_back(to_mesh * pose_of(known_poses, scan, o.poses));
-    return run_on_surface(
-        "stitch_colors", o, [&] { return read_mesh(o.mesh); },
-        [&](const auto& surface, Summary& summary, const Progress& progress) {
-          return stitch(surface, o, poses, summary, progress);
-        });
-  });
+  return run_surface_program("stitch_colors", argc, argv, read_options, stitch);
 }

@@ -14,7 +14,6 @@
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
 #include <optional>
-#include <sstream>
 #include <string>
 
 namespace examples {
@@ -55,26 +54,6 @@ inline auto solver_parameters(const Solver_options& o) {
       .energy_tolerance(given(o.energy_tolerance))
       .normal_stabilization(given(o.stabilization))
       .concurrency_tag(CGAL::Parallel_if_available_tag());
-}
-
-// how a solver failed, to follow on "the solver did not converge"; empty if it converged
-inline std::string failure_of(const RL::Solve_report& report) {
-  if(report.converged)
-    return {};
-  std::ostringstream text;
-  text << ": the iteration " << to_string(report.status) << ", with a relative residual of "
-       << report.relative_residual << " after " << report.iterations << " iterations";
-  return text.str();
-}
-
-// \param space_seconds for the spline space, which count as setup
-inline void add_solve(Summary& summary, const RL::Solve_report& report, double space_seconds,
-                      double assembly_seconds) {
-  summary.add_detail("setup_seconds", space_seconds + report.setup_seconds);
-  summary.add_detail("assembly_seconds", assembly_seconds);
-  summary.add_detail("solve_seconds", report.solve_seconds);
-  summary.add_detail("iterations", report.iterations);
-  summary.add_detail("relative_residual", report.relative_residual);
 }
 
 } // namespace examples

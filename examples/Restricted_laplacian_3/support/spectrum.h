@@ -8,8 +8,7 @@
 
 #include "command_line.h"
 #include "program.h"
-#include "space.h"
-#include "table.h"
+#include "surface_program.h"
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 
@@ -44,18 +43,24 @@ inline void check_eigensolver_options(const Eigensolver_options& o, const po::va
   require_not_negative(given, "stabilization");
 }
 
-inline void add_spectral_space(Summary& summary, const RL::Spline_space_3& space) {
-  add_space(summary, space,
-            std::to_string(space.octree().number_of_sheets(0)) + " zero eigenvalues");
+// A space for eigenfunctions. It counts as setup.
+inline RL::Spline_space_3 make_spectral_space(Job& job) {
+  RL::Spline_space_3 space = job.make_space("each has the eigenvalue 0");
+  job.summary.add_detail("setup_seconds", job.space_seconds());
+  return space;
+}
+
+// says how many of the eigenvalues were found, if not all
+inline void check_number(Job& job, const RL::Eigenpairs& pairs, int count) {
+  if(!pairs.converged)
+    job.fail("it found " + std::to_string(pairs.values.size()) + " of " + std::to_string(count) +
+             " eigenvalues");
 }
 
 // The smallest eigenpairs on a space, without values at the vertices.
 inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int count,
-                                           const Eigensolver_options& o, Summary& summary,
-                                           const Progress& progress) {
+                                           const Eigensolver_options& o, Job& job) {
   namespace params = RL::parameters;
-  const auto callback =
-      progress.step("computing eigenvalues of " + std::to_string(space.dimension()) + " unknowns");
   const double stabilization =
       o.stabilization < 0 ? RL::default_spectrum_stabilization(space) : o.stabilization;
   const RL::Eigensolver eigensolver = o.eigensolver == "multigrid" ? RL::Eigensolver::multigrid
@@ -67,11 +72,11 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
                              params::eigensolver(eigensolver)
                                  .relative_tolerance(o.tolerance)
                                  .normal_stabilization(stabilization)
-                                 .callback(callback));
-  summary.add_detail("assembly_seconds", spectrum.report.assembly_seconds);
-  summary.add_detail("solve_seconds", spectrum.report.solve_seconds);
-  summary.add_detail("iterations", spectrum.report.iterations);
-  summary.add_detail("relative_residual", spectrum.report.relative_residual);
+                                 .callback(job.step("computing eigenvalues of", space)));
+  job.summary.add_detail("assembly_seconds", spectrum.report.assembly_seconds);
+  job.summary.add_detail("solve_seconds", spectrum.report.solve_seconds);
+  job.summary.add_detail("iterations", spectrum.report.iterations);
+  job.summary.add_detail("relative_residual", spectrum.report.relative_residual);
   return spectrum;
 }
 

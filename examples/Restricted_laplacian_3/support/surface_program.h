@@ -4,15 +4,17 @@
 #ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_SURFACE_PROGRAM_H
 #define RESTRICTED_LAPLACIAN_3_EXAMPLES_SURFACE_PROGRAM_H
 
-// What happens around the work of a program on a surface: its input is read before, its results are
-// written and printed after it.
+// What happens around the work of a program on a surface: the command line and the surface are read
+// before it, results are written and printed after it.
 
 #include "color_map.h"
 #include "command_line.h"
 #include "mesh_input.h"
 #include "mesh_output.h"
+#include "point_input.h"
 #include "program.h"
 #include "refined_surface.h"
+#include "space.h"
 #include "table.h"
 
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
@@ -34,7 +36,9 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -74,8 +78,6 @@ struct Outcome {
   std::function<void(const std::string& file, const Summary& summary)> write_table;
   // prints more than the summary
   std::function<void(std::ostream&)> print;
-  // in what the solver failed; empty if it did not
-  std::string failure;
 
   // takes values at locations from splines on a space
   void set_splines(const RL::Spline_space_3& space, Eigen::MatrixXd coefficients) {
@@ -97,6 +99,66 @@ inline Outcome outcome(const std::vector<double>& values) {
   return result;
 }
 
+// What a program works on, and where it says what it does and finds.
+class Job {
+public:
+  Job(const Common_options& o, const RL::Triangulated_surface_3& surface, Summary& summary,
+      const Progress& progress)
+    : surface(surface), summary(summary), progress(progress), m_options(o) {
+    m_timer.start();
+  }
+
+  // Makes the space that the options ask for. `meaning` is what the number of connected components,
+  // if it is not 1, means for the result.
+  RL::Spline_space_3 make_space(const std::string& meaning) {
+    progress.show("building the spline space");
+    const double start = seconds();
+    RL::Spline_space_3 space = examples::make_space(surface, m_options);
+    m_space_seconds = seconds() - start;
+    add_space(summary, space, meaning);
+    return space;
+  }
+
+  // `text`, which ends with a preposition, and the number of unknowns, while a callback is called
+  std::function<bool(double)> step(const std::string& text, const RL::Spline_space_3& space) const {
+    return progress.step(text + ' ' + std::to_string(space.dimension()) + " unknowns");
+  }
+
+  // Adds times and iterations of a solver to the summary. The space counts as setup.
+  template <typename Report> void add_solve(const Report& report) {
+    summary.add_detail("setup_seconds", m_space_seconds + report.setup_seconds);
+    summary.add_detail("assembly_seconds", report.assembly_seconds);
+    summary.add_detail("solve_seconds", report.solve_seconds);
+    summary.add_detail("iterations", report.iterations);
+    summary.add_detail("relative_residual", report.relative_residual);
+    if(report.converged)
+      return;
+    std::ostringstream text;
+    text << "the iteration " << to_string(report.status) << ", with a relative residual of "
+         << report.relative_residual << " after " << report.iterations << " iterations";
+    fail(text.str());
+  }
+
+  // says in what the solver failed
+  void fail(const std::string& what) { m_failure = what; }
+
+  // since the surface was read
+  double seconds() const { return m_timer.time(); }
+  double space_seconds() const { return m_space_seconds; }
+  // empty if the solver did not fail
+  const std::string& failure() const { return m_failure; }
+
+  const RL::Triangulated_surface_3& surface;
+  Summary& summary;
+  const Progress& progress;
+
+private:
+  const Common_options& m_options;
+  CGAL::Real_timer m_timer;
+  double m_space_seconds = 0;
+  std::string m_failure;
+};
+
 inline void write_results(const Common_options& o, const Summary& summary,
                           const RL::Triangulated_surface_3& surface, const Outcome& outcome) {
   if(!o.csv.empty() && outcome.write_table)
@@ -111,23 +173,27 @@ inline void write_results(const Common_options& o, const Summary& summary,
     write_mesh(o.output, surface, outcome.paint(outcome.values), outcome.names, outcome.values);
 }
 
-// Runs `read()`, which returns a `Mesh_input`, and `work(surface, summary, progress)`, which
-// returns an `Outcome`. Returns the exit status of the program.
-template <typename Read, typename Work>
-int run_on_surface(const std::string& program, const Common_options& o, Read read, Work work) {
+// Reads the surface, lets `work` find what is asked for, and writes it. Returns the exit status.
+template <typename Options>
+int run_on_surface(const std::string& program, const Options& o, const po::variables_map& given,
+                   Outcome (*work)(Job&, const Options&)) {
   const Progress progress(o.quiet, o.verbose || o.progress);
   const Thread_limit threads(o.threads);
   progress.show("reading " + o.mesh);
-  const Mesh_input input = read();
+  const Mesh_input input = [&] {
+    if constexpr(std::is_base_of_v<Point_options, Options>)
+      return read_mesh_or_points(o, o, given);
+    else
+      return read_mesh(o.mesh);
+  }();
   require(o.refine == 0 || !input.surface.is_point_set(), "--refine needs a mesh, not points");
   require(o.assembly == "cubature" || !input.surface.is_point_set(),
           "--assembly " + o.assembly + " needs a mesh with triangles, not points");
   Summary summary(input);
   summary.add_detail("threads", threads.number());
-  CGAL::Real_timer timer;
-  timer.start();
-  const Outcome outcome = work(input.surface, summary, progress);
-  summary.add("seconds", timer.time());
+  Job job(o, input.surface, summary, progress);
+  const Outcome outcome = work(job, o);
+  summary.add("seconds", job.seconds());
 
   progress.show("writing the results");
   write_results(o, summary, input.surface, outcome);
@@ -137,11 +203,26 @@ int run_on_surface(const std::string& program, const Common_options& o, Read rea
     if(outcome.print)
       outcome.print(std::cout);
   }
-  if(!outcome.failure.empty()) {
-    print_error(program, "the solver did not converge" + outcome.failure);
+  if(!job.failure().empty()) {
+    print_error(program, "the solver did not converge: " + job.failure());
     return not_converged;
   }
   return success;
+}
+
+// A whole program on a surface: the body of its main().
+// \param read_options reads the command line; returns false if there is nothing more to do
+// \param work finds what the options ask for
+template <typename Options>
+int run_surface_program(const std::string& program, int argc, char* argv[],
+                        bool (*read_options)(int, char*[], Options&, po::variables_map&),
+                        Outcome (*work)(Job&, const Options&)) {
+  return run_program(program, [&]() -> int {
+    Options o;
+    po::variables_map given;
+    return read_options(argc, argv, o, given) ? run_on_surface(program, o, given, work)
+                                              : static_cast<int>(success);
+  });
 }
 
 } // namespace examples
