@@ -8,9 +8,14 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <map>
@@ -227,4 +232,55 @@ TEST_CASE("right_hand_side_is_read_from_any_readable_map", "[mesh_types]") {
   CHECK(solve(of_float) == expected);
   CHECK(solve(boost::const_associative_property_map<std::map<Vertex, double>>(associative)) ==
         expected);
+}
+
+TEST_CASE("functions_are_read_by_vertex_corner_and_face", "[mesh_types]") {
+  Mesh mesh = shapes::mesh(surface());
+  const auto by_vertex = mesh.add_property_map<Vertex, double>("v:f").first;
+  const auto by_halfedge = mesh.add_property_map<Mesh::Halfedge_index, double>("h:f").first;
+  const auto by_face = mesh.add_property_map<Mesh::Face_index, float>("f:f").first;
+  for(Vertex v : mesh.vertices())
+    by_vertex[v] = static_cast<int>(v) % 7;
+  for(const auto f : mesh.faces()) {
+    by_face[f] = static_cast<float>(static_cast<int>(f) % 5);
+    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+      by_halfedge[h] = by_vertex[mesh.target(h)] + by_face[f];
+  }
+  const auto np = params::octree_depth(3).relative_tolerance(1e-9);
+  const auto solve = [&](const auto& f) {
+    std::vector<double> result(mesh.number_of_vertices());
+    CHECK(RL::solve_screened_poisson(mesh, f, 2, Output_map{&result}, np).converged);
+    return result;
+  };
+  const auto fit = [&](const auto& f) {
+    std::vector<double> result(mesh.number_of_vertices());
+    // the error of a fit may be as large as what it leaves, unless that does not count
+    CHECK(RL::fit_function(mesh, f, Output_map{&result},
+                           params::octree_depth(3)
+                               .relative_tolerance(1e-9)
+                               .energy_tolerance(0)
+                               .normal_stabilization(1e-3))
+              .converged);
+    return result;
+  };
+  const auto check = [&](const auto& operation) {
+    const std::vector<double> of_vertices = operation(by_vertex), of_faces = operation(by_face),
+                              of_corners = operation(by_halfedge);
+    double largest = 0, error = 0;
+    for(std::size_t i = 0; i < of_corners.size(); ++i) {
+      largest = (std::max)(largest, std::abs(of_corners[i]));
+      error = (std::max)(error, std::abs(of_vertices[i] + of_faces[i] - of_corners[i]));
+    }
+    CHECK(error <= 1e-6 * largest);
+    // constant on each face, as a function object
+    const std::vector<double> expected = operation(RL::Face_function<double>([&] {
+      std::vector<double> values;
+      for(const auto f : mesh.faces())
+        values.push_back(by_face[f]);
+      return values;
+    }()));
+    CHECK(of_faces == expected);
+  };
+  check(solve);
+  check(fit);
 }

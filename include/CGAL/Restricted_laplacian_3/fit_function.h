@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/function_on_surface.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -38,9 +39,11 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 /// triangles; or a range of oriented points, which take the place of vertices, see
 /// `read_point_set()`
 /// \param tm the surface, a mesh or a range of oriented points
-/// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key, interpolated
-/// linearly, or a function object that takes a `const Surface_point&`. Values are numbers,
-/// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.
+/// \param f a function object that takes a `const Surface_point&`, or a model of
+/// `ReadablePropertyMap` with the vertex descriptor as key (linear in each triangle), the halfedge
+/// descriptor (the same, with the value of a halfedge at its target, in its face) or the face
+/// descriptor (constant in each triangle). Values are numbers, `std::array`s of numbers, vectors of
+/// Eigen of a fixed size, or 3D vectors or points of \cgal.
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and such a value,
 /// with as many components, receives the values of the fit; NaN at vertices without a face of
 /// positive area
@@ -142,11 +145,8 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
   progress_of(np)(0);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
-  Function_fit fit;
-  if constexpr(std::is_invocable_v<const Function&, const Surface_point&>)
-    fit = Restricted_laplacian_3::fit_function(space, f, np);
-  else
-    fit = Restricted_laplacian_3::fit_function(space, interpolated_components(source, f), np);
+  Function_fit fit =
+      Restricted_laplacian_3::fit_function(space, components_on_surface(source, f), np);
   put_at_vertices(source, space, fit.coefficients, u);
   fit.space_seconds = space_seconds;
   return static_cast<const Fit_report&>(fit);

@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/function_on_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>
 
 #include <CGAL/Real_timer.h>

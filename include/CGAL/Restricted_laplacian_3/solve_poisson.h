@@ -13,6 +13,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/function_on_surface.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -105,9 +106,9 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
 
-  const auto right_hand_side = surface_function(source, f);
-  const auto weight = number_or_surface_function(source, alpha);
-  const auto boundary_values = surface_function(source, boundary_values_of(np));
+  const auto right_hand_side = numbers_on_surface(source, f);
+  const auto weight = numbers_on_surface(source, alpha);
+  const auto boundary_values = numbers_on_surface(source, boundary_values_of(np));
   Poisson_problem problem = poisson_problem(right_hand_side, weight, boundary_values, np,
                                             progress.part(part_of_space, 1));
   if constexpr(is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>)
@@ -156,9 +157,10 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
 /// triangles
 /// \param tm the surface, a mesh or a range of oriented points
-/// \param f a model of `ReadablePropertyMap` with the vertex descriptor as key and a number as
-/// value, interpolated linearly; or a function object that takes a `const Surface_point&` and
-/// returns a number
+/// \param f a function object that takes a `const Surface_point&` and returns a number; or a model
+/// of `ReadablePropertyMap` with a number as value. Its key is the vertex descriptor: \f$f\f$ is
+/// linear in each triangle; the halfedge descriptor: the same, with the value of a halfedge at its
+/// target, in its face; or the face descriptor: \f$f\f$ is constant in each triangle.
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point
 /// number as value, receives the solution; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
@@ -243,9 +245,7 @@ Poisson_solution solve_poisson(const Spline_space_3& space, const Surface_functi
 /// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled toward \f$g\f$ where
 /// \f$\alpha\f$ is large, a soft constraint.
 /// \param tm the surface, a mesh or a range of oriented points
-/// \param f the right-hand side: a model of `ReadablePropertyMap` with the vertex descriptor as key
-/// and a number as value, interpolated linearly; or a function object that takes a
-/// `const Surface_point&` and returns a number
+/// \param f the right-hand side, given as in `solve_poisson()`
 /// \param alpha in units of 1 / area: a positive number (multiply by the area to compare surfaces
 /// of different size); or weights that are not negative, given as `f` is
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point

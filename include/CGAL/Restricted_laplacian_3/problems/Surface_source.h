@@ -10,8 +10,6 @@
 
 #include <cstddef>
 #include <iterator>
-#include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -31,9 +29,6 @@ public:
 
   template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
     return Spline_space_3(m_mesh, np);
-  }
-  template <class VertexMap> Linear_surface_function<double> interpolated(VertexMap map) const {
-    return vertex_function(m_mesh, map);
   }
   /// calls `visit(i, v)` for all vertices in the order in which they are numbered
   template <class Visitor> void for_each_vertex(Visitor&& visit) const {
@@ -70,9 +65,6 @@ public:
   template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
     return Spline_space_3(m_points, m_triangles, np);
   }
-  template <class IndexMap> Linear_surface_function<double> interpolated(IndexMap map) const {
-    return index_function(size(), map);
-  }
   template <class Visitor> void for_each_vertex(Visitor&& visit) const {
     for(std::size_t i = 0; i < size(); ++i)
       visit(i, i);
@@ -96,12 +88,6 @@ public:
   template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
     return Spline_space_3(m_points, np);
   }
-  template <class Map> Linear_surface_function<double> interpolated(Map map) const {
-    std::vector<double> values;
-    for_each_point_key(
-        m_points, [&](const auto& key) { values.push_back(CGAL::to_double(value_at(map, key))); });
-    return Linear_surface_function<double>(std::move(values));
-  }
   template <class Visitor> void for_each_vertex(Visitor&& visit) const {
     for_each_point_key(m_points, [&](const auto& key) { visit(key.position, key); });
   }
@@ -116,24 +102,6 @@ template <class Surface> auto mesh_or_point_source(const Surface& surface) {
     return Point_source<Surface>(surface);
   else
     return Mesh_source<Surface>(surface);
-}
-
-/// a function object on `Surface_point` is taken as it is, a property map is interpolated
-template <class Source, class Function>
-auto surface_function(const Source& source, const Function& f) {
-  if constexpr(std::is_invocable_v<const Function&, const Surface_point&>)
-    return f;
-  else
-    return source.interpolated(f);
-}
-
-/// the same, but a number remains one
-template <class Source, class Function>
-auto number_or_surface_function(const Source& source, const Function& f) {
-  if constexpr(std::is_arithmetic_v<Function>)
-    return f;
-  else
-    return surface_function(source, f);
 }
 
 } // namespace internal

@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
+#include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <Eigen/Core>
 

@@ -5,20 +5,16 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SHARED_FUNCTION_COMPONENTS_H
 
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -128,30 +124,6 @@ struct Vector_field_channels<Value,
 template <class Field>
 using Channels_of =
     Vector_field_channels<std::decay_t<std::invoke_result_t<const Field&, const Surface_point&>>>;
-
-/// writes the rows of a matrix, one for each vertex, into a property map of numbers or vectors
-template <class Source, class PropertyMap>
-void put_rows(const Source& source, const Eigen::MatrixXd& values, const PropertyMap& map) {
-  using Components = Function_components<typename boost::property_traits<PropertyMap>::value_type>;
-  source.for_each_vertex([&](std::size_t i, const auto& v) {
-    const Eigen::Matrix<double, Components::number, 1> components =
-        values.row(static_cast<Eigen::Index>(i)).transpose();
-    put_value_at(map, v, Components::make(components));
-  });
-}
-
-/// The function that interpolates a property map linearly in each triangle, by components: a vector
-/// of Eigen at each point.
-/// \param source such as `Mesh_source`
-template <class Source, class PropertyMap>
-auto interpolated_components(const Source& source, const PropertyMap& map) {
-  using Components =
-      Function_components<std::decay_t<typename boost::property_traits<PropertyMap>::value_type>>;
-  std::vector<Eigen::Matrix<double, Components::number, 1>> values;
-  source.for_each_vertex(
-      [&](std::size_t, const auto& v) { values.push_back(Components::read(value_at(map, v))); });
-  return Linear_surface_function<Eigen::Matrix<double, Components::number, 1>>(std::move(values));
-}
 
 } // namespace internal
 } // namespace Restricted_laplacian_3
