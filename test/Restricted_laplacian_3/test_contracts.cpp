@@ -12,8 +12,8 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>

@@ -7,7 +7,7 @@
 #include "catch.h"
 #include "special_shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>

@@ -9,7 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
@@ -84,6 +84,19 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
           RL::solve_screened_poisson(space, f, g,
                                      params::normal_stabilization(0.01).relative_tolerance(1e-9))
               .coefficients);
+    // each option counts
+    const auto differs = [&](const RL::Poisson_problem& other) {
+      return RL::solve_poisson_problem(space, other).coefficients != solution.coefficients;
+    };
+    RL::Poisson_problem other = problem;
+    other.alpha_function.reset();
+    CHECK(differs(other));
+    other = problem;
+    other.normal_stabilization.reset();
+    CHECK(differs(other));
+    other = problem;
+    other.solver.relative_tolerance.reset();
+    CHECK(differs(other));
     CHECK(RL::solve_poisson_problem(space, RL::Poisson_problem(f)).coefficients ==
           RL::solve_poisson(space, f).coefficients);
     RL::Poisson_problem with_number(f);
@@ -98,23 +111,45 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
     const RL::Poisson_solution constrained = RL::solve_poisson_problem(space, with_number);
     CHECK(RL::Spline_function_3(space, constrained.coefficients).value(center) ==
           Approx(2).epsilon(1e-3));
+    // prescribed values have a smaller tolerance, unless told otherwise
+    with_number.solver.relative_tolerance.reset();
+    CHECK(RL::solve_poisson_problem(space, with_number).relative_residual <= 1e-7);
+    with_number.solver.relative_tolerance = 1e-3;
+    CHECK(RL::solve_poisson_problem(space, with_number).relative_residual > 1e-7);
   }
   {
     RL::Function_fit_options options;
     options.smoothing_weight = 0.1;
     options.refinement_steps = 1;
     options.solver.relative_tolerance = 1e-6;
-    CHECK(RL::Function_fitter(space, options).fit(f).coefficients ==
+    const auto fit = [&](const RL::Function_fit_options& o) {
+      return RL::Function_fitter(space, o).fit(f).coefficients;
+    };
+    const Eigen::MatrixXd expected = fit(options);
+    CHECK(expected ==
           RL::fit_function(
               space, f, params::smoothing_weight(0.1).refinement_steps(1).relative_tolerance(1e-6))
               .coefficients);
+    RL::Function_fit_options other = options;
+    other.refinement_steps = 0;
+    CHECK(fit(other) != expected);
+    other = options;
+    other.smoothing_weight = 0;
+    CHECK(fit(other) != expected);
+    other = options;
+    other.normal_stabilization = 0.1;
+    CHECK(fit(other) != expected);
+    other = options;
+    other.solver.relative_tolerance.reset();
+    other.energy_tolerance = 0;
+    CHECK(fit(other) != expected);
   }
   {
     RL::Curvature_options options;
     options.smoothing_weight = 0.01;
     options.refinement_steps = 2;
-    options.fit.energy_tolerance = 0;
-    options.fit.solver.relative_tolerance = 1e-6;
+    options.energy_tolerance = 0;
+    options.solver.relative_tolerance = 1e-6;
     calls = 0;
     options.callback = count;
     const auto np = params::smoothing_weight(0.01).refinement_steps(2).energy_tolerance(0.);
@@ -124,9 +159,27 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
         result.push_back(curvature.mean);
       return result;
     };
-    CHECK(values(RL::estimate_curvature(space, options)) ==
-          values(RL::estimate_curvature(space, np.relative_tolerance(1e-6))));
+    const std::vector<double> expected = values(RL::estimate_curvature(space, options));
+    CHECK(expected == values(RL::estimate_curvature(space, np.relative_tolerance(1e-6))));
     CHECK(calls > 2);
+    const auto differs = [&](const RL::Curvature_options& other) {
+      return values(RL::estimate_curvature(space, other)) != expected;
+    };
+    RL::Curvature_options other = options;
+    other.smoothing_weight.reset();
+    CHECK(differs(other));
+    other = options;
+    other.refinement_steps.reset();
+    CHECK(differs(other));
+    other = options;
+    other.energy_tolerance.reset();
+    CHECK(differs(other));
+    other = options;
+    other.normal_stabilization = 0.1;
+    CHECK(differs(other));
+    other = options;
+    other.solver.relative_tolerance.reset();
+    CHECK(differs(other));
     options = RL::Curvature_options();
     options.method = RL::Curvature_method::coordinates;
     CHECK(values(RL::estimate_curvature(space, options)) ==

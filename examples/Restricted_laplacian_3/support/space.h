@@ -10,8 +10,8 @@
 #include "program.h"
 #include "table.h"
 
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <cstddef>

@@ -55,7 +55,7 @@ Gradient_options gradient_options(const Target& target, const Weight& weight,
     screening.mean = Function_components<std::decay_t<decltype(mean)>>::read(mean);
   }
   read_parameter(np, internal_np::normal_stabilization, options.normal_stabilization);
-  options.solver = Poisson_solver_options(np, default_gradient_tolerance);
+  options.solver = Poisson_solver_options(np);
   read_parameter(np, internal_np::callback, options.callback);
   return options;
 }
@@ -88,7 +88,8 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(with_details)
-    add_details(space, field, options.screening, options.solver, solution, values);
+    add_details(space, field, options.screening, tolerance_of(options.solver),
+                options.solver.maximum_iterations, solution, values);
   progress(1);
   put_rows(source, values, u);
   solution.fit.space_seconds = space_seconds;

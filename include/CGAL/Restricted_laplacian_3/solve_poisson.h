@@ -59,10 +59,6 @@ Poisson_problem poisson_problem(const Surface_function_view& f, const Alpha& alp
                                 const BoundaryValues& boundary_values, const NamedParameters& np,
                                 const Progress& progress) {
   constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
-  constexpr double tolerance =
-      has_boundary_values || is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>
-          ? tolerance_with_constraints
-          : Poisson_solver_options::default_tolerance;
   Poisson_problem problem(f);
   if constexpr(std::is_arithmetic_v<Alpha>)
     problem.alpha = static_cast<double>(alpha);
@@ -71,7 +67,7 @@ Poisson_problem poisson_problem(const Surface_function_view& f, const Alpha& alp
   if constexpr(has_boundary_values)
     problem.boundary_values = boundary_values;
   read_parameter(np, internal_np::normal_stabilization, problem.normal_stabilization);
-  problem.solver = Poisson_solver_options(np, tolerance);
+  problem.solver = Poisson_solver_options(np);
   problem.callback = progress.callback();
   return problem;
 }

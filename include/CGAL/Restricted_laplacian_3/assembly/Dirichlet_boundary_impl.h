@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/octree/shared/wall_crossings.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>

@@ -11,8 +11,8 @@
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Piece_sorter.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Points_in_grid.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Sheet_sorter.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Surface_in_grid.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Triangles_in_grid.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
@@ -117,7 +117,7 @@ private:
       return fine.keys[fine.cells[sheet]] >> 3;
     };
     Disjoint_sets sets;
-    Piece_sorter sort;
+    Sheet_sorter sort;
     sets.reset(number_of_fine_sheets);
     for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
       if(!m_octree.m_is_split && sheet > 0 && parent_key(sheet - 1) == parent_key(sheet))

@@ -111,9 +111,12 @@ struct Curvature_options {
   std::optional<double> smoothing_weight;
   /// without a value one with smoothing, and none without
   std::optional<int> refinement_steps;
-  /// of the fit, whose smoothing and refinement are those above; without values its stabilization
-  /// is `default_curvature_stabilization` and its energy tolerance 3e-4
-  Function_fit_options fit;
+  /// factor \f$c\f$ of the stabilization; without a value `default_curvature_stabilization`
+  std::optional<double> normal_stabilization;
+  /// see `Function_fit_options`; without a value 3e-4
+  std::optional<double> energy_tolerance;
+  /// of the linear systems, see `Function_fit_options`
+  Poisson_solver_options solver;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with an exception
   std::function<bool(double)> callback;
@@ -122,11 +125,14 @@ struct Curvature_options {
   Curvature_options() = default;
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
-  Curvature_options(const NamedParameters& np) : fit(np) {
+  Curvature_options(const NamedParameters& np) : solver(np) {
     internal::read_parameter(np, internal_np::curvature_method, method);
     internal::read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
     internal::read_parameter(np, internal_np::refinement_steps, refinement_steps);
+    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    internal::read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
     internal::read_parameter(np, internal_np::callback, callback);
+    solver.energy_tolerance = 0; // relative to the solution
   }
 };
 

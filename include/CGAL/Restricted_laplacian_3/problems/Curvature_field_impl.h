@@ -100,11 +100,11 @@ namespace internal {
 inline Function_fit_options curvature_fit_options(const Spline_space_3& space,
                                                   const Curvature_options& given,
                                                   bool with_smoothing) {
-  Function_fit_options options = given.fit;
-  if(!options.normal_stabilization)
-    options.normal_stabilization = default_curvature_stabilization;
-  if(!options.energy_tolerance)
-    options.energy_tolerance = default_curvature_tolerance;
+  Function_fit_options options;
+  options.solver = given.solver;
+  options.normal_stabilization =
+      given.normal_stabilization.value_or(default_curvature_stabilization);
+  options.energy_tolerance = given.energy_tolerance.value_or(default_curvature_tolerance);
   // A weight that followed from the faces would make the result depend on them.
   const double h = space.octree().cell_width(space.depth());
   const bool smooths =

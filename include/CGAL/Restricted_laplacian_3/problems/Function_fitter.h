@@ -76,10 +76,10 @@ struct Function_fit_options {
   Poisson_solver_options solver;
 
   /// the defaults
-  Function_fit_options() { solver.relative_tolerance = default_tolerance; }
+  Function_fit_options() = default;
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
-  Function_fit_options(const NamedParameters& np) : solver(np, default_tolerance) {
+  Function_fit_options(const NamedParameters& np) : solver(np) {
     internal::read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
     internal::read_parameter(np, internal_np::refinement_steps, refinement_steps);
     internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);

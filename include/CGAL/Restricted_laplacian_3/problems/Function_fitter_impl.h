@@ -29,7 +29,9 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-inline Function_fit_options checked(const Function_fit_options& options) {
+inline Function_fit_options checked(Function_fit_options options) {
+  if(!options.solver.relative_tolerance)
+    options.solver.relative_tolerance = Function_fit_options::default_tolerance;
   const double w = options.smoothing_weight;
   if(!(w >= 0 && std::isfinite(w)))
     throw Parameter_error("smoothing_weight",
@@ -112,7 +114,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit Function_fitter::project(
   Function_fit result;
   static_cast<Solve_report&>(result) = solver.solve(
       loads / unit(), result.coefficients,
-      {m_options.solver.relative_tolerance, progress.part(internal::end_of_setup, 1).callback()});
+      {*m_options.solver.relative_tolerance, progress.part(internal::end_of_setup, 1).callback()});
   result.normal_stabilization = c;
   result.assembly_seconds = m_assembly_seconds;
   return result;
@@ -157,7 +159,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Function_fitter::solve_least_squ
     const Residual& residual, const Progress& progress, Eigen::MatrixXd& x) {
   const Poisson_solver& solver =
       this->solver(stabilization(), progress.part(0, internal::end_of_setup));
-  Solve_options options(m_options.solver.relative_tolerance,
+  Solve_options options(*m_options.solver.relative_tolerance,
                         progress.part(internal::end_of_setup, 1).callback());
   options.least_squares = {residual.squares, energy_tolerance()};
   return solver.solve(residual.loads / unit(), x, options);

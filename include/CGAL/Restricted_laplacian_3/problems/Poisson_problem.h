@@ -47,7 +47,7 @@ struct Poisson_problem {
   std::optional<Point_constraints> constraints;
   /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
   std::optional<double> normal_stabilization;
-  /// of the linear system; prescribed values need a smaller tolerance, such as 1e-7
+  /// of the linear system; without a value its tolerance is 1e-3, and 1e-7 with prescribed values
   Poisson_solver_options solver;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with an exception

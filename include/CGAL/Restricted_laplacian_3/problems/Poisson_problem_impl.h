@@ -39,16 +39,19 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
   if(elliptic.reaction == 0 && !elliptic.reaction_function)
     load = -load;
   const internal::Progress of_setup = progress.part(0.1, 0.7);
+  const bool has_prescribed_values = problem.boundary_values || problem.constraints;
   const Poisson_solver solver =
-      problem.boundary_values || problem.constraints
+      has_prescribed_values
           ? internal::constrained_solver(space, elliptic, problem.boundary_values,
                                          problem.constraints, problem.solver, of_setup, load)
           : internal::elliptic_solver(space, elliptic, problem.solver, of_setup);
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Poisson_solution solution;
+  const double tolerance = problem.solver.relative_tolerance.value_or(
+      has_prescribed_values ? internal::tolerance_with_constraints
+                            : Poisson_solver_options::default_tolerance);
   static_cast<Solve_report&>(solution) =
-      solver.solve(load, solution.coefficients,
-                   {problem.solver.relative_tolerance, progress.part(0.7, 1).callback()});
+      solver.solve(load, solution.coefficients, {tolerance, progress.part(0.7, 1).callback()});
   solution.assembly_seconds = assembly_seconds;
   solution.kernel_dimension = solver.kernel_dimension();
   return solution;

@@ -83,14 +83,11 @@ struct Gradient_options {
   Gradient_screening screening;
   /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
   std::optional<double> normal_stabilization;
-  /// of the linear system; the tolerance is 1e-5 unless set otherwise
+  /// of the linear system; without a value its tolerance is 1e-5
   Poisson_solver_options solver;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with an exception
   std::function<bool(double)> callback;
-
-  /// the defaults
-  Gradient_options() { solver.relative_tolerance = internal::default_gradient_tolerance; }
 };
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -105,6 +102,11 @@ Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_
 
 namespace internal {
 
+/// the tolerance of the linear system
+inline double tolerance_of(const Poisson_solver_options& options) {
+  return options.relative_tolerance.value_or(default_gradient_tolerance);
+}
+
 /// a fit, with what is needed to keep its means when details are added
 struct Gradient_solution {
   Gradient_fit fit;
@@ -117,10 +119,11 @@ Gradient_solution integrate_gradients(const Spline_space_3& space, const Vector_
                                       const Gradient_options& options, const Progress& progress);
 
 /// corrects the values of a solution at the vertices
+/// \param relative_tolerance as for the splines, or larger
 /// \throws Input_error if the surface is a point set
 void add_details(const Spline_space_3& space, const Vector_field_view& v,
-                 const Gradient_screening& screening, const Poisson_solver_options& options,
-                 Gradient_solution& solution, Eigen::MatrixXd& values);
+                 const Gradient_screening& screening, double relative_tolerance,
+                 int maximum_iterations, Gradient_solution& solution, Eigen::MatrixXd& values);
 
 } // namespace internal
 

@@ -210,8 +210,8 @@ integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
   }
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Eigen::MatrixXd x;
-  static_cast<Solve_report&>(result.fit) = solver.solve(
-      loads, x, {options.solver.relative_tolerance, progress.part(0.65, 1).callback()});
+  static_cast<Solve_report&>(result.fit) =
+      solver.solve(loads, x, {tolerance_of(options.solver), progress.part(0.65, 1).callback()});
   // The solver takes means from the sum of all loads, where those of a small weight are lost to
   // rounding beside those of the gradients. They are known without it.
   std::vector<int> shifted = result.components;
@@ -249,7 +249,7 @@ inline std::vector<int> components_of_vertices(const Spline_space_3& space,
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 add_details(const Spline_space_3& space, const Vector_field_view& v,
-            const Gradient_screening& screening, const Poisson_solver_options& options,
+            const Gradient_screening& screening, double relative_tolerance, int maximum_iterations,
             Gradient_solution& solution, Eigen::MatrixXd& values) {
   CGAL::Real_timer timer;
   timer.start();
@@ -282,7 +282,7 @@ add_details(const Spline_space_3& space, const Vector_field_view& v,
       values.row(row) -= mean;
     }
   const Vertex_details_report report =
-      add_vertex_details(system, options.relative_tolerance, options.maximum_iterations, values);
+      add_vertex_details(system, relative_tolerance, maximum_iterations, values);
   shift_to_means(components, measures, solution.means, values);
   solution.fit.worsen_status(report.status);
   solution.fit.details_iterations = report.iterations;

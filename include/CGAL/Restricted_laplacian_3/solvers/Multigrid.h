@@ -12,8 +12,8 @@
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Constant_deflation.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Natural_smoother.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Smoother_adaptor.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/symmetric_halves.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
@@ -219,7 +219,7 @@ private:
 
   static constexpr bool has_layout = internal::Has_layout<Smoother>::value;
   using Level_smoother =
-      std::conditional_t<has_layout, Smoother, internal::Natural_smoother<Smoother>>;
+      std::conditional_t<has_layout, Smoother, internal::Smoother_adaptor<Smoother>>;
 
   static void check_sizes(const Sparse_matrix& a, const Multigrid_levels& levels) {
     if(a.rows() != a.cols())

@@ -33,10 +33,11 @@ class Mean_projection;
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of a `Poisson_solver`.
 struct Poisson_solver_options {
-  /// the default of `relative_tolerance`
+  /// the default of `relative_tolerance` in `Poisson_solver`
   static constexpr double default_tolerance = 1e-3;
-  /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration
-  double relative_tolerance = default_tolerance;
+  /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration; without a value
+  /// what the application needs
+  std::optional<double> relative_tolerance;
   /// the iteration also ends at an estimated error of that size, relative to the solution, in the
   /// norm of the energy; 0: never
   double energy_tolerance = 0;
@@ -56,11 +57,8 @@ struct Poisson_solver_options {
   /// the defaults
   Poisson_solver_options() = default;
   /// what is among named parameters, and the defaults else
-  /// \param np named parameters
-  /// \param tolerance the default of the tolerance
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
-  Poisson_solver_options(const NamedParameters& np, double tolerance = default_tolerance)
-    : relative_tolerance(tolerance), is_parallel(internal::is_parallel(np)) {
+  Poisson_solver_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
     internal::read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
     internal::read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
     internal::read_parameter(np, internal_np::number_of_iterations, maximum_iterations);

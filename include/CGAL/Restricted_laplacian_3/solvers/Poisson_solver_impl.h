@@ -50,13 +50,15 @@ inline void check_entries(const Sparse_matrix& a) {
 
 inline Poisson_solver_options checked(const Sparse_matrix& a, const Eigen::VectorXd& integrals,
                                       const Eigen::VectorXd& constant_loads,
-                                      const Poisson_solver_options& options) {
+                                      Poisson_solver_options options) {
+  if(!options.relative_tolerance)
+    options.relative_tolerance = Poisson_solver_options::default_tolerance;
   if(integrals.size() != a.cols())
     throw Parameter_error("element_integrals", "does not fit the size of the matrix");
   if(constant_loads.size() != a.cols())
     throw Parameter_error("constant_loads", "does not fit the size of the matrix");
   check_entries(a);
-  check_tolerance(options.relative_tolerance);
+  check_tolerance(*options.relative_tolerance);
   if(options.maximum_iterations < 0)
     throw Parameter_error("number_of_iterations", "must not be negative");
   if(options.smoothing_steps < 1)
@@ -132,7 +134,7 @@ struct Poisson_solver::Impl {
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Vectors& x,
                      const Solve_options& given) const {
     Block_options of_block;
-    of_block.relative_tolerance = given.relative_tolerance.value_or(options.relative_tolerance);
+    of_block.relative_tolerance = given.relative_tolerance.value_or(*options.relative_tolerance);
     of_block.has_first_guess = given.has_first_guess;
     of_block.least_squares = given.least_squares;
     const internal::Progress progress(given.callback);

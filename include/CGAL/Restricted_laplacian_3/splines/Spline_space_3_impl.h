@@ -9,7 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
 #include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <algorithm>

@@ -61,15 +61,14 @@ struct Color_stitching_options {
   double details_tolerance = 1e-3;
   /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
   std::optional<double> normal_stabilization;
-  /// of the linear systems
+  /// of the linear systems; without a value the tolerance is 1e-5
   Poisson_solver_options solver;
 
   /// the defaults
-  Color_stitching_options() { solver.relative_tolerance = internal::default_gradient_tolerance; }
+  Color_stitching_options() = default;
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
-  Color_stitching_options(const NamedParameters& np)
-    : back_projection(np), solver(np, internal::default_gradient_tolerance) {
+  Color_stitching_options(const NamedParameters& np) : back_projection(np), solver(np) {
     internal::read_parameter(np, internal_np::gradient_source, gradient_source);
     internal::read_parameter(np, internal_np::seam_weight, seam_weight);
     internal::read_parameter(np, internal_np::quality_smoothing_steps, quality_smoothing_steps);

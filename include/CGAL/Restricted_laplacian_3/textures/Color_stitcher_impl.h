@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
@@ -353,10 +353,10 @@ Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& t
   Eigen::MatrixXd values =
       Spline_functions_3(m_space, solution.fit.coefficients).values_at_vertices();
   if(m_options.vertex_details) {
-    Poisson_solver_options of_details = options.solver;
-    of_details.relative_tolerance =
-        (std::max)(of_details.relative_tolerance, m_options.details_tolerance);
-    internal::add_details(m_space, field, options.screening, of_details, solution, values);
+    const double tolerance =
+        (std::max)(internal::tolerance_of(options.solver), m_options.details_tolerance);
+    internal::add_details(m_space, field, options.screening, tolerance,
+                          options.solver.maximum_iterations, solution, values);
   }
   static_cast<Gradient_report&>(result) = solution.fit;
   return values;

@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Piece_sorter.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Sheet_sorter.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -67,7 +67,7 @@ struct Finest_sheets {
 struct Sheet_scratch {
   Disjoint_sets sets;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides; // seam, and number of the fragment
-  Piece_sorter sort;
+  Sheet_sorter sort;
 };
 
 /// Unites, in `scratch.sets`, those of the numbers 0 .. size - 1 whose fragments, all in one cell,

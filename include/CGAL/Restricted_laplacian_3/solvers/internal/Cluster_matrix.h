@@ -35,7 +35,7 @@ public:
   /// \param scale the matrix becomes \f$D A D\f$ with this diagonal matrix \f$D\f$
   /// \param room what may be written to meanwhile
   Cluster_matrix(bool is_parallel, const Sparse_matrix& a, const Level_positions& positions,
-                 const std::vector<double>& scale, Aligned_room* room = nullptr) {
+                 const std::vector<double>& scale, Scratch_memory* room = nullptr) {
     const Source source(a, positions, scale, room);
     const std::size_t clusters = positions.number_of_clusters();
     m_cluster_sizes.assign(clusters, 0);
@@ -115,7 +115,7 @@ private:
   class Source {
   public:
     Source(const Sparse_matrix& a, const Level_positions& positions,
-           const std::vector<double>& scale, Aligned_room* room)
+           const std::vector<double>& scale, Scratch_memory* room)
       : m_rows(a, room), m_positions(positions.of_unknown), m_scale(scale),
         m_unknowns(positions.number_of_positions, -1) {
       for(std::size_t i = 0; i < m_positions.size(); ++i)

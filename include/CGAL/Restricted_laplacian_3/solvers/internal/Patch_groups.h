@@ -7,10 +7,10 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Aligned_room.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Cluster_matrix.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Group_layout.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Scratch_memory.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_inverse.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_kernels.h>
 
@@ -43,7 +43,7 @@ public:
                   patches.neighborhoods.empty() ? independent_neighborhoods(a, patches)
                                                 : patches.neighborhoods);
     find_parts(patches);
-    m_inverses = Aligned_room(sizeof(float) * m_patches.back().inverse);
+    m_inverses = Scratch_memory(sizeof(float) * m_patches.back().inverse);
     m_matrix = Cluster_matrix(is_parallel, a, positions, scale, &m_inverses);
     invert_blocks();
   }
@@ -252,7 +252,7 @@ private:
   std::vector<std::uint32_t> m_groups;
   std::vector<Patch> m_patches; // and one more
   std::vector<Part> m_parts;
-  Aligned_room m_inverses;
+  Scratch_memory m_inverses;
   int m_largest_size = 0;
 };
 

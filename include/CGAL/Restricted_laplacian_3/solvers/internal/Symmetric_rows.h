@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SYMMETRIC_ROWS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Aligned_room.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Scratch_memory.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace internal {
 class Symmetric_rows {
 public:
   /// \param room for the entries, used if it is large enough
-  explicit Symmetric_rows(const Sparse_matrix& a, Aligned_room* room = nullptr)
+  explicit Symmetric_rows(const Sparse_matrix& a, Scratch_memory* room = nullptr)
     : m_matrix(a), m_first(static_cast<std::size_t>(a.cols()) + 1, 0) {
     // Ends are counted down to beginnings while the rows are filled from their ends.
     for_each_above([this](int i, const Entry&) { ++m_first[i]; });
@@ -28,7 +28,7 @@ public:
       m_first[i + 1] += m_first[i];
     const std::size_t size = sizeof(Entry) * m_first.back();
     if(!room || room->size() < size) {
-      m_own_room = Aligned_room(size);
+      m_own_room = Scratch_memory(size);
       room = &m_own_room;
     }
     m_entries = room->as<Entry>();
@@ -58,7 +58,7 @@ private:
 
   const Sparse_matrix& m_matrix;
   std::vector<std::uint32_t> m_first; // entry after the diagonal of each row, and one more
-  Aligned_room m_own_room;
+  Scratch_memory m_own_room;
   Entry* m_entries;
 };
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/integration/Cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/fragment_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 

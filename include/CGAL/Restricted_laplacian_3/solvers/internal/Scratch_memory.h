@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_ALIGNED_ROOM_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_ALIGNED_ROOM_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SCRATCH_MEMORY_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SCRATCH_MEMORY_H
 
 #include <boost/align/aligned_alloc.hpp>
 
@@ -17,10 +17,10 @@ namespace internal {
 
 /// Memory for large arrays of different types one after the other, with no values at first: what
 /// another array has used costs less than what the system has to provide.
-class Aligned_room {
+class Scratch_memory {
 public:
   /// \param size number of bytes
-  explicit Aligned_room(std::size_t size = 0)
+  explicit Scratch_memory(std::size_t size = 0)
     : m_memory(size > 0 ? boost::alignment::aligned_alloc(64, size) : nullptr), m_size(size) {
     if(size > 0 && !m_memory)
       throw std::bad_alloc();
@@ -46,4 +46,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_ALIGNED_ROOM_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SCRATCH_MEMORY_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_NATURAL_SMOOTHER_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_NATURAL_SMOOTHER_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SMOOTHER_ADAPTOR_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SMOOTHER_ADAPTOR_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
@@ -30,10 +30,10 @@ struct Has_layout<Smoother, std::void_t<decltype(std::declval<const Smoother&>()
 /// Gives a model of `MultigridSmoother_3`, which works in double precision and in the numbering of
 /// the matrix, the layout of a level: unknowns in their order, scaled to diagonals near 1. Keeps
 /// the matrix, all of its entries, to which the smoother may refer.
-template <class Smoother> class Natural_smoother {
+template <class Smoother> class Smoother_adaptor {
 public:
   /// takes the matrix over
-  Natural_smoother(Sparse_matrix&& a, const Smoothing_patches& patches, bool is_parallel)
+  Smoother_adaptor(Sparse_matrix&& a, const Smoothing_patches& patches, bool is_parallel)
     : m_matrix(kept(a)), m_scale(balancing_scale(*m_matrix)),
       m_positions(Level_positions::consecutive(m_scale.size())),
       m_smoother(*m_matrix, patches, is_parallel) {}
@@ -103,4 +103,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_NATURAL_SMOOTHER_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_SMOOTHER_ADAPTOR_H

@@ -67,7 +67,7 @@ Surface_integration default_integration(const Octree_3& octree);
 } // namespace CGAL
 
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
-#include <CGAL/Restricted_laplacian_3/integration/Cubature_impl.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature_impl.h>
 #endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_H
