@@ -149,7 +149,7 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
     options.smoothing_weight = 0.01;
     options.refinement_steps = 2;
     options.energy_tolerance = 0;
-    options.solver.relative_tolerance = 1e-6;
+    options.solver.relative_tolerance = 1e-10;
     calls = 0;
     options.callback = count;
     const auto np = params::smoothing_weight(0.01).refinement_steps(2).energy_tolerance(0.);
@@ -160,7 +160,7 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
       return result;
     };
     const std::vector<double> expected = values(RL::estimate_curvature(space, options));
-    CHECK(expected == values(RL::estimate_curvature(space, np.relative_tolerance(1e-6))));
+    CHECK(expected == values(RL::estimate_curvature(space, np.relative_tolerance(1e-10))));
     CHECK(calls > 2);
     const auto differs = [&](const RL::Curvature_options& other) {
       return values(RL::estimate_curvature(space, other)) != expected;
