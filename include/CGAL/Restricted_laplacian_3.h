@@ -16,6 +16,7 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/version.h>

@@ -18,6 +18,7 @@
 #include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
@@ -52,7 +53,94 @@ RL::Vector_3 linear_field(const RL::Point_3& p) {
   return {1 + p.x() - 2 * p.y(), 0.5 * p.z() + p.x(), 3 - p.y()};
 }
 
+/// a function of as many components as one wants, which counts its calls
+class Powers {
+public:
+  explicit Powers(int components) : m_components(components) {}
+
+  int components() const { return m_components; }
+  int degree() const { return 3; }
+  void operator()(const RL::Surface_point* points, std::size_t number, double* values) const {
+    ++calls;
+    evaluations += number;
+    for(std::size_t i = 0; i < number; ++i)
+      for(int k = 0; k < m_components; ++k)
+        *values++ = std::pow(points[i].point.x() + 2, k % 3) + points[i].point.z();
+  }
+
+  mutable std::size_t calls = 0, evaluations = 0;
+
+private:
+  int m_components;
+};
+
 } // namespace
+
+TEST_CASE("functions_may_evaluate_themselves_at_many_points", "[interface]") {
+  const shapes::Triangles sphere = shapes::sphere(3);
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(3));
+  const Powers powers(6);
+  const RL::Surface_function_view view(powers);
+  CHECK(view.components() == 6);
+  CHECK(view.degree() == 3);
+  CHECK(RL::Surface_function_view(view).components() == 6);
+  const auto by_point = RL::function_of_degree(
+      [&](const RL::Surface_point& p) {
+        Eigen::Matrix<double, 6, 1> value;
+        Powers(6)(&p, 1, value.data());
+        return value;
+      },
+      3);
+  CHECK(RL::assemble_component_loads(space, powers) ==
+        RL::assemble_component_loads(space, by_point));
+  CHECK(8 * powers.calls < powers.evaluations);
+  // as two vectors
+  const auto field = RL::function_of_degree(
+      [&](const RL::Surface_point& p) {
+        Eigen::Matrix<double, 3, 2> value;
+        Powers(6)(&p, 1, value.data());
+        return value;
+      },
+      3);
+  CHECK(RL::Vector_field_view(powers).channels() == 2);
+  CHECK(RL::assemble_gradient_loads(space, powers) == RL::assemble_gradient_loads(space, field));
+  CHECK(RL::Function_fitter(space).fit(powers).coefficients ==
+        RL::Function_fitter(space).fit(by_point).coefficients);
+}
+
+TEST_CASE("evaluation_matrices_give_the_values_of_functions", "[interface]") {
+  shapes::Triangles t = shapes::box(1, 0.7, 0.4, 3, 1);
+  t.points.emplace_back(0.3, 0.2, 0.1); // of no face
+  const RL::Spline_space_3 space(t.points, t.faces, params::octree_depth(4));
+  const auto locations = RL::sample_surface(space.surface(), 60, 1);
+  for(int level : {2, 4}) {
+    const auto n = static_cast<Eigen::Index>(space.dimension(level));
+    const Eigen::MatrixXd h =
+        Eigen::MatrixXd::Random(n, 2); // fixed by the generator of the C library
+    const RL::Spline_functions_3 u(space, h, level);
+    const RL::Spline_jets jets = u.jets_at_locations(locations);
+    const auto differ = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+      return (a - b).cwiseAbs().maxCoeff() / (1 + b.cwiseAbs().maxCoeff());
+    };
+    CHECK(differ(RL::evaluation_matrix(space, locations, level) * h, jets.values) < 1e-13);
+    for(int axis = 0; axis < 3; ++axis)
+      CHECK(differ(RL::derivative_matrix(space, axis, locations, level) * h,
+                   jets.derivatives[axis]) < 1e-13);
+    const Eigen::MatrixXd at_vertices = u.values_at_vertices();
+    const RL::Sparse_matrix e = RL::evaluation_matrix(space, level);
+    const Eigen::Index last = at_vertices.rows() - 1;
+    CHECK(std::isnan(at_vertices(last, 0)));
+    CHECK((e * h).row(last).isZero(0));
+    CHECK(differ((e * h).topRows(last), at_vertices.topRows(last)) < 1e-13);
+    for(int axis = 0; axis < 3; ++axis)
+      CHECK(differ((RL::derivative_matrix(space, axis, level) * h).topRows(last),
+                   u.jets_at_vertices().derivatives[axis].topRows(last)) < 1e-13);
+    const Eigen::VectorXd sums = e * Eigen::VectorXd::Ones(n);
+    CHECK((sums.head(last).array() - 1).abs().maxCoeff() < 1e-14);
+  }
+  CHECK_THROWS_AS(RL::derivative_matrix(space, 3), RL::Parameter_error);
+  CHECK_THROWS_AS(RL::evaluation_matrix(space, 5), RL::Parameter_error);
+}
 
 TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
   RL::Spline_space_options of_space;

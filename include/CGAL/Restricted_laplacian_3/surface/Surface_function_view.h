@@ -18,6 +18,18 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+class Surface_function_view;
+
+namespace internal {
+
+/// whether an object of a type evaluates itself at many points in one call
+template <class Function>
+constexpr bool is_block_function =
+    std::is_invocable_v<const Function&, const Surface_point*, std::size_t, double*> &&
+    !std::is_base_of_v<Surface_function_view, Function>;
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// Refers to a model of `SurfaceFunction_3` of any type, which must outlive it. It is evaluated at
 /// many points in one call, so what is compiled once costs nothing that counts.
@@ -31,6 +43,18 @@ public:
             std::enable_if_t<std::is_invocable_v<const Function&, const Surface_point&>, int> = 0>
   Surface_function_view(const Function& f)
     : Surface_function_view(f, internal::Components_of<Function>()) {}
+
+  /// A function that evaluates itself at many points in one call, and whose number of components is
+  /// known when the program runs: interpreters call once for a block.
+  /// \tparam Function has members `components()` and `degree()`, and can be called as an object of
+  /// this class can
+  template <class Function, std::enable_if_t<internal::is_block_function<Function>, int> = 0>
+  Surface_function_view(const Function& f)
+    : m_function(internal::address_of(f)), m_components(f.components()), m_degree(f.degree()),
+      m_evaluate([](const void* function, const Surface_point* points, std::size_t number,
+                    double* values) {
+        internal::function_at<Function>(function)(points, number, values);
+      }) {}
 
   /// number of components of a value
   int components() const { return m_components; }
@@ -74,6 +98,12 @@ public:
       std::enable_if_t<std::is_invocable_v<const VectorField&, const Surface_point&>, int> = 0>
   Vector_field_view(const VectorField& v)
     : Surface_function_view(v, internal::Channels_of<VectorField>()) {}
+
+  /// A vector field that evaluates itself at many points in one call.
+  /// \tparam VectorField as for functions; the components of a value are those of the first vector,
+  /// then of the second
+  template <class VectorField, std::enable_if_t<internal::is_block_function<VectorField>, int> = 0>
+  Vector_field_view(const VectorField& v) : Surface_function_view(v) {}
 
   /// number of vectors of a value
   int channels() const { return components() / 3; }
