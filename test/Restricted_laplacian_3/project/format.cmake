@@ -15,7 +15,7 @@ if(NOT version MATCHES "version 14\\.")
 endif()
 
 set(sources "")
-foreach(dir include examples tools test benchmark)
+foreach(dir include examples tools test benchmark python)
   file(GLOB_RECURSE found "${ROOT}/${dir}/*.h" "${ROOT}/${dir}/*.cpp")
   list(APPEND sources ${found})
 endforeach()

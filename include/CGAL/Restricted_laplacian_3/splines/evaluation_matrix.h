@@ -37,8 +37,8 @@ Sparse_matrix evaluation_matrix(const Spline_space_3& space,
                                 std::optional<int> level = {});
 
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// The matrix that takes the coefficients of a function to its derivatives along an axis of space at
-/// the vertices, see `Spline_jets`. Its rows, as in `evaluation_matrix()`, sum to 0.
+/// The matrix that takes the coefficients of a function to its derivatives along an axis of space
+/// at the vertices, see `Spline_jets`. Its rows, as in `evaluation_matrix()`, sum to 0.
 /// \param space the space
 /// \param axis 0, 1 or 2 for \f$x\f$, \f$y\f$ or \f$z\f$
 /// \param level from 0, the coarsest, to the depth of the space; without a value the finest

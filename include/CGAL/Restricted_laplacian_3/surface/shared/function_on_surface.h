@@ -44,9 +44,9 @@ struct Has_face_keys<Source, Map, std::void_t<typename Source::Face>>
         std::is_same_v<typename boost::property_traits<Map>::key_type, typename Source::Face>> {};
 
 /// What a caller gives as a function on the surface, as a function object on `Surface_point`. Such
-/// an object, or a number, is taken as it is. A property map is read by `read(value)`: with vertices
-/// as keys it is interpolated linearly in each triangle; with halfedges so are the values at the
-/// corners of each triangle; with faces it is constant on each.
+/// an object, or a number, is taken as it is. A property map is read by `read(value)`: with
+/// vertices as keys it is interpolated linearly in each triangle; with halfedges so are the values
+/// at the corners of each triangle; with faces it is constant on each.
 /// \param source such as `Mesh_source`
 template <class Source, class Function, class Read>
 auto function_on_surface(const Source& source, const Function& f, Read&& read) {
