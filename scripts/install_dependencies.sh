@@ -19,7 +19,7 @@ packages=(
 others=(
   pkg-config ccache clang libclang-rt-14-dev llvm clang-format catch2
   libbenchmark-dev libhypre-dev
-  doxygen libjs-mathjax python3 hunspell hunspell-en-us
+  doxygen libjs-mathjax python3 python3-dev python3-venv hunspell hunspell-en-us
 )
 case "$*" in
   '') packages+=("${others[@]}") ;;

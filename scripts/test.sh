@@ -46,11 +46,19 @@ configure() {
     -DRESTRICTED_LAPLACIAN_3_BUILD_TESTS=ON "-DCMAKE_CXX_COMPILER_LAUNCHER=$launcher" "${@:2}"
 }
 
+# What the Python package is built and tested with, in an environment of its own.
+make_python_environment() {
+  [[ -x $python_environment/bin/python ]] || python3 -m venv "$python_environment"
+  "$python_environment/bin/python" -m pip install --quiet --disable-pip-version-check \
+    --requirement python/requirements.txt
+}
+
 # The library at the speed that users have; in programs little is left to optimize. (Without any
 # optimization they compile in a fifth less, and their tests run five times as long.)
 configure_all() {
   configure build -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3_PROGRAM_OPTIONS=-O1 \
-    -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON
+    -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=ON -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=ON \
+    "${python_options[@]}"
   # Clang compiles the checks faster than GCC and in half the memory, and its warnings are others.
   # Debug stands for the assertions of Eigen and CGAL, -g1 for line numbers in reports. It compiles
   # the benchmarks, too.
@@ -59,7 +67,7 @@ configure_all() {
     -DRESTRICTED_LAPLACIAN_3_SANITIZE=address,undefined \
     -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON -DRESTRICTED_LAPLACIAN_3_BUILD_EXAMPLES=OFF \
     -DRESTRICTED_LAPLACIAN_3_BUILD_BENCHMARKS=ON -DRESTRICTED_LAPLACIAN_3_BUILD_DOC=OFF \
-    -DRESTRICTED_LAPLACIAN_3_INSTALL=OFF
+    -DRESTRICTED_LAPLACIAN_3_INSTALL=OFF "${python_options[@]}"
 }
 
 # One call of make for both folders keeps all processors busy.
@@ -88,6 +96,10 @@ count() {
 
 mkdir -p build
 stage dependencies bash scripts/install_dependencies.sh
+python_environment=$PWD/build/python_environment
+stage python make_python_environment
+python_options=(-DRESTRICTED_LAPLACIAN_3_BUILD_PYTHON=ON
+  "-DPython_EXECUTABLE=$python_environment/bin/python")
 python=$(python3 -c 'import sys; print(sys.executable)')
 launcher="$python;$PWD/scripts/measure_compilation.py;$compilations"
 # A cache of compilations, where there is one. Names in it are relative to this folder, so it serves

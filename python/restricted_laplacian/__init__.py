@@ -1,0 +1,37 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""The Laplace-Beltrami operator of a surface, by B-splines on an octree restricted to it.
+
+Poisson problems, spectra, fits, curvature, gradient fields and stitched colors of any triangles, or
+of points with normals: results that do not depend on the triangulation, by a multigrid method.
+
+>>> import restricted_laplacian as rl
+>>> V, F = rl.icosphere(4)
+>>> u = rl.solve_poisson(V, F, V[:, 2])
+>>> l, phi = rl.eigs(V, F, 10)
+"""
+
+from ._core import __version__
+from ._errors import Canceled, ConvergenceError, InputError
+from ._files import read_mesh
+from ._input import Corners
+from ._problems import (Curvature, curvature, fit_function, integrate_gradient, solve_poisson,
+                        solve_screened_poisson)
+from ._shapes import icosphere
+from ._space import Operators, PoissonSolver, Report, Space, SplineFunction
+from ._spectra import (Spectrum, biharmonic_embedding, diffusion_map, eigs,
+                       global_point_signature, heat_kernel_signature, heat_kernel_times,
+                       heat_trace, laplace_spectrum, number_of_zero_eigenvalues, shape_dna,
+                       wave_kernel_signature)
+from ._textures import Scan, stitch_colors
+
+__all__ = [
+    "Canceled", "ConvergenceError", "Corners", "Curvature", "InputError", "Operators",
+    "PoissonSolver", "Report", "Scan", "Space", "Spectrum", "SplineFunction", "__version__",
+    "biharmonic_embedding", "curvature", "diffusion_map", "eigs", "fit_function",
+    "global_point_signature", "heat_kernel_signature", "heat_kernel_times", "heat_trace",
+    "icosphere", "integrate_gradient", "laplace_spectrum", "number_of_zero_eigenvalues",
+    "read_mesh", "shape_dna", "solve_poisson",
+    "solve_screened_poisson", "stitch_colors", "wave_kernel_signature",
+]

@@ -1,0 +1,82 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Exceptions. All that is wrong with an input is an InputError, which names it."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+# what the parameters of the C++ library are called here
+ARGUMENTS = {
+    "alpha": "alpha",
+    "cube_scale": "cube_scale",
+    "energy_tolerance": "energy_tolerance",
+    "joining_tolerance": "joining_tolerance",
+    "k": "k",
+    "normal_stabilization": "stabilization",
+    "number_of_iterations": "max_iterations",
+    "number_of_neighbors": "neighbors",
+    "octree_depth": "depth",
+    "refinement_steps": "refinements",
+    "relative_tolerance": "tolerance",
+    "screening_weight": "weight",
+    "smoothing_weight": "smoothing",
+}
+
+
+class InputError(ValueError):
+    """An argument cannot be used.
+
+    Attributes
+    ----------
+    face, vertex : int or None
+        Row of ``F`` or ``V`` at which something is wrong, if it is one.
+    argument : str or None
+        Name of the argument, if it is one number.
+    """
+
+    face: Optional[int] = None
+    vertex: Optional[int] = None
+    argument: Optional[str] = None
+
+
+class ConvergenceError(RuntimeError):
+    """A solver did not reach its tolerance.
+
+    Attributes
+    ----------
+    result
+        What it found, as it is returned with ``check=False``.
+    report : Report
+        Iterations, residual, and how the iteration ended.
+    """
+
+    result: Any = None
+    report: Any = None
+
+
+class Canceled(RuntimeError):
+    """A callback of ``progress=`` returned False."""
+
+
+def make_error(kind: str, message: str, name: str, value: Any) -> Exception:
+    """An exception for one of the C++ library: its class, message, and what it names."""
+    if kind == "Canceled":
+        return Canceled(message)
+    if name == "argument" and value in ARGUMENTS:
+        argument = ARGUMENTS[value]
+        if message.startswith(value):
+            message = argument + message[len(value):]
+        value = argument
+    error = InputError(message)
+    if name:
+        setattr(error, name, value)
+    return error
+
+
+def argument_error(argument: str, message: str) -> InputError:
+    """An error in an argument; the message goes on after its name."""
+    error = InputError(f"{argument} {message}")
+    error.argument = argument
+    return error

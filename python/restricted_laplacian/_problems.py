@@ -1,0 +1,373 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Poisson problems, fits, curvature, gradient fields: one call each.
+
+All functions take the surface as `V` and `F`, as `Space` does (a mesh object, or points with
+``normals=`` and None for `F`), or a `Space` as `V` and None for `F`. They share these arguments:
+
+depth, joining_tolerance : of `Space`.
+threads : int, optional
+    All processors by default. Results do not depend on it.
+progress : bool or callable
+    True shows a bar on the error stream. A callable is called with the part that is done, from 0 to
+    1; if it returns False, the computation ends with `Canceled`.
+check : bool
+    Whether a solver that does not converge raises `ConvergenceError`.
+return_report : bool
+    Whether to return a `Report`, too.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+
+from . import _core
+from ._errors import argument_error
+from ._input import Progress, as_function, listener, number_of_threads, numbers
+from ._space import PoissonSolver, SplineFunction, checked, solver_options, space_of
+
+
+def _constraints(constraints: Any, weight: float) -> Optional[np.ndarray]:
+    if constraints is None:
+        return None
+    try:
+        vertices, values = constraints
+    except (TypeError, ValueError):
+        raise argument_error("constraints", "must be a pair: vertices, and values") from None
+    vertices = numbers(vertices, "constraints", np.float64).ravel()
+    values = np.broadcast_to(numbers(values, "constraints", np.float64), vertices.shape)
+    weights = np.full(vertices.shape, float(weight))
+    return np.ascontiguousarray(np.stack([vertices, values, weights], axis=1).ravel())
+
+
+def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints: Any,
+           constraint_weight: float, options: dict, space_options: dict, threads: Optional[int],
+           progress: Progress, check: bool, return_report: bool, as_spline: bool) -> Any:
+    space = space_of(V, F, threads, **space_options)
+    surface, n = space._surface, number_of_threads(threads)
+    right = as_function(f, surface, "f")
+    weight, weight_function = 0.0, None
+    if np.ndim(alpha) == 0 and not callable(alpha):
+        weight = float(alpha)
+    else:
+        weight_function = as_function(alpha, surface, "alpha")
+    boundary = None
+    if boundary_values is not None:
+        boundary = as_function(boundary_values, surface, "boundary_values")
+    constrained = _constraints(constraints, constraint_weight)
+    is_vector = callable(f) and right.components == 1 or np.ndim(f) < 2
+    if right.components == 1:
+        x, report = _core.solve_poisson(space._space, right, weight, weight_function, boundary,
+                                        constrained, options, n, listener(progress))
+        if not is_vector:
+            x = x[:, np.newaxis]
+    elif weight_function is None and boundary is None and constrained is None:
+        # one setup for all columns
+        loads = space._space.loads(right, n)
+        solver = _core.make_solver(space._space, weight, options, n, None)
+        x, report = solver.solve(np.ascontiguousarray(loads if weight > 0 else -loads), None,
+                                 options["tolerance"], n, listener(progress))
+    else:
+        raise argument_error("f", "has several columns, which is possible only with a number as "
+                             "alpha and without prescribed values")
+    u = SplineFunction(space, x)
+    return checked(u if as_spline else u.at_vertices(), report, check, return_report)
+
+
+def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constraints: Any = None,
+                  constraint_weight: float = 1e6, tolerance: Optional[float] = None,
+                  energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+                  cycle: str = "v", smoother: str = "patch", max_iterations: Optional[int] = None,
+                  normals: Any = None, depth: Optional[int] = None,
+                  joining_tolerance: Optional[float] = None, threads: Optional[int] = None,
+                  progress: Progress = None, check: bool = True, return_report: bool = False,
+                  as_spline: bool = False) -> Any:
+    """Solve Laplacian u = f. The Laplacian is negative: on the unit sphere f = z gives u = -z / 2.
+
+    On each component of the surface the mean of f is subtracted, and u has mean 0, unless values are
+    prescribed there. Boundaries have the natural condition, unless values are.
+
+    Parameters
+    ----------
+    V, F, normals, depth, joining_tolerance
+        The surface, see `Space`.
+    f : array_like or callable
+        (n,) at vertices, (m,) on faces, a number, `Corners`, or a callable on points (N, 3). (n, K)
+        gives K solutions.
+    boundary_values : array_like, callable or float, optional
+        What u is on the boundary, given as f is.
+    constraints : (array_like, array_like), optional
+        Vertices, and what u is there.
+    constraint_weight : float
+        How strongly it is.
+    tolerance : float, optional
+        Residual over right-hand side: 1e-3, or 1e-7 with prescribed values.
+    energy_tolerance, stabilization, cycle, smoother, max_iterations
+        See `PoissonSolver`.
+    threads, progress, check, return_report
+        See the module's documentation.
+    as_spline : bool
+        Whether to return a `SplineFunction` in place of values at vertices.
+
+    Returns
+    -------
+    numpy.ndarray
+        Values at the vertices, (n,) or (n, K); NaN where no face has an area.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> u = rl.solve_poisson(V, F, V[:, 2])
+    >>> bool(abs(u + V[:, 2] / 2).max() < 5e-3)
+    True
+    >>> u = rl.solve_poisson(V, F, lambda p: p[:, 0] * p[:, 1])
+    >>> bool(abs(u + V[:, 0] * V[:, 1] / 6).max() < 2e-3)
+    True
+    """
+    options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
+                             max_iterations)
+    return _solve(V, F, f, 0, boundary_values, constraints, constraint_weight, options,
+                  dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance), threads,
+                  progress, check, return_report, as_spline)
+
+
+def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_values: Any = None,
+                           constraints: Any = None, constraint_weight: float = 1e6,
+                           tolerance: Optional[float] = None,
+                           energy_tolerance: Optional[float] = None,
+                           stabilization: Optional[float] = None, cycle: str = "v",
+                           smoother: str = "patch", max_iterations: Optional[int] = None,
+                           normals: Any = None, depth: Optional[int] = None,
+                           joining_tolerance: Optional[float] = None,
+                           threads: Optional[int] = None, progress: Progress = None,
+                           check: bool = True, return_report: bool = False,
+                           as_spline: bool = False) -> Any:
+    """Solve alpha u - Laplacian u = f. Note the sign of f, which is not that of `solve_poisson`.
+
+    Parameters
+    ----------
+    alpha : float, array_like or callable
+        A positive number in units of 1 / area; or weights that are not negative, given as f is.
+    V, F, f, boundary_values, constraints, constraint_weight, tolerance, energy_tolerance
+        See `solve_poisson`.
+    stabilization, cycle, smoother, max_iterations, normals, depth, joining_tolerance
+        See `solve_poisson`.
+    threads, progress, check, return_report, as_spline
+        See `solve_poisson`.
+
+    Returns
+    -------
+    numpy.ndarray
+        Values at the vertices, (n,) or (n, K).
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> u = rl.solve_screened_poisson(V, F, V[:, 2], 3.0)  # (3 + 2) u = z
+    >>> bool(abs(u - V[:, 2] / 5).max() < 2e-3)
+    True
+    """
+    if np.ndim(alpha) == 0 and not callable(alpha) and not float(alpha) > 0:
+        raise argument_error("alpha", f"must be positive, and is {alpha}")
+    options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
+                             max_iterations)
+    return _solve(V, F, f, alpha, boundary_values, constraints, constraint_weight, options,
+                  dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance), threads,
+                  progress, check, return_report, as_spline)
+
+
+def fit_function(V: Any, F: Any, f: Any, *, smoothing: float = 0, refinements: int = 0,
+                 tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
+                 stabilization: Optional[float] = None, max_iterations: Optional[int] = None,
+                 normals: Any = None, depth: Optional[int] = None,
+                 joining_tolerance: Optional[float] = None, threads: Optional[int] = None,
+                 progress: Progress = None, check: bool = True, return_report: bool = False,
+                 as_spline: bool = False) -> Any:
+    """Fit a function by splines: that for which the integral of the squared difference is least.
+
+    Parameters
+    ----------
+    f : array_like or callable
+        (n,) or (n, K) at vertices; (m,) or (m, K) on faces; `Corners`; or a callable on points.
+    smoothing : float
+        Weight of the squared gradient, in units of squared length.
+    refinements : int
+        How often what the fit leaves is fitted and added.
+    V, F, normals, depth, joining_tolerance
+        The surface, see `Space`.
+    tolerance, energy_tolerance, stabilization, max_iterations
+        When the iteration ends, and how much is stabilized; by default what does not show.
+    threads, progress, check, return_report, as_spline
+        See `solve_poisson`. The report has ``root_mean_square_errors``.
+
+    Returns
+    -------
+    numpy.ndarray
+        Values of the fit at the vertices, of the shape of f.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> x = rl.fit_function(V, F, V)
+    >>> bool(abs(x - V).max() < 5e-3)
+    True
+    """
+    space = space_of(V, F, threads, normals=normals, depth=depth,
+                     joining_tolerance=joining_tolerance)
+    own = as_function(f, space._surface, "f")
+    options = solver_options(tolerance, energy_tolerance, stabilization,
+                             max_iterations=max_iterations, smoothing=smoothing,
+                             refinements=refinements)
+    x, report = _core.fit_function(space._space, own, options, number_of_threads(threads),
+                                   listener(progress))
+    if x.shape[1] == 1 and (callable(f) or np.ndim(f) < 2):
+        x = x[:, 0]
+    u = SplineFunction(space, x)
+    return checked(u if as_spline else u.at_vertices(), report, check, return_report)
+
+
+class Curvature(NamedTuple):
+    """Curvature at vertices; the sign is that of a sphere whose normals point outward."""
+
+    mean: np.ndarray
+    gaussian: np.ndarray
+    #: (n, 2), the larger one first
+    principal_values: np.ndarray
+    #: (n, 2, 3), unit vectors with either sign
+    principal_directions: np.ndarray
+    #: (n, 3), fitted
+    normals: np.ndarray
+
+
+def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Optional[float] = None,
+              refinements: Optional[int] = None, tolerance: Optional[float] = None,
+              energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+              max_iterations: Optional[int] = None, normals: Any = None,
+              depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
+              threads: Optional[int] = None, progress: Progress = None, check: bool = True,
+              return_report: bool = False) -> Any:
+    """Mean, Gaussian and principal curvature at the vertices.
+
+    Parameters
+    ----------
+    method : {"normals", "face_normals", "coordinates"}
+        The derivative of fitted vertex normals; of face normals; or the Laplacian of the
+        coordinates, which gives the mean curvature only.
+    smoothing : float, optional
+        Weight of the squared gradient of the normals, in units of squared length; by default the
+        squared width of a cell, and 0 on surfaces with a boundary and on points.
+    refinements : int, optional
+        How often what the smoothed fit leaves is fitted and added; by default once.
+    V, F, normals, depth, joining_tolerance
+        The surface, see `Space`; its faces must be oriented alike.
+    tolerance, energy_tolerance, stabilization, max_iterations
+        Of the fit.
+    threads, progress, check, return_report
+        See `solve_poisson`.
+
+    Returns
+    -------
+    Curvature
+        A sphere of radius r has the mean curvature 1 / r if its normals point outward.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> H, K = rl.curvature(2 * V, F)[:2]
+    >>> bool(abs(H - 0.5).max() < 0.01 and abs(K - 0.25).max() < 0.01)
+    True
+    """
+    if method not in ("normals", "face_normals", "coordinates"):
+        raise argument_error("method", f"must be normals, face_normals or coordinates, and is "
+                             f"{method!r}")
+    space = space_of(V, F, threads, normals=normals, depth=depth,
+                     joining_tolerance=joining_tolerance)
+    options = solver_options(tolerance, energy_tolerance, stabilization,
+                             max_iterations=max_iterations, smoothing=smoothing,
+                             refinements=refinements)
+    table, report = _core.curvature(space._space, method, options, number_of_threads(threads),
+                                    listener(progress))
+    result = Curvature(table[:, 0], table[:, 1], table[:, 2:4], table[:, 4:10].reshape(-1, 2, 3),
+                       table[:, 10:13])
+    return checked(result, report, check, return_report)
+
+
+def integrate_gradient(V: Any, F: Any, v: Any, *, target: Any = None, weight: Any = None,
+                       mean: Any = None, details: bool = False,
+                       tolerance: Optional[float] = None,
+                       energy_tolerance: Optional[float] = None,
+                       stabilization: Optional[float] = None,
+                       max_iterations: Optional[int] = None, normals: Any = None,
+                       depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
+                       threads: Optional[int] = None, progress: Progress = None,
+                       check: bool = True, return_report: bool = False) -> Any:
+    """The function whose gradient is nearest to a vector field.
+
+    Parameters
+    ----------
+    v : array_like or callable
+        (m, 3) on faces; (n, 3) at vertices, linear between them; `Corners`; with a last dimension K
+        for K fields; or a callable on points. Only the part along the surface counts.
+    target : array_like or callable, optional
+        Values to which the result is drawn, (n,) or (n, K).
+    weight : float, array_like or callable, optional
+        How strongly, in units of 1 / area.
+    mean : float or array_like, optional
+        Of the result, 0 by default; for K fields (K,).
+    details : bool
+        Whether to correct the values at the vertices by what splines do not resolve.
+    V, F, normals, depth, joining_tolerance
+        The surface, see `Space`.
+    tolerance, energy_tolerance, stabilization, max_iterations
+        See `PoissonSolver`; the tolerance is 1e-5 by default.
+    threads, progress, check, return_report
+        See `solve_poisson`. The report has ``root_mean_square_residuals``.
+
+    Returns
+    -------
+    numpy.ndarray
+        Values at the vertices, (n,) or (n, K).
+
+    Examples
+    --------
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> u = rl.integrate_gradient(V, F, np.tile([0., 0., 1.], (len(F), 1)))
+    >>> bool(abs(u - V[:, 2]).max() < 5e-3)
+    True
+    """
+    space = space_of(V, F, threads, normals=normals, depth=depth,
+                     joining_tolerance=joining_tolerance)
+    surface = space._surface
+    field = as_function(v, surface, "v", True)
+    own_target = None if target is None else as_function(target, surface, "target")
+    number, function = None, None
+    if weight is not None and np.ndim(weight) == 0 and not callable(weight):
+        number = float(weight)
+    elif weight is not None:
+        function = as_function(weight, surface, "weight")
+    means = None
+    if mean is not None:
+        means = np.atleast_1d(numbers(mean, "mean", np.float64)).ravel()
+    options = solver_options(tolerance, energy_tolerance, stabilization,
+                             max_iterations=max_iterations)
+    values, _, report = _core.integrate_gradient(
+        space._space, field, own_target, number, function, means, bool(details), options,
+        number_of_threads(threads), listener(progress))
+    if values.shape[1] == 1:
+        values = values[:, 0]
+    return checked(values, report, check, return_report)

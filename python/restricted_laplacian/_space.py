@@ -1,0 +1,405 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Spline spaces: matrices, loads, solvers, functions."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+import scipy.sparse
+
+from . import _core
+from ._errors import ConvergenceError, InputError, argument_error
+from ._input import Progress, as_function, listener, make_surface, number_of_threads, numbers, rows
+
+
+class Report(dict):
+    """What a solver did: a dictionary whose entries are attributes, too.
+
+    ``converged``, ``status``, ``iterations``, ``relative_residual``, ``relative_energy_error`` (an
+    estimate), ``assembly_seconds``, ``setup_seconds``, ``solve_seconds``, and what the function
+    adds.
+    """
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError:
+            raise AttributeError(name) from None
+
+
+def checked(result: Any, report: dict, check: bool, return_report: bool) -> Any:
+    """The result of a solver, if it converged or that does not matter."""
+    own = Report(report)
+    if check and not own.converged:
+        error = ConvergenceError(
+            f"the solver did not converge: the iteration {own.status}, with a relative residual of "
+            f"{own.relative_residual:.3g} after {own.iterations} iterations")
+        error.result, error.report = result, own
+        raise error
+    return (result, own) if return_report else result
+
+
+def _csr(arrays: tuple, is_symmetric: bool) -> scipy.sparse.csr_matrix:
+    values, indices, starts, m, n = arrays
+    if is_symmetric:  # its columns are its rows
+        result = scipy.sparse.csr_matrix((values, indices, starts), shape=(m, n), copy=False)
+        result.has_sorted_indices = True
+        return result
+    return scipy.sparse.csc_matrix((values, indices, starts), shape=(m, n), copy=False).tocsr()
+
+
+class Operators(NamedTuple):
+    """Stiffness matrix S (minus the Laplacian) and mass matrix M, of splines."""
+
+    stiffness: scipy.sparse.csr_matrix
+    mass: scipy.sparse.csr_matrix
+
+
+class Space:
+    """B-splines of degree 2 on an octree, restricted to a surface.
+
+    Parameters
+    ----------
+    V : array_like, (n, 3)
+        Points of any type of numbers; or a mesh with ``.vertices`` and ``.faces`` (trimesh), or
+        one of meshio, in place of `V` and `F`.
+    F : array_like, (m, 3), optional
+        Numbers of three points for each triangle. The triangles need not form a manifold.
+    normals : array_like, (n, 3), optional
+        For points without faces.
+    areas : array_like, (n,), optional
+        The area that each of them stands for, estimated by default.
+    depth : int, optional
+        Of the octree. By default from 5 to 8, about as fine as the triangles.
+    cube_scale : float, optional
+        Side of the octree over the longest side of the bounding box, 1.1 by default.
+    joining_tolerance : float, optional
+        Distance up to which boundaries that run along each other are joined.
+    split : bool, optional
+        Whether splines are split where several pieces of the surface are in their support: by
+        default for triangles, and not for points.
+    paper : bool
+        The space of the paper of 2009, for comparison.
+    threads : int, optional
+        By default all processors. Results do not depend on it.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(3)
+    >>> space = rl.Space(V, F, depth=4)
+    >>> space.depth, space.components
+    (4, 1)
+    >>> S, M = space.operators()
+    >>> bool(abs(M.sum() - space.area) < 1e-12)
+    True
+    """
+
+    def __init__(self, V: Any, F: Any = None, *, normals: Any = None, areas: Any = None,
+                 depth: Optional[int] = None, cube_scale: Optional[float] = None,
+                 joining_tolerance: Optional[float] = None, split: Optional[bool] = None,
+                 paper: bool = False, threads: Optional[int] = None) -> None:
+        self._threads = number_of_threads(threads)
+        self._surface = make_surface(V, F, normals=normals, areas=areas, threads=threads)
+        if depth is not None:
+            if isinstance(depth, bool) or not isinstance(depth, (int, np.integer)):
+                raise argument_error("depth", f"must be a whole number, and is {depth!r}")
+            depth = int(np.clip(depth, -1, 1000))
+        self._space = _core.Space.make(self._surface, depth, cube_scale, joining_tolerance, split,
+                                       bool(paper), self._threads)
+
+    @property
+    def depth(self) -> int:
+        """Depth of the octree."""
+        return self._space.depth
+
+    @property
+    def dimension(self) -> int:
+        """Number of splines: rows of the matrices."""
+        return self._space.dimension
+
+    @property
+    def cell_width(self) -> float:
+        """Width of the finest cells."""
+        return self._space.cell_width
+
+    @property
+    def components(self) -> int:
+        """Number of connected components of the surface."""
+        return self._space.components
+
+    @property
+    def area(self) -> float:
+        """Area of the surface."""
+        return self._surface.area
+
+    @property
+    def number_of_vertices(self) -> int:
+        """Number of rows of V."""
+        return self._surface.number_of_vertices
+
+    @property
+    def number_of_faces(self) -> int:
+        """Number of rows of F; of points without faces their number."""
+        return self._surface.number_of_faces
+
+    def __repr__(self) -> str:
+        return (f"Space(depth={self.depth}, dimension={self.dimension}, "
+                f"vertices={self.number_of_vertices}, faces={self.number_of_faces})")
+
+    def operators(self, stabilization: float = 0, level: Optional[int] = None, *,
+                  stabilize_mass: bool = True, progress: Progress = None) -> Operators:
+        """Stiffness matrix S and mass matrix M, symmetric, as CSR matrices without a copy.
+
+        Parameters
+        ----------
+        stabilization : float
+            Factor of the stabilization by derivatives along the normal.
+        level : int, optional
+            Of the octree, the finest one by default.
+        stabilize_mass : bool
+            False for eigenvalue problems.
+        progress : bool or callable
+            True shows a bar; a callable gets the part that is done.
+        """
+        s, m = self._space.operators(float(stabilization), level, bool(stabilize_mass),
+                                     self._threads, listener(progress))
+        return Operators(_csr(s, True), _csr(m, True))
+
+    def stiffness(self, stabilization: float = 0, level: Optional[int] = None
+                  ) -> scipy.sparse.csr_matrix:
+        """Stiffness matrix, minus the Laplacian: positive semi-definite."""
+        return self.operators(stabilization, level).stiffness
+
+    def mass(self, stabilization: float = 0, level: Optional[int] = None
+             ) -> scipy.sparse.csr_matrix:
+        """Mass matrix; its entries sum to the area."""
+        return self.operators(stabilization, level).mass
+
+    def prolongation(self, level: int) -> scipy.sparse.csr_matrix:
+        """The matrix from coefficients on a level to those on the next finer one."""
+        return _csr(self._space.prolongation(level), False)
+
+    def integrals(self) -> np.ndarray:
+        """Integrals of the splines."""
+        return self._space.integrals(self._threads)
+
+    def loads(self, f: Any) -> np.ndarray:
+        """Integrals of f times each spline: right-hand sides.
+
+        Parameters
+        ----------
+        f : array_like or callable
+            (n,) or (n, K) at vertices, linear between them; (m,) or (m, K) on faces; `Corners`; or
+            a callable that takes points (N, 3), many at a time, and returns (N,) or (N, K). An
+            attribute ``degree`` of it, 6 by default, says which polynomials it is close to.
+
+        Returns
+        -------
+        numpy.ndarray
+            (dimension,), or (dimension, K) if `f` has two dimensions.
+        """
+        result = self._space.loads(as_function(f, self._surface, "f"), self._threads)
+        is_column = np.ndim(f) == 2 and not callable(f)
+        return result if result.shape[1] != 1 or is_column else result[:, 0]
+
+    def gradient_loads(self, v: Any) -> np.ndarray:
+        """Integrals of a vector field times the gradient of each spline, see `integrate_gradient`."""
+        result = self._space.gradient_loads(as_function(v, self._surface, "v", True),
+                                            self._threads)
+        return result[:, 0] if result.shape[1] == 1 else result
+
+    def _locations(self, faces: Any, barycentric: Any) -> Any:
+        if faces is None:
+            return None
+        if self._surface.is_point_set and barycentric is None:
+            barycentric = np.tile([1.0, 0.0, 0.0], (len(faces), 1))
+        if barycentric is None:
+            raise argument_error("barycentric", "is missing")
+        indices = numbers(faces, "faces", np.int64)
+        return _core.locations(indices.ravel(), rows(barycentric, "barycentric"))
+
+    def evaluation_matrix(self, faces: Any = None, barycentric: Any = None
+                          ) -> scipy.sparse.csr_matrix:
+        """The matrix from coefficients to values: at the vertices, or at points of faces.
+
+        Rows of vertices without a face of positive area are empty.
+
+        Parameters
+        ----------
+        faces : array_like, (N,), optional
+            Numbers of faces.
+        barycentric : array_like, (N, 3), optional
+            Coordinates with respect to their vertices.
+        """
+        return _csr(self._space.evaluation(self._locations(faces, barycentric), None, None), False)
+
+    def derivative_matrices(self, faces: Any = None, barycentric: Any = None
+                            ) -> tuple[scipy.sparse.csr_matrix, ...]:
+        """The three matrices from coefficients to derivatives along x, y and z.
+
+        The part along the surface is that of the gradient; that along the normal has no meaning.
+        """
+        where = self._locations(faces, barycentric)
+        return tuple(_csr(self._space.evaluation(where, axis, None), False) for axis in range(3))
+
+    def function(self, coefficients: Any) -> "SplineFunction":
+        """The function, or functions, of some coefficients."""
+        return SplineFunction(self, coefficients)
+
+
+class SplineFunction:
+    """One function of a space, or several: it can be evaluated anywhere on the surface.
+
+    Parameters
+    ----------
+    space : Space
+    coefficients : array_like, (dimension,) or (dimension, K)
+
+    Examples
+    --------
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(3)
+    >>> u = rl.fit_function(V, F, V[:, 2], depth=4, as_spline=True)
+    >>> center = u([0], [[1/3, 1/3, 1/3]])
+    >>> bool(abs(center[0] - V[F[0], 2].mean()) < 1e-2)
+    True
+    """
+
+    def __init__(self, space: Space, coefficients: Any) -> None:
+        self.space = space
+        self.coefficients = numbers(coefficients, "coefficients", np.float64)
+        self._rows = rows(self.coefficients, "coefficients")
+        if self._rows.shape[0] != space.dimension:
+            raise argument_error("coefficients", f"has {self._rows.shape[0]} rows, but the "
+                                 f"dimension of the space is {space.dimension}")
+
+    def _shaped(self, values: np.ndarray) -> np.ndarray:
+        return values[:, 0] if self.coefficients.ndim == 1 else values
+
+    def at_vertices(self) -> np.ndarray:
+        """Values at the vertices; NaN where no face has an area."""
+        return self._shaped(self.space._space.values(self._rows, None, self.space._threads))
+
+    def __call__(self, faces: Any, barycentric: Any = None) -> np.ndarray:
+        """Values at points of faces: (N,) numbers of faces, and (N, 3) barycentric coordinates."""
+        where = self.space._locations(faces, barycentric)
+        return self._shaped(self.space._space.values(self._rows, where, self.space._threads))
+
+    def _gradients(self, where: Any, normals: np.ndarray) -> np.ndarray:
+        d = self.space._space.derivatives(self._rows, where, self.space._threads)
+        g = np.stack(d, axis=1)  # (N, 3, K)
+        g = g - normals[:, :, np.newaxis] * np.einsum("nik,ni->nk", g, normals)[:, np.newaxis, :]
+        return g[:, :, 0] if self.coefficients.ndim == 1 else g
+
+    def gradients(self, faces: Any, barycentric: Any = None) -> np.ndarray:
+        """Gradients along the surface at points of faces: (N, 3), or (N, 3, K)."""
+        where = self.space._locations(faces, barycentric)
+        normals = self.space._surface.face_normals()[numbers(faces, "faces", np.int64).ravel()]
+        return self._gradients(where, normals)
+
+    def gradients_at_vertices(self) -> np.ndarray:
+        """Gradients along the planes that the vertex normals are orthogonal to."""
+        return self._gradients(None, self.space._surface.vertex_normals())
+
+
+class PoissonSolver:
+    """Solves (S + alpha M) x = b by conjugate gradients with a multigrid cycle; set up once.
+
+    Parameters
+    ----------
+    space : Space
+    alpha : float
+        Screening weight, in units of 1 / area.
+    tolerance : float, optional
+        Residual over right-hand side, 1e-3 by default.
+    energy_tolerance : float, optional
+        Estimated error in the energy norm over that of the solution, at which to end as well.
+    stabilization : float, optional
+        Factor of the stabilization, 1e-3 by default.
+    cycle : {"v", "w"}
+    smoother : {"patch", "point"}
+    max_iterations : int, optional
+    progress : bool or callable
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(3)
+    >>> space = rl.Space(V, F, depth=4)
+    >>> solver = rl.PoissonSolver(space, alpha=2.0, tolerance=1e-8)
+    >>> x = solver.solve(space.loads(V))
+    >>> u = space.function(x).at_vertices()  # (2 - Laplacian) u = V has the solution V / 4
+    >>> bool(abs(4 * u - V).max() < 0.02)
+    True
+    """
+
+    def __init__(self, space: Space, alpha: float = 0, *, tolerance: Optional[float] = None,
+                 energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+                 cycle: str = "v", smoother: str = "patch", max_iterations: Optional[int] = None,
+                 progress: Progress = None) -> None:
+        self.space = space
+        self._solver = _core.make_solver(
+            space._space, float(alpha),
+            solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
+                           max_iterations),
+            space._threads, listener(progress))
+
+    @property
+    def kernel_dimension(self) -> int:
+        """Number of components of the surface on which the mean of the solution is set to 0."""
+        return self._solver.kernel_dimension
+
+    def solve(self, b: Any, guess: Any = None, *, tolerance: Optional[float] = None,
+              progress: Progress = None, check: bool = True, return_report: bool = False) -> Any:
+        """Coefficients of the solution, for one right-hand side (dimension,) or many (dimension, K).
+
+        Parameters
+        ----------
+        b : array_like
+            Such as `Space.loads` returns.
+        guess : array_like, optional
+            A first guess of the shape of `b`.
+        tolerance : float, optional
+            In place of that of the solver.
+        check : bool
+            Whether to raise a `ConvergenceError`.
+        return_report : bool
+            Whether to return a `Report`, too.
+        """
+        own = numbers(b, "b", np.float64)
+        first = None if guess is None else rows(guess, "guess")
+        x, report = self._solver.solve(rows(own, "b"), first, tolerance, self.space._threads,
+                                       listener(progress))
+        return checked(x[:, 0] if own.ndim == 1 else x, report, check, return_report)
+
+
+def solver_options(tolerance: Any, energy_tolerance: Any, stabilization: Any, cycle: str = "v",
+                   smoother: str = "patch", max_iterations: Optional[int] = None,
+                   **more: Any) -> dict:
+    """Options of the C++ library."""
+    for name, value, choices in (("cycle", cycle, ("v", "w")),
+                                 ("smoother", smoother, ("patch", "point"))):
+        if value not in choices:
+            raise argument_error(name, f"must be one of {choices}, and is {value!r}")
+    options = dict(tolerance=tolerance, energy_tolerance=energy_tolerance,
+                   stabilization=stabilization, max_iterations=max_iterations, **more)
+    for name, value in options.items():
+        if value is not None and name != "gradients":
+            try:
+                options[name] = float(value)
+            except (TypeError, ValueError):
+                raise argument_error(name, f"must be a number, and is {value!r}") from None
+    return dict(options, cycle=cycle, smoother=smoother)
+
+
+def space_of(V: Any, F: Any, threads: Optional[int], **options: Any) -> Space:
+    """A space, or the one that is given."""
+    if not isinstance(V, Space):
+        return Space(V, F, threads=threads, **options)
+    if F is not None or any(v is not None and v is not False for v in options.values()):
+        raise InputError("a space needs neither F nor options of spaces")
+    return V

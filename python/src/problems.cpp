@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Poisson problems, fits, curvature, gradient fields.
+
+#include "functions.h"
+#include "options.h"
+
+#include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
+#include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
+#include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
+#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+
+#include <optional>
+#include <string>
+
+namespace python {
+namespace {
+
+using namespace nb::literals;
+using Space = RL::Spline_space_3;
+
+// A location at each vertex; the face is that of no vertex where there is none.
+Eigen::MatrixXd columns_of(const Rows& b) {
+  using Row_major = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const Row_major>(b.data(), static_cast<Eigen::Index>(b.shape(0)),
+                                     static_cast<Eigen::Index>(b.shape(1)));
+}
+
+nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
+                        const Function* alpha_function, const Function* boundary_values,
+                        const std::optional<Numbers>& constrained, const nb::dict& options,
+                        int threads, const nb::object& progress) {
+  const RL::Triangulated_surface_3& surface = space.surface();
+  check_function(f, surface, "f", 1);
+  if(alpha_function)
+    check_function(*alpha_function, surface, "alpha", 1);
+  if(boundary_values)
+    check_function(*boundary_values, surface, "boundary_values", 1);
+  RL::Poisson_problem problem(f);
+  problem.alpha = alpha;
+  if(alpha_function)
+    problem.alpha_function = *alpha_function;
+  if(boundary_values)
+    problem.boundary_values = *boundary_values;
+  problem.solver = solver_options(options, threads);
+  problem.normal_stabilization = number_of(options, "stabilization");
+  if(constrained) {
+    // of each: vertex, value, weight
+    const auto locations = RL::internal::locations_of_vertices(surface);
+    problem.constraints.emplace(space);
+    for(std::size_t i = 0; i < constrained->size(); i += 3) {
+      const double* const c = constrained->data() + i;
+      const auto vertex = static_cast<std::size_t>(c[0]);
+      if(!(c[0] >= 0 && c[0] < static_cast<double>(locations.size())))
+        throw RL::Parameter_error("constraints", "names vertex " +
+                                                     std::to_string(static_cast<long long>(c[0])) +
+                                                     ", which does not exist");
+      if(locations[vertex].barycentric[0] < 0)
+        throw RL::Invalid_vertex_error(vertex, "has a prescribed value, but no face");
+      problem.constraints->add(locations[vertex], c[1], c[2]);
+    }
+  }
+  RL::Poisson_solution solution = run(threads, progress, [&](const auto& callback) {
+    problem.callback = callback;
+    return RL::solve_poisson_problem(recorded(space, {&f, alpha_function, boundary_values}),
+                                     problem);
+  });
+  return nb::make_tuple(array_of_matrix(std::move(solution.coefficients)), report_of(solution));
+}
+
+nb::dict fit_report_of(const RL::Fit_report& report) {
+  nb::dict result = report_of(report);
+  result["root_mean_square_errors"] =
+      array_of_rows(std::vector<double>(report.root_mean_square_errors), 1);
+  result["stabilization"] = report.normal_stabilization;
+  return result;
+}
+
+RL::Function_fit_options fit_options(const nb::dict& options, int threads) {
+  RL::Function_fit_options o;
+  o.solver = solver_options(options, threads);
+  o.solver.energy_tolerance = 0; // relative to the solution
+  o.smoothing_weight = number_of(options, "smoothing").value_or(0);
+  o.refinement_steps = static_cast<int>(number_of(options, "refinements").value_or(0));
+  o.normal_stabilization = number_of(options, "stabilization");
+  o.energy_tolerance = number_of(options, "energy_tolerance");
+  return o;
+}
+
+nb::tuple fit_function(const Space& space, const Function& f, const nb::dict& options, int threads,
+                       const nb::object& progress) {
+  check_function(f, space.surface(), "f");
+  RL::Function_fit fit = run(threads, progress, [&](const auto& callback) {
+    return RL::Function_fitter(recorded(space, {&f}), fit_options(options, threads))
+        .fit(f, callback);
+  });
+  const nb::dict report = fit_report_of(fit);
+  return nb::make_tuple(array_of_matrix(std::move(fit.coefficients)), report);
+}
+
+nb::tuple curvature(const Space& space, const std::string& method, const nb::dict& options,
+                    int threads, const nb::object& progress) {
+  RL::Curvature_options o;
+  o.method = method == "normals"        ? RL::Curvature_method::normals
+             : method == "face_normals" ? RL::Curvature_method::face_normals
+                                        : RL::Curvature_method::coordinates;
+  o.solver = solver_options(options, threads);
+  o.solver.energy_tolerance = 0;
+  o.smoothing_weight = number_of(options, "smoothing");
+  if(const auto steps = number_of(options, "refinements"))
+    o.refinement_steps = static_cast<int>(*steps);
+  o.normal_stabilization = number_of(options, "stabilization");
+  o.energy_tolerance = number_of(options, "energy_tolerance");
+  RL::Fit_report report;
+  // mean, Gaussian, two principal values, two directions, normal
+  constexpr std::size_t width = 13;
+  std::vector<double> rows = run(threads, progress, [&](const auto& callback) {
+    o.callback = callback;
+    const RL::Curvature_field field = RL::estimate_curvature(space, o);
+    report = field.report();
+    std::vector<double> result;
+    for(const RL::Surface_curvature& c : field.at_vertices()) {
+      for(const double x : {c.mean, c.gaussian, c.principal_values[0], c.principal_values[1]})
+        result.push_back(x);
+      for(const RL::Vector_3& v : {c.principal_directions[0], c.principal_directions[1], c.normal})
+        for(int axis = 0; axis < 3; ++axis)
+          result.push_back(v[axis]);
+    }
+    return result;
+  });
+  return nb::make_tuple(array_of_rows(std::move(rows), width), fit_report_of(report));
+}
+
+nb::tuple integrate_gradient(const Space& space, const Function& v, const Function* target,
+                             std::optional<double> weight, const Function* weight_function,
+                             const std::optional<Numbers>& mean, bool details,
+                             const nb::dict& options, int threads, const nb::object& progress) {
+  const RL::Triangulated_surface_3& surface = space.surface();
+  check_function(v, surface, "v");
+  if(v.components() % 3 != 0)
+    throw RL::Parameter_error("v", "has " + std::to_string(v.components()) +
+                                       " components, but needs three for each channel");
+  const int channels = v.components() / 3;
+  if(target)
+    check_function(*target, surface, "target", channels);
+  if(weight_function)
+    check_function(*weight_function, surface, "weight", 1);
+  RL::Gradient_options o;
+  if(target)
+    o.screening.target = *target;
+  o.screening.weight = weight;
+  if(weight_function)
+    o.screening.weight_function = *weight_function;
+  if(mean)
+    o.screening.mean =
+        Eigen::Map<const Eigen::VectorXd>(mean->data(), static_cast<Eigen::Index>(mean->size()));
+  o.normal_stabilization = number_of(options, "stabilization");
+  o.solver = solver_options(options, threads);
+  Eigen::MatrixXd values;
+  RL::internal::Gradient_solution solution = run(threads, progress, [&](const auto& callback) {
+    const Space numbered = recorded(space, {&v, target, weight_function});
+    const RL::Vector_field_view field(v);
+    const RL::internal::Progress whole(callback);
+    RL::internal::Gradient_solution result =
+        RL::internal::integrate_gradients(numbered, field, o, whole.part(0, details ? 0.8 : 1));
+    values = RL::Spline_functions_3(space, result.fit.coefficients).values_at_vertices();
+    if(details)
+      RL::internal::add_details(numbered, field, o.screening, RL::internal::tolerance_of(o.solver),
+                                o.solver.maximum_iterations, result, values);
+    return result;
+  });
+  nb::dict report = report_of(solution.fit);
+  report["root_mean_square_residuals"] =
+      array_of_rows(std::move(solution.fit.root_mean_square_residuals), 1);
+  report["components_without_weight"] = solution.fit.components_without_weight;
+  return nb::make_tuple(array_of_matrix(std::move(values)),
+                        array_of_matrix(std::move(solution.fit.coefficients)), report);
+}
+
+RL::Poisson_solver make_solver(const Space& space, double alpha, const nb::dict& options,
+                               int threads, const nb::object& progress) {
+  const RL::Poisson_solver_options o = solver_options(options, threads);
+  const double c =
+      number_of(options, "stabilization").value_or(RL::default_normal_stabilization(space));
+  return run(threads, progress, [&](const auto& callback) {
+    RL::internal::Elliptic_operator elliptic;
+    elliptic.reaction = alpha;
+    elliptic.normal_stabilization = c;
+    return RL::internal::elliptic_solver(space, elliptic, o, RL::internal::Progress(callback));
+  });
+}
+
+// \param guess a first guess, or nothing
+nb::tuple solve(const RL::Poisson_solver& solver, const Rows& b, const std::optional<Rows>& guess,
+                std::optional<double> tolerance, int threads, const nb::object& progress) {
+  const Eigen::MatrixXd loads = columns_of(b);
+  Eigen::MatrixXd x;
+  RL::Solve_options o;
+  o.relative_tolerance = tolerance;
+  if(guess) {
+    x = columns_of(*guess);
+    o.has_first_guess = true;
+    if(x.rows() != loads.rows() || x.cols() != loads.cols())
+      throw RL::Parameter_error("guess", "has another shape than the right-hand side");
+  }
+  const RL::Solve_report report = run(threads, progress, [&](const auto& callback) {
+    o.callback = callback;
+    return solver.solve(loads, x, o);
+  });
+  return nb::make_tuple(array_of_matrix(std::move(x)), report_of(report));
+}
+
+} // namespace
+
+void add_problems(nb::module_& m) {
+  m.def("solve_poisson", &solve_poisson, "space"_a, "f"_a, "alpha"_a, "alpha_function"_a.none(),
+        "boundary_values"_a.none(), "constrained"_a.none(), "options"_a, "threads"_a,
+        "progress"_a.none());
+  m.def("fit_function", &fit_function, "space"_a, "f"_a, "options"_a, "threads"_a,
+        "progress"_a.none());
+  m.def("curvature", &curvature, "space"_a, "method"_a, "options"_a, "threads"_a,
+        "progress"_a.none());
+  m.def("integrate_gradient", &integrate_gradient, "space"_a, "v"_a, "target"_a.none(),
+        "weight"_a.none(), "weight_function"_a.none(), "mean"_a.none(), "details"_a, "options"_a,
+        "threads"_a, "progress"_a.none());
+  nb::class_<RL::Poisson_solver>(m, "PoissonSolver")
+      .def_prop_ro("kernel_dimension", &RL::Poisson_solver::kernel_dimension)
+      .def("solve", &solve, "b"_a, "guess"_a.none(), "tolerance"_a.none(), "threads"_a,
+           "progress"_a.none());
+  m.def("make_solver", &make_solver, "space"_a, "alpha"_a, "options"_a, "threads"_a,
+        "progress"_a.none());
+}
+
+} // namespace python

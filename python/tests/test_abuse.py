@@ -1,0 +1,245 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Whatever is given: a result, or an exception that says what is wrong."""
+
+from __future__ import annotations
+
+import gc
+
+import numpy as np
+import pytest
+
+import restricted_laplacian as rl
+
+V, F = rl.icosphere(2)
+f = V[:, 2]
+
+
+def with_entry(array, index, value, dtype=None):
+    result = np.array(array, dtype=dtype or array.dtype)
+    result[index] = value
+    return result
+
+
+@pytest.mark.parametrize("points, faces, attribute, value", [
+    (with_entry(V, (7, 1), np.nan), F, "vertex", 7),
+    (with_entry(V, (9, 0), np.inf), F, "vertex", 9),
+    (V, with_entry(F, (5, 2), -1), "face", 5),
+    (V, with_entry(F, (6, 0), len(V)), "face", 6),
+    (V, with_entry(F, (6, 0), 2 ** 40), "face", 6),
+    (V, with_entry(F, (3, 1), 2 ** 63, np.uint64), "face", 3),
+    (V, with_entry(F, (4, 1), 0.5, np.float64), "face", 4),
+    (V, with_entry(F, (4, 1), np.nan, np.float64), "face", 4),
+    (V[:, :2], F, "argument", "V"),
+    (V, F[:, :2], "argument", "F"),
+    (V.ravel(), F, "argument", "V"),
+    (V, F[np.newaxis], "argument", "F"),
+    ("points", F, "argument", "V"),
+    (V.astype(object), F, "argument", "V"),
+    (V.astype(complex), F, "argument", "V"),
+    (V, F.astype(str), "argument", "F"),
+    (V, F.astype(bool), "argument", "F"),
+    ([[0, 0, 0], [1, 0]], F, "argument", "V"),
+    (None, F, "argument", "V"),
+    ({}, F, "argument", "V"),
+])
+def test_surfaces_that_cannot_be(points, faces, attribute, value):
+    with pytest.raises(rl.InputError) as e:
+        rl.eigs(points, faces, 3)
+    assert isinstance(e.value, ValueError)
+    assert getattr(e.value, attribute) == value
+    assert (str(value) if attribute != "argument" else value) in str(e.value)
+
+
+@pytest.mark.parametrize("points, faces", [
+    (np.zeros((0, 3)), np.zeros((0, 3), int)),
+    (V, np.zeros((0, 3), int)),
+    (np.zeros((0, 3)), F),
+    (np.zeros_like(V), F),
+    (V, np.zeros_like(F)),
+    (1e200 * V, F),
+    (1e-200 * V, F),
+])
+def test_surfaces_without_area(points, faces):
+    with pytest.raises(rl.InputError):
+        rl.solve_poisson(points, faces, points[:, 2])
+
+
+@pytest.mark.parametrize("dtype", ["f2", "f4", "f8", ">f4", ">f8", np.longdouble])
+@pytest.mark.parametrize("itype", ["i2", "i4", "i8", "u2", "u4", "u8", ">i4", "f4", "f8"])
+def test_types_and_layouts(dtype, itype):
+    points = V.astype(dtype)
+    expected = rl.solve_poisson(points.astype(float), F, f, depth=3)
+    for array in (points, np.asfortranarray(points), np.repeat(points, 2, axis=0)[::2],
+                  np.pad(points, ((0, 0), (1, 2)))[:, 1:4]):
+        array.setflags(write=False)
+        faces = np.asfortranarray(F.astype(itype))
+        faces.setflags(write=False)
+        assert np.array_equal(rl.solve_poisson(array, faces, f, depth=3), expected)
+    reverse = points[::-1]
+    assert np.array_equal(rl.solve_poisson(reverse, len(V) - 1 - F, f[::-1], depth=3)[::-1],
+                          expected)
+    assert np.array_equal(rl.solve_poisson(points.tolist(), F.tolist(), f.tolist(), depth=3)
+                          if points.dtype == np.float64 else expected, expected)
+
+
+@pytest.mark.parametrize("call, argument", [
+    (lambda: rl.solve_poisson(V, F, f[:-1]), "f"),
+    (lambda: rl.solve_poisson(V, F, f.astype(object)), "f"),
+    (lambda: rl.solve_poisson(V, F, np.zeros((len(V), 2, 2))), "f"),
+    (lambda: rl.solve_poisson(V, F, f, depth=0.5), "depth"),
+    (lambda: rl.solve_poisson(V, F, f, depth=-1), "depth"),
+    (lambda: rl.solve_poisson(V, F, f, depth=40), "depth"),
+    (lambda: rl.solve_poisson(V, F, f, depth=10 ** 30), "depth"),
+    (lambda: rl.solve_poisson(V, F, f, tolerance=0), "tolerance"),
+    (lambda: rl.solve_poisson(V, F, f, tolerance="small"), "tolerance"),
+    (lambda: rl.solve_poisson(V, F, f, stabilization=-1), "stabilization"),
+    (lambda: rl.solve_poisson(V, F, f, cycle="x"), "cycle"),
+    (lambda: rl.solve_poisson(V, F, f, max_iterations=-1), "max_iterations"),
+    (lambda: rl.solve_poisson(V, F, f, threads=0), "threads"),
+    (lambda: rl.solve_poisson(V, F, f, threads=1.5), "threads"),
+    (lambda: rl.solve_poisson(V, F, f, progress=3), "progress"),
+    (lambda: rl.solve_poisson(V, F, f, boundary_values=0), "boundary_values"),
+    (lambda: rl.solve_poisson(V, F, f, constraints=([-1], [0])), "constraints"),
+    (lambda: rl.solve_poisson(V, F, f, constraints=([10 ** 9], [0])), "constraints"),
+    (lambda: rl.solve_poisson(V, F, f, constraints=3), "constraints"),
+    (lambda: rl.solve_poisson(V, F, f, joining_tolerance=-1), "joining_tolerance"),
+    (lambda: rl.solve_poisson(V, F, lambda p: p[:, 0][:1]), "f"),
+    (lambda: rl.solve_poisson(V, F, lambda p: 1.0), "f"),
+    (lambda: rl.solve_screened_poisson(V, F, f, 0), "alpha"),
+    (lambda: rl.solve_screened_poisson(V, F, f, -1), "alpha"),
+    (lambda: rl.solve_screened_poisson(V, F, f, f[1:]), "alpha"),
+    (lambda: rl.eigs(V, F, 0), "k"),
+    (lambda: rl.eigs(V, F, 2.5), "k"),
+    (lambda: rl.eigs(V, F, 10 ** 6), "k"),
+    (lambda: rl.eigs(V, F, 3, eigensolver="best"), "eigensolver"),
+    (lambda: rl.fit_function(V, F, f, smoothing=-1), "smoothing"),
+    (lambda: rl.fit_function(V, F, f, refinements=-1), "refinements"),
+    (lambda: rl.curvature(V, F, method="guess"), "method"),
+    (lambda: rl.integrate_gradient(V, F, f), "v"),
+    (lambda: rl.integrate_gradient(V, F, V[:, :2]), "v"),
+    (lambda: rl.integrate_gradient(V, F, V, target=V, weight=1), "target"),
+    (lambda: rl.integrate_gradient(V, F, V, weight=-1), "weight"),
+    (lambda: rl.Space(V), "F"),
+    (lambda: rl.Space(V, normals=V[1:]), "normals"),
+    (lambda: rl.Space(V, F, cube_scale=0.5), "cube_scale"),
+    (lambda: rl.Space(V, F).function(f), "coefficients"),
+    (lambda: rl.Space(V, F).evaluation_matrix([0]), "barycentric"),
+    (lambda: rl.Scan(V, F, V[:, :2]), "colors"),
+    (lambda: rl.Scan(V, F, 0 * V, pose=np.eye(3)), "pose"),
+    (lambda: rl.Scan(V, F, 0 * V, viewpoint=(0, 0)), "viewpoint"),
+    (lambda: rl.heat_kernel_signature(3), "spectrum"),
+    (lambda: rl.heat_kernel_signature((f, f)), "spectrum"),
+])
+def test_arguments_that_cannot_be(call, argument):
+    with pytest.raises(rl.InputError) as e:
+        call()
+    assert e.value.argument == argument, str(e.value)
+
+
+def test_values_that_are_not_finite():
+    for value in (np.nan, np.inf):
+        with pytest.raises(rl.InputError):
+            rl.solve_poisson(V, F, with_entry(f, 3, value))
+        with pytest.raises(rl.InputError):
+            rl.solve_poisson(V, F, lambda p: np.full(len(p), value))
+
+
+def test_locations_that_are_not_on_the_surface():
+    u = rl.fit_function(V, F, f, as_spline=True)
+    for faces in ([-1], [len(F)], [2 ** 40]):
+        with pytest.raises(ValueError):
+            u(faces, [[1, 0, 0]])
+    with pytest.raises(ValueError):
+        u([0], [[np.nan, 0, 0]])
+    with pytest.raises(ValueError):
+        u([0, 1], [[1, 0, 0]])
+
+
+def test_exceptions_of_callables_come_back():
+    def fails(points):
+        if len(points) > 3:
+            raise KeyError("of the caller")
+        return points[:, 0]
+
+    for threads in (1, None):
+        with pytest.raises(KeyError, match="of the caller"):
+            rl.solve_poisson(V, F, fails, threads=threads)
+    with pytest.raises(rl.InputError):
+        rl.solve_poisson(V, F, lambda p: p[:, 0] if len(p) <= 3 else p)
+    with pytest.raises(rl.InputError):
+        rl.solve_poisson(V, F, lambda p: p[:, 0] if len(p) <= 3 else p[:5, 0])
+
+
+def random_array(random: np.random.Generator):
+    """Something like an array that one may have by accident."""
+    shape = tuple(random.integers(0, 6, random.integers(0, 4)))
+    if random.random() < 0.5:
+        shape = (int(random.integers(0, 40)), 3)
+    kind = random.integers(0, 7)
+    if kind == 0:
+        array = random.normal(size=shape) * 10.0 ** random.integers(-300, 300)
+    elif kind == 1:
+        array = random.integers(-5, 50, shape)
+    elif kind == 2:
+        array = random.choice([0.0, 1.0, np.nan, np.inf, -np.inf, 1e308], shape)
+    elif kind == 3:
+        array = random.integers(0, 255, shape).astype(random.choice(["u1", "i1", "u2", "S3", "O"]))
+    elif kind == 4:
+        array = random.normal(size=shape) + 1j
+    elif kind == 5:
+        array = np.asfortranarray(random.normal(size=shape).astype("f4"))
+    else:
+        array = random.normal(size=shape)
+    if array.ndim and random.random() < 0.3:
+        array = array[::-1]
+    return array
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_random_arrays(seed):
+    random = np.random.default_rng(seed)
+    functions = [
+        lambda a, b, c: rl.solve_poisson(a, b, c, depth=3),
+        lambda a, b, c: rl.eigs(a, b, 3, depth=3),
+        lambda a, b, c: rl.fit_function(a, b, c, depth=3),
+        lambda a, b, c: rl.integrate_gradient(a, b, c, depth=3),
+        lambda a, b, c: rl.curvature(a, b, depth=3),
+        lambda a, b, c: rl.Space(a, normals=b, areas=c, depth=3).operators(),
+        lambda a, b, c: rl.heat_kernel_signature((a, b), c),
+        lambda a, b, c: rl.Scan(a, b, c),
+    ]
+    for function in functions:
+        a, b, c = (random_array(random) for _ in range(3))
+        if random.random() < 0.5:
+            a, b = V, F
+        try:
+            function(a, b, c)
+        except (ValueError, RuntimeError):  # of this package, and of NumPy
+            pass
+
+
+def test_nothing_is_leaked():
+    resource = pytest.importorskip("resource")
+    big, faces = rl.icosphere(5)
+    values = big[:, 2]
+
+    def work():
+        space = rl.Space(big, faces, depth=5)
+        space.operators()
+        rl.solve_poisson(space, None, values)
+        rl.solve_poisson(space, None, lambda p: p[:, 2])
+        try:
+            rl.solve_poisson(space, None, lambda p: p[:2, 2] if len(p) > 3 else p[:, 2])
+        except ValueError:
+            pass
+        gc.collect()
+
+    for _ in range(3):
+        work()
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    for _ in range(6):
+        work()
+    growth = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+    assert growth < 60 * 1024  # kB; one space with its matrices has more

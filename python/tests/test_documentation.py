@@ -1,0 +1,61 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Documentation: examples are run, all that is public is documented, types are as they say."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import inspect
+import pathlib
+import pkgutil
+import subprocess
+import sys
+
+import pytest
+
+import restricted_laplacian as rl
+
+MODULES = [name for _, name, _ in pkgutil.iter_modules(rl.__path__) if name not in ("_core",
+                                                                                  "__main__")]
+
+
+@pytest.mark.parametrize("name", ["", *MODULES])
+def test_examples(name):
+    module = importlib.import_module("restricted_laplacian" + ("." + name if name else ""))
+    result = doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE)
+    assert result.failed == 0
+
+
+def test_all_that_is_public_is_documented():
+    for name in rl.__all__:
+        if name == "__version__":
+            continue
+        item = getattr(rl, name)
+        assert inspect.getdoc(item), name
+        if inspect.isfunction(item):
+            doc = inspect.getdoc(item)
+            for parameter in inspect.signature(item).parameters:
+                assert parameter in doc or len(inspect.signature(item).parameters) < 4, (
+                    name, parameter)
+        elif inspect.isclass(item):
+            for member, value in vars(item).items():
+                if not member.startswith("_") and callable(value):
+                    assert inspect.getdoc(value), f"{name}.{member}"
+
+
+def test_version():
+    header = pathlib.Path(__file__).parents[2] / "include/CGAL/Restricted_laplacian_3/version.h"
+    text = header.read_text()
+    numbers = [text.split(f"_{part} ", 1)[1].split()[0] for part in ("MAJOR", "MINOR", "PATCH")]
+    assert rl.__version__ == ".".join(numbers)
+
+
+def test_types():
+    pytest.importorskip("mypy", reason="SKIPPED: mypy was not found")
+    folder = pathlib.Path(rl.__file__).parent
+    result = subprocess.run([sys.executable, "-m", "mypy", "--strict-optional",
+                             "--disallow-untyped-defs", "--ignore-missing-imports", str(folder)],
+                            capture_output=True, text=True, cwd=folder.parent)
+    assert result.returncode == 0, result.stdout

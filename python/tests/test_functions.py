@@ -1,0 +1,225 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""What functions compute, against what is known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import scipy.sparse.linalg
+
+import restricted_laplacian as rl
+
+
+def test_matrices_are_those_of_the_operator(sphere):
+    V, F = sphere
+    space = rl.Space(V, F, depth=4)
+    S, M = space.operators()
+    ones = np.ones(space.dimension)
+    assert abs(S @ ones).max() < 1e-12 * abs(S).max()
+    assert M.sum() == pytest.approx(space.area, rel=1e-12)
+    assert abs(S - S.T).max() == 0
+    assert S.has_sorted_indices and S.indices.dtype == np.int32
+    assert np.allclose(space.integrals(), M @ ones, rtol=0, atol=1e-13)
+    # Galerkin products
+    P = space.prolongation(3)
+    coarse = space.operators(level=3)
+    assert abs(P.T @ S @ P - coarse.stiffness).max() < 1e-12 * abs(S).max()
+    assert abs(P.T @ M @ P - coarse.mass).max() < 1e-12 * abs(M).max()
+
+
+def test_matrices_outlive_the_space(sphere):
+    V, F = sphere
+    S = rl.Space(V, F, depth=4).stiffness()
+    copy = S.copy()
+    junk = [np.ones(10 ** 6) for _ in range(8)]
+    assert (S != copy).nnz == 0
+    del junk
+
+
+def test_evaluation_matrices_give_values(sphere):
+    V, F = sphere
+    space = rl.Space(V, F, depth=4)
+    u = rl.fit_function(space, None, np.stack([V[:, 0] * V[:, 1], V[:, 2]], axis=1), as_spline=True)
+    E = space.evaluation_matrix()
+    assert np.allclose(E @ u.coefficients, u.at_vertices(), rtol=0, atol=1e-14)
+    faces = np.arange(0, len(F), 7)
+    b = np.random.default_rng(1).dirichlet([1, 1, 1], len(faces))
+    E = space.evaluation_matrix(faces, b)
+    assert np.allclose(E @ u.coefficients, u(faces, b), rtol=0, atol=1e-14)
+    D = np.stack([d @ u.coefficients for d in space.derivative_matrices(faces, b)], axis=1)
+    n = space._surface.face_normals()[faces]
+    tangential = D - n[:, :, None] * np.einsum("ni,nik->nk", n, D)[:, None, :]
+    assert np.allclose(tangential, u.gradients(faces, b), rtol=0, atol=1e-12)
+    # the gradient of z is the tangential part of the axis
+    p = np.einsum("nij,ni->nj", V[F[faces]], b)
+    axis = np.array([0, 0, 1]) - n * n[:, 2:]
+    assert abs(u.gradients(faces, b)[:, :, 1] - axis).max() < 0.1
+    assert abs(u(faces, b)[:, 1] - p[:, 2]).max() < 5e-3
+    assert u.gradients_at_vertices().shape == (len(V), 3, 2)
+
+
+def test_users_can_go_on_with_scipy(sphere):
+    V, F = sphere
+    space = rl.Space(V, F, depth=4)
+    S, M = space.operators(stabilization=1e-3)
+    x = scipy.sparse.linalg.spsolve((S + 2 * M).tocsc(), space.loads(V[:, 2]))
+    by_solver = rl.PoissonSolver(space, 2, tolerance=1e-10).solve(space.loads(V[:, 2]))
+    u, v = space.function(x).at_vertices(), space.function(by_solver).at_vertices()
+    assert abs(u - v).max() < 1e-8
+    assert abs(u - V[:, 2] / 4).max() < 2e-3
+
+
+def test_arrays_faces_corners_and_callables_agree(sphere):
+    V, F = sphere
+    space = rl.Space(V, F, depth=4)
+    at_vertices = V[:, 0] + 2 * V[:, 2]
+    expected = space.loads(at_vertices)
+    assert np.allclose(space.loads(rl.Corners(at_vertices[F])), expected, rtol=0, atol=1e-15)
+
+    calls = []
+
+    def f(points):
+        calls.append(len(points))
+        return points[:, 0] + 2 * points[:, 2]
+
+    assert np.allclose(space.loads(f), expected, rtol=0, atol=1e-14)
+    # once to see its shape, and then for many nodes at a time
+    assert calls[0] <= 3 and min(calls[1:-1]) >= 2 ** 18 and sum(calls) > 10 * len(F)
+    constant = np.arange(len(F)) % 5
+    assert np.allclose(space.loads(constant),
+                       space.loads(rl.Corners(np.repeat(constant[:, None], 3, axis=1))), rtol=0,
+                       atol=1e-15)
+    assert np.allclose(space.loads(3.0), 3 * space.integrals(), rtol=0, atol=1e-14)
+    # of several components
+    both = space.loads(lambda p: p[:, :2] ** 2)
+    assert both.shape == (space.dimension, 2)
+    assert np.allclose(both[:, 1], space.loads(lambda p: p[:, 1] ** 2), rtol=0, atol=1e-15)
+
+
+def test_vector_fields(sphere):
+    V, F = sphere
+    space = rl.Space(V, F, depth=4)
+    axis = np.tile([0.0, 0.0, 1.0], (len(F), 1))
+    expected = space.gradient_loads(axis)
+    corners = rl.Corners(np.tile([0.0, 0.0, 1.0], (len(F), 3, 1)))
+    vertices = np.tile([0.0, 0.0, 1.0], (len(V), 1))
+
+    def field(points):
+        return np.tile([0.0, 0.0, 1.0], (len(points), 1))
+
+    for other in (corners, vertices, field):
+        assert np.allclose(space.gradient_loads(other), expected, rtol=0, atol=1e-13)
+    # channels are the last dimension
+    two = np.stack([axis, 2 * axis[:, [2, 0, 1]]], axis=2)
+    loads = space.gradient_loads(two)
+    assert loads.shape == (space.dimension, 2)
+    assert np.allclose(loads[:, 0], expected, rtol=0, atol=1e-13)
+    u = rl.integrate_gradient(space, None, two, mean=[1, 2])
+    assert abs(u - np.stack([V[:, 2] + 1, 2 * V[:, 0] + 2], axis=1)).max() < 5e-3
+
+    def fields(points):
+        return np.tile(two[0], (len(points), 1, 1))
+
+    assert np.allclose(space.gradient_loads(fields), loads, rtol=0, atol=1e-13)
+
+
+def test_solutions_of_several_columns(sphere):
+    V, F = sphere
+    u = rl.solve_poisson(V, F, V, tolerance=1e-8)
+    assert u.shape == V.shape and abs(u + V / 2).max() < 3e-3
+    one = rl.solve_poisson(V, F, V[:, 1], tolerance=1e-8)
+    assert abs(u[:, 1] - one).max() < 1e-7
+    column = rl.solve_poisson(V, F, V[:, 1:2], tolerance=1e-8)
+    assert column.shape == (len(V), 1) and np.array_equal(column[:, 0], one)
+
+
+def test_prescribed_values(sphere):
+    V, F = sphere
+    half = F[(V[F][:, :, 2] > -1e-9).all(axis=1)]
+    used = np.unique(half)
+    # z is an eigenfunction, and nearly 0 on the boundary, which is a zigzag along the equator
+    u = rl.solve_poisson(V, half, -2 * V[:, 2], boundary_values=0.0)
+    assert abs(u[used] - V[used, 2]).max() < 0.05
+    assert np.isnan(u[np.setdiff1d(np.arange(len(V)), used)]).all()
+    u = rl.solve_poisson(V, half, -2 * V[:, 2], boundary_values=lambda p: 1 + p[:, 2])
+    assert abs(u[used] - 1 - V[used, 2]).max() < 0.01
+    u = rl.solve_poisson(V, F, 0.0, constraints=([0, 3], [1.0, -1.0]))
+    assert u[0] == pytest.approx(1, abs=1e-3) and u[3] == pytest.approx(-1, abs=1e-3)
+    assert abs(u).max() < 1.001
+
+
+def test_screening_by_functions(sphere):
+    V, F = sphere
+    f = V[:, 2]
+    number = rl.solve_screened_poisson(V, F, f, 3.0, tolerance=1e-9)
+    for alpha in (np.full(len(V), 3.0), np.full(len(F), 3.0), lambda p: np.full(len(p), 3.0)):
+        assert abs(rl.solve_screened_poisson(V, F, f, alpha, tolerance=1e-9) - number).max() < 1e-7
+
+
+def test_points_without_faces():
+    V, _ = rl.icosphere(5)
+    u = rl.solve_poisson(V, None, V[:, 2], normals=V, depth=4)
+    assert abs(u + V[:, 2] / 2).max() < 0.02
+    areas = np.full(len(V), 4 * np.pi / len(V))
+    space = rl.Space(V, normals=V, areas=areas)
+    assert space.area == pytest.approx(4 * np.pi)
+    l, _ = rl.eigs(space, None, 4)
+    assert l[1:] == pytest.approx([2, 2, 2], rel=0.02)
+    assert abs(rl.curvature(2 * V, normals=V, depth=4).mean - 0.5).max() < 0.02
+
+
+def test_objects_with_vertices_and_faces(sphere):
+    V, F = sphere
+
+    class Mesh:
+        vertices, faces = V, F
+
+    class Cells:
+        points, cells_dict = V, {"triangle": F}
+
+    expected = rl.eigs(V, F, 4, depth=4)[0]
+    assert np.array_equal(rl.eigs(Mesh(), k=4, depth=4)[0], expected)
+    assert np.array_equal(rl.eigs(Cells(), k=4, depth=4)[0], expected)
+
+
+def test_reports_and_convergence(sphere):
+    V, F = sphere
+    u, report = rl.solve_poisson(V, F, V[:, 2], return_report=True)
+    assert report.converged and report.iterations >= 1 and report["status"] == "converged"
+    with pytest.raises(rl.ConvergenceError) as e:
+        rl.solve_poisson(V, F, V[:, 2] ** 3, tolerance=1e-13, max_iterations=1)
+    assert isinstance(e.value, RuntimeError)
+    assert e.value.report.iterations == 1 and e.value.result.shape == (len(V),)
+    u = rl.solve_poisson(V, F, V[:, 2] ** 3, tolerance=1e-13, max_iterations=1, check=False)
+    assert np.array_equal(u, e.value.result)
+
+
+def test_first_guess_ends_soon(sphere):
+    V, F = sphere
+    space = rl.Space(V, F, depth=4)
+    solver = rl.PoissonSolver(space, 1, tolerance=1e-8)
+    b = space.loads(V)
+    x, far = solver.solve(b, return_report=True)
+    y, near = solver.solve(b, x, return_report=True)
+    assert near.iterations == 0 < far.iterations
+    assert abs(x - y).max() < 1e-6
+
+
+def test_stitching():
+    V, F = rl.icosphere(4)
+    colors = 0.5 + 0.4 * V
+    scans = []
+    for eye, factor in (((0, 0, 5), 1.0), ((0, 0, -5), 0.8), ((5, 0, 0), 0.9), ((-5, 0, 0), 1.0),
+                        ((0, 5, 0), 0.9), ((0, -5, 0), 1.0)):
+        sees = (V[F] @ np.array(eye) > 1).all(axis=1)
+        scans.append(rl.Scan(V, F[sees], factor * colors, viewpoint=eye))
+    u, report = rl.stitch_colors(V, F, scans, depth=5, return_report=True)
+    assert u.shape == V.shape and set(report.scans) == set(range(6))
+    gain = (u * colors).sum() / (u * u).sum()
+    assert abs(gain * u - colors).max() < 0.1
+    assert report.jump_after < report.jump_before
+    as_bytes = np.round(255 * colors).astype(np.uint8)
+    assert rl.stitch_colors(V, F, [rl.Scan(V, F, as_bytes, viewpoint=(0, 0, 5))], oriented=True,
+                            depth=4).max() <= 1
