@@ -16,6 +16,7 @@ import sys
 import pytest
 
 import restricted_laplacian as rl
+from conftest import data_file
 
 MODULES = [name for _, name, _ in pkgutil.iter_modules(rl.__path__) if name not in ("_core",
                                                                                   "__main__")]
@@ -50,6 +51,18 @@ def test_version():
     text = header.read_text()
     numbers = [text.split(f"_{part} ", 1)[1].split()[0] for part in ("MAJOR", "MINOR", "PATCH")]
     assert rl.__version__ == ".".join(numbers)
+
+
+def test_code_of_the_manual(tmp_path, monkeypatch):
+    page = (pathlib.Path(__file__).parents[2] / "doc/Restricted_laplacian_3/Python.txt").read_text()
+    blocks = [part.split("\\endcode")[0] for part in page.split("\\code{.py}\n")[1:]]
+    assert len(blocks) > 5
+    (tmp_path / "elephant.off").write_bytes(data_file("elephant.off").read_bytes())
+    monkeypatch.chdir(tmp_path)
+    names: dict = {}
+    for block in blocks:
+        exec(compile(block, "Python.txt", "exec"), names)
+    assert names["values"].shape == names["V"].shape
 
 
 def test_types():
