@@ -10,6 +10,7 @@
 
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,16 @@ inline std::optional<double> number_of(const nb::dict& options, const char* name
   if(!options.contains(name) || options[name].is_none())
     return {};
   return nb::cast<double>(options[name]);
+}
+
+inline std::optional<int> whole_number_of(const nb::dict& options, const char* name) {
+  const std::optional<double> number = number_of(options, name);
+  if(!number)
+    return {};
+  constexpr double largest = 1e9;
+  if(!(*number >= -largest && *number <= largest && *number == std::floor(*number)))
+    throw RL::Parameter_error(name, "must be a whole number, and is " + std::to_string(*number));
+  return static_cast<int>(*number);
 }
 
 inline std::string text_of(const nb::dict& options, const char* name, const std::string& value) {
@@ -31,8 +42,8 @@ inline RL::Poisson_solver_options solver_options(const nb::dict& options, int th
   RL::Poisson_solver_options o;
   o.relative_tolerance = number_of(options, "tolerance");
   o.energy_tolerance = number_of(options, "energy_tolerance").value_or(0);
-  if(const auto limit = number_of(options, "max_iterations"))
-    o.maximum_iterations = static_cast<int>(*limit);
+  if(const auto limit = whole_number_of(options, "max_iterations"))
+    o.maximum_iterations = *limit;
   o.cycle = text_of(options, "cycle", "v") == "w" ? RL::Cycle::W : RL::Cycle::V;
   o.smoother = text_of(options, "smoother", "patch") == "point" ? RL::Smoother_type::point
                                                                 : RL::Smoother_type::patch;

@@ -17,6 +17,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -57,11 +58,10 @@ nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
     problem.constraints.emplace(space);
     for(std::size_t i = 0; i < constrained->size(); i += 3) {
       const double* const c = constrained->data() + i;
-      const auto vertex = static_cast<std::size_t>(c[0]);
-      if(!(c[0] >= 0 && c[0] < static_cast<double>(locations.size())))
-        throw RL::Parameter_error("constraints", "names vertex " +
-                                                     std::to_string(static_cast<long long>(c[0])) +
+      if(!(c[0] >= 0 && c[0] < static_cast<double>(locations.size()) && c[0] == std::floor(c[0])))
+        throw RL::Parameter_error("constraints", "names vertex " + std::to_string(c[0]) +
                                                      ", which does not exist");
+      const auto vertex = static_cast<std::size_t>(c[0]);
       if(locations[vertex].barycentric[0] < 0)
         throw RL::Invalid_vertex_error(vertex, "has a prescribed value, but no face");
       problem.constraints->add(locations[vertex], c[1], c[2]);
@@ -88,7 +88,7 @@ RL::Function_fit_options fit_options(const nb::dict& options, int threads) {
   o.solver = solver_options(options, threads);
   o.solver.energy_tolerance = 0; // relative to the solution
   o.smoothing_weight = number_of(options, "smoothing").value_or(0);
-  o.refinement_steps = static_cast<int>(number_of(options, "refinements").value_or(0));
+  o.refinement_steps = whole_number_of(options, "refinements").value_or(0);
   o.normal_stabilization = number_of(options, "stabilization");
   o.energy_tolerance = number_of(options, "energy_tolerance");
   return o;
@@ -114,8 +114,7 @@ nb::tuple curvature(const Space& space, const std::string& method, const nb::dic
   o.solver = solver_options(options, threads);
   o.solver.energy_tolerance = 0;
   o.smoothing_weight = number_of(options, "smoothing");
-  if(const auto steps = number_of(options, "refinements"))
-    o.refinement_steps = static_cast<int>(*steps);
+  o.refinement_steps = whole_number_of(options, "refinements");
   o.normal_stabilization = number_of(options, "stabilization");
   o.energy_tolerance = number_of(options, "energy_tolerance");
   RL::Fit_report report;
