@@ -43,6 +43,13 @@ nb::tuple eigenpairs(const RL::Spline_space_3& space, int k, const std::string& 
                         array_of_matrix(std::move(s.pairs.vectors)), s.area, report);
 }
 
+Vector vector_of(const Numbers& a) {
+  Vector result(static_cast<Eigen::Index>(a.size()));
+  for(Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = a.data()[i];
+  return result;
+}
+
 template <class Work> nb::object matrix(Work&& work) {
   Eigen::MatrixXd result = [&] {
     const nb::gil_scoped_release release;
@@ -65,45 +72,46 @@ RL::Shape_dna_normalization normalization(const std::string& name) {
 void add_spectra(nb::module_& m) {
   m.def("eigenpairs", &eigenpairs, "space"_a, "k"_a, "eigensolver"_a, "with_values"_a, "options"_a,
         "threads"_a, "progress"_a.none());
-  m.def("number_of_zeros", [](const Vector& l) { return RL::number_of_zero_eigenvalues(l); });
-  m.def("heat_kernel_times", [](const Vector& l, int number) {
-    return vector([&] { return RL::heat_kernel_times(l, number); });
+  m.def("number_of_zeros",
+        [](const Numbers& l) { return RL::number_of_zero_eigenvalues(vector_of(l)); });
+  m.def("heat_kernel_times", [](const Numbers& l, int number) {
+    return vector([&] { return RL::heat_kernel_times(vector_of(l), number); });
   });
-  m.def("heat_trace", [](const Vector& l, const Vector& times) {
-    return vector([&] { return RL::heat_trace(l, times); });
+  m.def("heat_trace", [](const Numbers& l, const Numbers& times) {
+    return vector([&] { return RL::heat_trace(vector_of(l), vector_of(times)); });
   });
   m.def("heat_kernel_signature",
-        [](const Vector& l, const Values& u, const Vector& times, bool scaled) {
+        [](const Numbers& l, const Values& u, const Numbers& times, bool scaled) {
           return matrix([&] {
-            return RL::heat_kernel_signature(l, u, times,
+            return RL::heat_kernel_signature(vector_of(l), u, vector_of(times),
                                              scaled ? RL::Heat_kernel_scaling::heat_trace
                                                     : RL::Heat_kernel_scaling::none);
           });
         });
-  m.def("wave_kernel_energies", [](const Vector& l, int number) {
-    RL::Wave_kernel_energies e = RL::wave_kernel_energies(l, number);
+  m.def("wave_kernel_energies", [](const Numbers& l, int number) {
+    RL::Wave_kernel_energies e = RL::wave_kernel_energies(vector_of(l), number);
     return nb::make_tuple(array_of_matrix(std::move(e.energies)), e.sigma);
   });
   m.def("wave_kernel_signature",
-        [](const Vector& l, const Values& u, const Vector& energies, double sigma) {
+        [](const Numbers& l, const Values& u, const Numbers& energies, double sigma) {
           return matrix([&] {
             RL::Wave_kernel_energies e;
-            e.energies = energies;
+            e.energies = vector_of(energies);
             e.sigma = sigma;
-            return RL::wave_kernel_signature(l, u, e);
+            return RL::wave_kernel_signature(vector_of(l), u, e);
           });
         });
-  m.def("global_point_signature", [](const Vector& l, const Values& u) {
-    return matrix([&] { return RL::global_point_signature(l, u); });
+  m.def("global_point_signature", [](const Numbers& l, const Values& u) {
+    return matrix([&] { return RL::global_point_signature(vector_of(l), u); });
   });
-  m.def("biharmonic_embedding", [](const Vector& l, const Values& u) {
-    return matrix([&] { return RL::biharmonic_embedding(l, u); });
+  m.def("biharmonic_embedding", [](const Numbers& l, const Values& u) {
+    return matrix([&] { return RL::biharmonic_embedding(vector_of(l), u); });
   });
-  m.def("diffusion_map", [](const Vector& l, const Values& u, double time) {
-    return matrix([&] { return RL::diffusion_map(l, u, time); });
+  m.def("diffusion_map", [](const Numbers& l, const Values& u, double time) {
+    return matrix([&] { return RL::diffusion_map(vector_of(l), u, time); });
   });
-  m.def("shape_dna", [](const Vector& l, double area, const std::string& name) {
-    return vector([&] { return RL::shape_dna(l, area, normalization(name)); });
+  m.def("shape_dna", [](const Numbers& l, double area, const std::string& name) {
+    return vector([&] { return RL::shape_dna(vector_of(l), area, normalization(name)); });
   });
 }
 
