@@ -12,6 +12,8 @@
 #   headers     the unit tests without the compiled library
 #   sanitizers  all unit tests but the slow ones with AddressSanitizer and UndefinedBehaviorSanitizer
 #   threads     ThreadSanitizer over the tests with the tag [threads]
+#   python      pip install in a clone, with build isolation; the source archive, and the wheel where there is
+#               neither a compiler nor this repository; needs PyPI
 #   random      many random surfaces, and every allocation failing
 #   cgal_6      scripts/test_cgal_6.sh, if RESTRICTED_LAPLACIAN_3_CGAL_6_DIR in the environment is the
 #               folder of a CGALConfig.cmake of CGAL 6
@@ -25,7 +27,7 @@ set -euo pipefail
 export LC_ALL=C
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-all_stages=(release headers sanitizers threads random cgal_6)
+all_stages=(release headers sanitizers threads python random cgal_6)
 for name in "$@"; do
   if [[ " ${all_stages[*]} " != *" $name "* ]]; then
     sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
@@ -102,6 +104,23 @@ sanitizers() {
 threads() {
   sanitized threads thread &&
     TSAN_OPTIONS=halt_on_error=1:ignore_noninstrumented_modules=1 run threads 1
+}
+
+# The lines of the manual, in an empty folder, and the packages.
+python() {
+  local folder status=0
+  details="pip install, source archive, wheel"
+  folder=$(mktemp -d)
+  git clone --quiet . "$folder/clone" && python3 -m venv "$folder/environment" &&
+    (
+      cd "$folder/clone"
+      PATH=$folder/environment/bin:$PATH
+      pip install .
+      cd "$folder"
+      python -c 'import restricted_laplacian as rl; V, F = rl.icosphere(4); l, u = rl.eigs(V, F, 50); print(l[:4], u.shape)'
+    ) && bash scripts/make_python_packages.sh build/everything/python || status=1
+  rm -rf "$folder"
+  return "$status"
 }
 
 random() {
