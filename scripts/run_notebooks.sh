@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Usage: scripts/run_notebooks.sh FOLDER
+#
+# Runs the notebooks of python/notebooks and writes them with their results, as Markdown and
+# pictures, to FOLDER: doc/Restricted_laplacian_3/notebooks for the manual. Installs the package and
+# what the notebooks use into an environment of its own; needs PyPI. MESH in the environment is a
+# mesh to take in place of CGAL's elephant.
+
+set -euo pipefail
+export LC_ALL=C.UTF-8
+
+if (($# != 1)) || [[ $1 == -* ]]; then
+  sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+  exit 2
+fi
+mkdir -p "$1"
+folder=$(cd "$1" && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+python3 -m venv "$work/environment"
+pip=("$work/environment/bin/pip" --quiet --disable-pip-version-check install)
+"${pip[@]}" jupyter-client==8.6.3 nbconvert==7.16.6 ipykernel==6.30.1 matplotlib==3.10.7 \
+  lapy==1.7.0 robust-laplacian==1.1.0 fast-simplification==0.2.0
+"${pip[@]}" "$root"
+if [[ -z ${MESH-} ]]; then
+  tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory "$work" \
+    data/meshes/elephant.off
+  export MESH=$work/data/meshes/elephant.off
+fi
+cp "$root"/python/notebooks/*.ipynb "$work"
+cd "$work"
+for notebook in *.ipynb; do
+  echo "=== $notebook"
+  JUPYTER_PLATFORM_DIRS=1 timeout 600 "$work/environment/bin/jupyter" nbconvert --log-level WARN \
+    --to markdown --execute --output-dir "$folder" "$notebook"
+done
