@@ -2,23 +2,24 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Usage: scripts/run_notebooks.sh FOLDER
+# Usage: scripts/run_notebooks.sh [PAGE FIGURES]
 #
-# Runs the notebooks of python/notebooks and writes them with their results, as Markdown and
-# pictures, to FOLDER: doc/Restricted_laplacian_3/notebooks for the manual. Installs the package and
-# what the notebooks use into an environment of its own; needs PyPI. MESH in the environment is a
+# Runs the notebooks of python/notebooks, and writes them with their results to the page of the manual
+# that holds them, or to another file PAGE with pictures in the folder FIGURES. Installs the package
+# and what the notebooks use into an environment of its own; needs PyPI. MESH in the environment is a
 # mesh to take in place of CGAL's elephant.
 
 set -euo pipefail
 export LC_ALL=C.UTF-8
 
-if (($# != 1)) || [[ $1 == -* ]]; then
+if (($# != 0 && $# != 2)); then
   sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
-mkdir -p "$1"
-folder=$(cd "$1" && pwd)
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+page=$(realpath -m "${1:-$root/doc/Restricted_laplacian_3/Notebooks.txt}")
+figures=$(realpath -m "${2:-$root/doc/Restricted_laplacian_3/fig}")
+mkdir -p "$figures"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -37,5 +38,7 @@ cd "$work"
 for notebook in *.ipynb; do
   echo "=== $notebook"
   JUPYTER_PLATFORM_DIRS=1 timeout 600 "$work/environment/bin/jupyter" nbconvert --log-level WARN \
-    --to markdown --execute --output-dir "$folder" "$notebook"
+    --to notebook --execute --inplace "$notebook"
 done
+python3 "$root/python/notebooks/render.py" "$page" "$figures" first_steps.ipynb \
+  spectra_under_remeshing.ipynb from_scans_to_a_texture.ipynb

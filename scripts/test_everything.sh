@@ -13,7 +13,7 @@
 #   sanitizers  all unit tests but the slow ones with AddressSanitizer and UndefinedBehaviorSanitizer
 #   threads     ThreadSanitizer over the tests with the tag [threads]
 #   python      pip install in a clone, with build isolation; the source archive, and the wheel where there is
-#               neither a compiler nor this repository; needs PyPI
+#               neither a compiler nor this repository; notebooks; needs PyPI
 #   random      many random surfaces, and every allocation failing
 #   cgal_6      scripts/test_cgal_6.sh, if RESTRICTED_LAPLACIAN_3_CGAL_6_DIR in the environment is the
 #               folder of a CGALConfig.cmake of CGAL 6
@@ -109,7 +109,7 @@ threads() {
 # The lines of the manual, in an empty folder, and the packages.
 python() {
   local folder status=0
-  details="pip install, source archive, wheel"
+  details="pip install, source archive, wheel, notebooks"
   folder=$(mktemp -d)
   git clone --quiet . "$folder/clone" && python3 -m venv "$folder/environment" &&
     (
@@ -118,7 +118,8 @@ python() {
       pip install .
       cd "$folder"
       python -c 'import restricted_laplacian as rl; V, F = rl.icosphere(4); l, u = rl.eigs(V, F, 50); print(l[:4], u.shape)'
-    ) && bash scripts/make_python_packages.sh build/everything/python || status=1
+    ) && bash scripts/make_python_packages.sh build/everything/python &&
+    bash scripts/run_notebooks.sh "$folder/Notebooks.txt" "$folder/figures" || status=1
   rm -rf "$folder"
   return "$status"
 }

@@ -8,6 +8,7 @@ from __future__ import annotations
 import doctest
 import importlib
 import inspect
+import json
 import pathlib
 import pkgutil
 import subprocess
@@ -63,6 +64,17 @@ def test_code_of_the_manual(tmp_path, monkeypatch):
     for block in blocks:
         exec(compile(block, "Python.txt", "exec"), names)
     assert names["values"].shape == names["V"].shape
+
+
+def test_notebooks_of_the_manual():
+    root = pathlib.Path(__file__).parents[2]
+    page = (root / "doc/Restricted_laplacian_3/Notebooks.txt").read_text()
+    notebooks = list((root / "python/notebooks").glob("*.ipynb"))
+    assert len(notebooks) >= 3
+    for notebook in notebooks:
+        for cell in json.loads(notebook.read_text())["cells"]:
+            if cell["cell_type"] == "code":
+                assert "".join(cell["source"]) in page, "scripts/run_notebooks.sh makes the page"
 
 
 def test_types():
