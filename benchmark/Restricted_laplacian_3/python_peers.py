@@ -22,6 +22,8 @@ import argparse
 import importlib.metadata
 import os
 import pathlib
+import platform
+import subprocess
 import sys
 import time
 
@@ -30,6 +32,7 @@ for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
 
 import numpy as np  # noqa: E402
 import scipy.sparse  # noqa: E402
+import scipy.sparse.csgraph  # noqa: E402
 import scipy.sparse.linalg  # noqa: E402
 
 import restricted_laplacian as rl  # noqa: E402
@@ -57,13 +60,17 @@ def eigenpairs(S, M, name):
 
 
 def poisson(S, M, f, name):
-    # as LaPy does: the kernel is removed by fixing the mean afterwards
-    area = M.sum()
-    ones = np.ones(len(f))
-    b = M @ (f - (ones @ (M @ f)) / area)
+    # constants of each connected component are in the kernel
+    number, label = scipy.sparse.csgraph.connected_components(S)
+    weights = M @ np.ones(len(f))
+
+    def without_means(x):
+        sums = np.bincount(label, weights * x, number)
+        areas = np.bincount(label, weights, number)
+        return x - (sums / np.where(areas > 0, areas, 1))[label]
+
     shift = SIGMA * S.diagonal().sum() / M.diagonal().sum()
-    u = factorize(S - shift * M, name)(-b)
-    return u - (ones @ (M @ u)) / area
+    return without_means(factorize(S - shift * M, name)(-(M @ without_means(f))))
 
 
 def cotangent(V, F, name):
@@ -153,10 +160,16 @@ def main():
 
     packages = ("numpy", "scipy", "robust-laplacian", "lapy", "libigl", "scikit-sparse",
                 "fast-simplification")
+    here = pathlib.Path(__file__).parent
+    commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=here, text=True,
+                            capture_output=True).stdout.strip() or "unknown"
+    print(f"# commit: {commit}")
+    print(f"# machine: {platform.machine()}, {os.cpu_count()} cores")
+    print("# command:", " ".join(["python_peers", *(["..."] if len(o.mesh) > 9 else o.mesh)]))
     print("# versions:", ", ".join(f"{p} {importlib.metadata.version(p)}" for p in packages),
           f"restricted-laplacian {rl.__version__}")
-    print(f"# {'mesh':20} {'vertices':>9} {'method':17} {'eigs_s':>8} {'error':>9} {'change':>9} "
-          f"{'poisson_s':>9} {'error':>9}")
+    print(f"# {'mesh':20} {'vertices':>9} {'method':17} {'eigs_s':>8} {'eigs_err':>9} {'change':>9} "
+          f"{'poisson_s':>9} {'pois_err':>9}")
     for mesh in o.mesh:
         V, F = rl.read_mesh(o.folder / f"{mesh}.ply")
         default = rl.Space(V, F)

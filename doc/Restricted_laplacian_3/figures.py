@@ -550,6 +550,20 @@ for name, value, text, kinds in [("setup", "seconds", seconds, ["solver", "opera
               lambda r, k=kinds: r["what"] in k)
 
 
+PYTHON = {"restricted": "this, 1 thread", "restricted_2": "this, 2 threads", "libigl_superlu": "libigl, SuperLU",
+          "libigl_cholmod": "libigl, CHOLMOD", "robust_superlu": "robust-laplacian, SuperLU",
+          "robust_cholmod": "robust-laplacian, CHOLMOD", "lapy_superlu": "LaPy, SuperLU",
+          "lapy_cholmod": "LaPy, CHOLMOD"}
+for name, value, text, methods in [
+        ("eigenpairs", "eigs_s", seconds, list(PYTHON)), ("poisson", "poisson_s", seconds, list(PYTHON)),
+        ("eigenvalue_errors", "eigs_err", error, ["restricted", "libigl_cholmod", "robust_cholmod", "lapy_cholmod"]),
+        ("changes", "change", error, ["restricted", "libigl_cholmod", "robust_cholmod", "lapy_cholmod"]),
+        ("poisson_errors", "pois_err", error, ["restricted", "libigl_cholmod", "robust_cholmod", "lapy_cholmod"])]:
+    add_table("python_" + name, "python_peers", ["mesh", "vertices", "method", "eigs_s"],
+              {"Mesh": "mesh"}, of({m: PYTHON[m] if len(methods) > 4 else PYTHON[m].split(",")[0] for m in methods}),
+              value, text, 1, None, lambda r, m=methods: r["method"] in m)
+
+
 # ---- thin features and tessellations
 
 
