@@ -39,7 +39,7 @@ import restricted_laplacian as rl  # noqa: E402
 
 K = 50
 MESHES = ["cow_5k8", "bimba_46k", "bunny_closed_70k", "armadillo", "fandisk_32k", "cessna_soup_14k",
-          "rgbd5_scan1"]
+          "rgbd5_scan5"]
 SIGMA = -1e-8
 
 
@@ -127,7 +127,7 @@ def refined(V, F):
 def relative(values, reference):
     """The mean relative difference of eigenvalues that are not 0."""
     n = min(len(values), len(reference))
-    is_zero = np.arange(n) < rl.number_of_zero_eigenvalues(reference)
+    is_zero = reference[:n] < 1e-9 * reference.max()
     if is_zero.all():
         return np.nan
     a, b = values[:n][~is_zero], reference[:n][~is_zero]

@@ -35,9 +35,10 @@ def main() -> int:
         print("box          " + " x ".join(f"{x:g}" for x in high - low))
         print(f"depth        {space.depth}")
         print(f"unknowns     {space.dimension}")
-        eigenvalues, _ = rl.eigs(space, None, o.count, progress=sys.stderr.isatty())
-        eigenvalues[:rl.number_of_zero_eigenvalues(eigenvalues)] = 0
-        print("eigenvalues  " + " ".join(f"{x:.4g}" for x in eigenvalues))
+        spectrum = rl.laplace_spectrum(space, None, o.count, progress=sys.stderr.isatty())
+        zeros = rl.number_of_zero_eigenvalues(spectrum)
+        print("eigenvalues  " + " ".join(["0"] * zeros + [f"{x:.4g}" for x in
+                                                          spectrum.eigenvalues[zeros:]]))
         print(f"seconds      {time.monotonic() - start:.2f}")
     except (ValueError, RuntimeError, MemoryError) as e:
         print(f"restricted_laplacian: {e}", file=sys.stderr)

@@ -125,7 +125,8 @@ _Pairs = Union[Spectrum, tuple]
 
 def _pairs(spectrum: _Pairs) -> tuple[np.ndarray, np.ndarray]:
     if isinstance(spectrum, Spectrum):
-        return spectrum.eigenvalues, spectrum.vertex_values
+        return (_core.with_exact_zeros(spectrum.eigenvalues, spectrum.area),
+                spectrum.vertex_values)
     try:
         values, functions = spectrum
     except (TypeError, ValueError):
@@ -137,9 +138,20 @@ def _pairs(spectrum: _Pairs) -> tuple[np.ndarray, np.ndarray]:
     return numbers(values, "spectrum", np.float64).ravel(), own
 
 
-def number_of_zero_eigenvalues(eigenvalues: Any) -> int:
-    """How many of the first eigenvalues are 0 up to rounding: the components of the surface."""
-    return _core.number_of_zeros(numbers(eigenvalues, "eigenvalues", np.float64).ravel())
+def number_of_zero_eigenvalues(spectrum: Any) -> int:
+    """How many of the first eigenvalues are 0 up to rounding: the components of the surface.
+
+    Parameters
+    ----------
+    spectrum : Spectrum, or array_like
+        Of eigenvalues; if all of them are 0, there is no scale to see that by, but the area of the
+        surface, which a `Spectrum` knows.
+    """
+    own = spectrum.eigenvalues if isinstance(spectrum, Spectrum) else spectrum
+    own = numbers(own, "eigenvalues", np.float64).ravel()
+    if isinstance(spectrum, Spectrum):
+        own = _core.with_exact_zeros(own, spectrum.area)
+    return _core.number_of_zeros(own)
 
 
 def heat_kernel_times(spectrum: _Pairs, number: int = 100) -> np.ndarray:
@@ -234,4 +246,4 @@ def shape_dna(spectrum: Spectrum, normalization: str = "area") -> np.ndarray:
     if normalization not in ("area", "first", "weyl", "none"):
         raise argument_error("normalization", f"must be area, first, weyl or none, and is "
                              f"{normalization!r}")
-    return _core.shape_dna(spectrum.eigenvalues, spectrum.area, normalization)
+    return _core.shape_dna(_pairs(spectrum)[0], spectrum.area, normalization)

@@ -74,6 +74,9 @@ void add_spectra(nb::module_& m) {
         "threads"_a, "progress"_a.none());
   m.def("number_of_zeros",
         [](const Numbers& l) { return RL::number_of_zero_eigenvalues(vector_of(l)); });
+  m.def("with_exact_zeros", [](const Numbers& l, double area) {
+    return vector([&] { return RL::internal::with_exact_zeros(vector_of(l), area); });
+  });
   m.def("heat_kernel_times", [](const Numbers& l, int number) {
     return vector([&] { return RL::heat_kernel_times(vector_of(l), number); });
   });

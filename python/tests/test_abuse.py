@@ -6,6 +6,8 @@
 from __future__ import annotations
 
 import gc
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -224,6 +226,25 @@ def test_random_arrays(seed):
             function(a, b, c)
         except (ValueError, RuntimeError):  # of this package, and of NumPy
             pass
+
+
+def test_too_little_memory_is_a_memory_error():
+    pytest.importorskip("resource")
+    program = """
+import resource
+import restricted_laplacian as rl
+V, F = rl.icosphere(6)
+rl.eigs(*rl.icosphere(2), 3, threads=1)
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + 300 * 2 ** 20, -1))
+try:
+    rl.solve_poisson(V, F, V[:, 2], depth=9, threads=1)
+except MemoryError:
+    print("MemoryError")
+rl.eigs(*rl.icosphere(2), 3, threads=1)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.stdout == "MemoryError\n" and done.returncode == 0, done.stderr
 
 
 def test_nothing_is_leaked():

@@ -207,6 +207,16 @@ def test_first_guess_ends_soon(sphere):
     assert abs(x - y).max() < 1e-6
 
 
+def test_components_have_zero_eigenvalues():
+    V, F = rl.icosphere(2)
+    many = np.concatenate([V + [3 * i, 0, 0] for i in range(5)])
+    faces = np.concatenate([F + len(V) * i for i in range(5)])
+    spectrum = rl.laplace_spectrum(many, faces, 4, depth=5)
+    assert rl.number_of_zero_eigenvalues(spectrum) == 4  # all that were asked for
+    assert rl.heat_kernel_signature(spectrum, [1.0]).shape == (len(many), 1)
+    assert rl.number_of_zero_eigenvalues(rl.eigs(many, faces, 8, depth=5)[0]) == 5
+
+
 def test_stitching():
     V, F = rl.icosphere(4)
     colors = 0.5 + 0.4 * V
