@@ -129,7 +129,8 @@ def three_digits(x):
 def error(x):
     if not isinstance(x, (int, float)) or math.isnan(x):
         return "-"
-    return "0" if x == 0 else re.sub(r"e([+-])0*", lambda m: "e" + m[1].replace("+", ""), f"{x:.1e}")
+    text = "0" if x == 0 else re.sub(r"e([+-])0*", lambda m: "e" + m[1].replace("+", ""), f"{x:.1e}")
+    return text[:-1] if text.endswith("e") else text
 
 
 def power(x):
