@@ -115,9 +115,9 @@ python() {
     (
       cd "$folder/clone"
       PATH=$folder/environment/bin:$PATH
-      pip install .
+      command pip install .
       cd "$folder"
-      python -c 'import restricted_laplacian as rl; V, F = rl.icosphere(4); l, u = rl.eigs(V, F, 50); print(l[:4], u.shape)'
+      command python -c 'import restricted_laplacian as rl; V, F = rl.icosphere(4); l, u = rl.eigs(V, F, 50); print(l[:4], u.shape)'
     ) && bash scripts/make_python_packages.sh build/everything/python &&
     bash scripts/run_notebooks.sh "$folder/Notebooks.txt" "$folder/figures" || status=1
   rm -rf "$folder"
