@@ -102,7 +102,8 @@ def _mesh_arrays(mesh: Any) -> Optional[tuple[Any, Any]]:
 
 
 def make_surface(V: Any, F: Any = None, *, normals: Any = None, areas: Any = None,
-                 neighbors: int = 20, threads: Optional[int] = None) -> _core.Surface:
+                 neighbors: Optional[int] = None, threads: Optional[int] = None
+                 ) -> _core.Surface:
     """The surface of the C++ library."""
     if isinstance(V, _core.Surface):
         if F is not None or normals is not None:
@@ -119,8 +120,13 @@ def make_surface(V: Any, F: Any = None, *, normals: Any = None, areas: Any = Non
         return _core.Surface.of_triangles(numbers(V, "V"), numbers(F, "F"))
     if areas is not None:
         areas = numbers(areas, "areas", np.float64).ravel()
+    if neighbors is None:
+        neighbors = _core.default_neighbors
+    if isinstance(neighbors, bool) or not isinstance(neighbors, (int, np.integer)):
+        raise argument_error("neighbors", f"must be a whole number, and is {neighbors!r}")
     return _core.Surface.of_points(numbers(V, "V"), numbers(normals, "normals"), areas,
-                                   int(neighbors), number_of_threads(threads))
+                                   int(np.clip(neighbors, -1, 10 ** 6)),
+                                   number_of_threads(threads))
 
 
 class Corners:

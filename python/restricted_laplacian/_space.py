@@ -72,6 +72,8 @@ class Space:
         For points without faces.
     areas : array_like, (n,), optional
         The area that each of them stands for, estimated by default.
+    neighbors : int, optional
+        How many nearest points the estimate takes, 16 by default.
     depth : int, optional
         Of the octree. By default from 5 to 8, about as fine as the triangles.
     cube_scale : float, optional
@@ -99,11 +101,13 @@ class Space:
     """
 
     def __init__(self, V: Any, F: Any = None, *, normals: Any = None, areas: Any = None,
-                 depth: Optional[int] = None, cube_scale: Optional[float] = None,
-                 joining_tolerance: Optional[float] = None, split: Optional[bool] = None,
-                 paper: bool = False, threads: Optional[int] = None) -> None:
+                 neighbors: Optional[int] = None, depth: Optional[int] = None,
+                 cube_scale: Optional[float] = None, joining_tolerance: Optional[float] = None,
+                 split: Optional[bool] = None, paper: bool = False,
+                 threads: Optional[int] = None) -> None:
         self._threads = number_of_threads(threads)
-        self._surface = make_surface(V, F, normals=normals, areas=areas, threads=threads)
+        self._surface = make_surface(V, F, normals=normals, areas=areas, neighbors=neighbors,
+                                     threads=threads)
         if depth is not None:
             if isinstance(depth, bool) or not isinstance(depth, (int, np.integer)):
                 raise argument_error("depth", f"must be a whole number, and is {depth!r}")

@@ -262,6 +262,8 @@ void add_surfaces(nb::module_& m) {
       .def("vertex_areas", &areas_at_vertices)
       .def("vertex_normals", &normals_at_vertices);
 
+  m.attr("default_neighbors") = RL::default_number_of_neighbors;
+
   nb::class_<Function>(m, "Function").def_prop_ro("components", &Function::components);
   m.def("array_function",
         [](const Rows& values, const std::string& at) -> std::shared_ptr<Function> {

@@ -132,6 +132,8 @@ def test_types_and_layouts(dtype, itype):
     (lambda: rl.Space(V), "F"),
     (lambda: rl.Space(V, normals=V[1:]), "normals"),
     (lambda: rl.Space(V, F, cube_scale=0.5), "cube_scale"),
+    (lambda: rl.Space(V, normals=V, neighbors=0), "neighbors"),
+    (lambda: rl.Space(V, normals=V, neighbors=2.5), "neighbors"),
     (lambda: rl.Space(V, F).function(f), "coefficients"),
     (lambda: rl.Space(V, F).evaluation_matrix([0]), "barycentric"),
     (lambda: rl.Scan(V, F, V[:, :2]), "colors"),

@@ -48,6 +48,14 @@ def test_poisson(programs, tmp_path, mesh):
     assert same(rl.solve_screened_poisson(space, None, V[:, 2] - mean, 100 / space.area), expected)
 
 
+def test_points(programs, tmp_path):
+    path = data_file("../points_3/kitten.xyz")
+    table = np.loadtxt(path)
+    expected = run(programs, tmp_path, "solve_poisson", path, "--rhs", "x")
+    assert same(rl.solve_poisson(table[:, :3], None, table[:, 0], normals=table[:, 3:], depth=5),
+                expected)
+
+
 def test_fit(programs, tmp_path, mesh):
     path, V, F = mesh
     expected = run(programs, tmp_path, "fit_function", path, "--property", "x,y,z")
