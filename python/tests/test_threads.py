@@ -90,7 +90,9 @@ def test_progress(sphere, capfd):
 @pytest.mark.parametrize("threads", [1, 2])
 def test_interrupts_end_a_solve(threads):
     program = f"""
-import sys, restricted_laplacian as rl
+import signal, restricted_laplacian as rl
+# a shell that starts commands in the background lets them ignore interrupts
+signal.signal(signal.SIGINT, signal.default_int_handler)
 V, F = rl.icosphere(6)
 space = rl.Space(V, F, depth=6, threads={threads})
 print("begin", flush=True)
