@@ -127,8 +127,8 @@ private:
   std::exception_ptr m_raised;
 };
 
-// Runs `work(callback)` without the lock of the interpreter on so many threads, 0 for all. What it
-// returns holds no object of Python.
+// Runs `work(callback)` without the lock of the interpreter on so many threads, 0 for all. It must
+// not touch an object of Python, not even read a dictionary, nor return one.
 template <class Work> auto run(int threads, const nb::object& progress, Work&& work) {
   Listener listener(progress);
   try {

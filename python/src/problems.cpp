@@ -97,9 +97,9 @@ RL::Function_fit_options fit_options(const nb::dict& options, int threads) {
 nb::tuple fit_function(const Space& space, const Function& f, const nb::dict& options, int threads,
                        const nb::object& progress) {
   check_function(f, space.surface(), "f");
+  const RL::Function_fit_options o = fit_options(options, threads);
   RL::Function_fit fit = run(threads, progress, [&](const auto& callback) {
-    return RL::Function_fitter(recorded(space, {&f}), fit_options(options, threads))
-        .fit(f, callback);
+    return RL::Function_fitter(recorded(space, {&f}), o).fit(f, callback);
   });
   const nb::dict report = fit_report_of(fit);
   return nb::make_tuple(array_of_matrix(std::move(fit.coefficients)), report);
