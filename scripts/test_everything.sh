@@ -21,7 +21,8 @@
 # Each stage builds in build/everything/STAGE/. How it ended goes to
 # test/Restricted_laplacian_3/project/everything_log.txt, in place of what the last run of the stage left
 # there. The exit status is 0 if all went well. JOBS in the environment is the number of parallel jobs, 2
-# if not set, and ROUNDS the number of random surfaces, 1000 if not set.
+# if not set, ROUNDS the number of random surfaces, 1000 if not set, and PYTHONS the interpreters, python3 if
+# not set.
 
 set -euo pipefail
 export LC_ALL=C
@@ -106,19 +107,23 @@ threads() {
     TSAN_OPTIONS=halt_on_error=1:ignore_noninstrumented_modules=1 run threads 1
 }
 
-# The lines of the manual, in an empty folder, and the packages.
+# The lines of the manual in an empty folder, and all tests, by each interpreter; and the packages.
 python() {
-  local folder status=0
-  details="pip install, source archive, wheel, notebooks"
+  local folder interpreter status=0
+  details="pip install and tests by $(wc -w <<<"${PYTHONS:-python3}") interpreters, source archive, wheel, notebooks"
   folder=$(mktemp -d)
-  git clone --quiet . "$folder/clone" && python3 -m venv "$folder/environment" &&
-    (
-      cd "$folder/clone"
-      PATH=$folder/environment/bin:$PATH
-      command pip install .
-      cd "$folder"
-      command python -c 'import restricted_laplacian as rl; V, F = rl.icosphere(4); l, u = rl.eigs(V, F, 50); print(l[:4], u.shape)'
-    ) && bash scripts/make_python_packages.sh build/everything/python &&
+  git clone --quiet . "$folder/clone" || status=1
+  for interpreter in ${PYTHONS:-python3}; do
+    rm -rf "$folder/environment"
+    "$interpreter" -m venv "$folder/environment" &&
+      (
+        cd "$folder/clone" && PATH=$folder/environment/bin:$PATH && command pip install . &&
+          command pip install pytest && cd "$folder" &&
+          command python -c 'import restricted_laplacian as rl; V, F = rl.icosphere(4); l, u = rl.eigs(V, F, 50); print(l[:4], u.shape)' &&
+          command python -m pytest -q -rs -p no:cacheprovider clone/python/tests
+      ) || status=1
+  done
+  bash scripts/make_python_packages.sh build/everything/python &&
     bash scripts/run_notebooks.sh "$folder/Notebooks.txt" "$folder/figures" || status=1
   rm -rf "$folder"
   return "$status"
