@@ -15,7 +15,8 @@ SuperLU, and once with CHOLMOD, where it is installed. All run on one thread; th
 Columns: seconds from arrays to arrays; error against the package at two levels more than its default,
 the mean relative one of the eigenvalues that are not 0, and the one in the mean square over the surface;
 change of the eigenvalues under simplification. The line of a mesh says how far the reference is from
-the cotangent Laplacian of a mesh whose triangles are divided into four, once and twice, extrapolated.
+the cotangent Laplacian of a mesh whose triangles are divided into four, once and twice, extrapolated;
+nan for meshes that are too large for that.
 """
 
 import argparse
@@ -39,7 +40,7 @@ import restricted_laplacian as rl  # noqa: E402
 
 K = 50
 MESHES = ["cow_5k8", "bimba_46k", "bunny_closed_70k", "armadillo", "fandisk_32k", "cessna_soup_14k",
-          "rgbd5_scan5"]
+          "rgbd5_scan1", "rgbd5_scan5"]
 SIGMA = -1e-8
 
 
@@ -175,6 +176,9 @@ def main():
         default = rl.Space(V, F)
         fine = rl.Space(V, F, depth=min(default.depth + 2, 9))
         reference = rl.eigs(fine, None, K, tolerance=1e-4)[0]
+        if reference.max() < 1e-9 / fine.area:
+            print(f"# {mesh}: left out, its first {K} eigenvalues are all 0")
+            continue
         u = rl.solve_poisson(fine, None, V[:, 2], tolerance=1e-8)
         check = np.nan
         if len(V) < 30000:

@@ -88,6 +88,13 @@ template <class T> nb::object array_of_rows(std::vector<T>&& values, std::size_t
       nb::ndarray<nb::numpy, T>(owner->data(), {owner->size() / width, width}, capsule));
 }
 
+// a copy, column by column
+inline Eigen::MatrixXd matrix_of(const Rows& a) {
+  using Row_major = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const Row_major>(a.data(), static_cast<Eigen::Index>(a.shape(0)),
+                                     static_cast<Eigen::Index>(a.shape(1)));
+}
+
 // (values, indices, starts, shape) of the columns of a sparse matrix, without a copy
 nb::tuple sparse_arrays(RL::Sparse_matrix&& m);
 

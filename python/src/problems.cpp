@@ -27,13 +27,6 @@ namespace {
 using namespace nb::literals;
 using Space = RL::Spline_space_3;
 
-// A location at each vertex; the face is that of no vertex where there is none.
-Eigen::MatrixXd columns_of(const Rows& b) {
-  using Row_major = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const Row_major>(b.data(), static_cast<Eigen::Index>(b.shape(0)),
-                                     static_cast<Eigen::Index>(b.shape(1)));
-}
-
 nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
                         const Function* alpha_function, const Function* boundary_values,
                         const std::optional<Numbers>& constrained, const nb::dict& options,
@@ -199,12 +192,12 @@ RL::Poisson_solver make_solver(const Space& space, double alpha, const nb::dict&
 // \param guess a first guess, or nothing
 nb::tuple solve(const RL::Poisson_solver& solver, const Rows& b, const std::optional<Rows>& guess,
                 std::optional<double> tolerance, int threads, const nb::object& progress) {
-  const Eigen::MatrixXd loads = columns_of(b);
+  const Eigen::MatrixXd loads = matrix_of(b);
   Eigen::MatrixXd x;
   RL::Solve_options o;
   o.relative_tolerance = tolerance;
   if(guess) {
-    x = columns_of(*guess);
+    x = matrix_of(*guess);
     o.has_first_guess = true;
     if(x.rows() != loads.rows() || x.cols() != loads.cols())
       throw RL::Parameter_error("guess", "has another shape than the right-hand side");

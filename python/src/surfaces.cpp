@@ -186,20 +186,17 @@ nb::tuple evaluation(const RL::Spline_space_3& space, const Locations* locations
   return sparse_arrays(std::move(m));
 }
 
-Eigen::MatrixXd matrix_of(const RL::Spline_space_3& space, const Rows& coefficients) {
+Eigen::MatrixXd coefficients_of(const RL::Spline_space_3& space, const Rows& coefficients) {
   if(coefficients.shape(0) != space.dimension())
     throw RL::Parameter_error("coefficients", "has " + std::to_string(coefficients.shape(0)) +
                                                   " rows, but the dimension of the space is " +
                                                   std::to_string(space.dimension()));
-  using Row_major = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const Row_major>(coefficients.data(),
-                                     static_cast<Eigen::Index>(coefficients.shape(0)),
-                                     static_cast<Eigen::Index>(coefficients.shape(1)));
+  return matrix_of(coefficients);
 }
 
 nb::object values(const RL::Spline_space_3& space, const Rows& coefficients,
                   const Locations* locations, int threads) {
-  const Eigen::MatrixXd h = matrix_of(space, coefficients);
+  const Eigen::MatrixXd h = coefficients_of(space, coefficients);
   return array_of_matrix(run(threads, nb::none(), [&](const auto&) -> Eigen::MatrixXd {
     const RL::Spline_functions_3 functions(space, h);
     return locations ? functions.values_at_locations(*locations) : functions.values_at_vertices();
@@ -209,7 +206,7 @@ nb::object values(const RL::Spline_space_3& space, const Rows& coefficients,
 // derivatives along the three axes
 nb::tuple derivatives(const RL::Spline_space_3& space, const Rows& coefficients,
                       const Locations* locations, int threads) {
-  const Eigen::MatrixXd h = matrix_of(space, coefficients);
+  const Eigen::MatrixXd h = coefficients_of(space, coefficients);
   RL::Spline_jets jets = run(threads, nb::none(), [&](const auto&) {
     const RL::Spline_functions_3 functions(space, h);
     return locations ? functions.jets_at_locations(*locations) : functions.jets_at_vertices();
