@@ -10,8 +10,9 @@
 # the tests, which build and check the manual, too. Where ccache is installed, it answers for what has
 # been compiled before. Prints how long each stage took, what took longest, and what was compiled with
 # too much memory, which counts as a failure: more than 1.5 GB, or 2.5 GB for tests, benchmarks and
-# headers only. The last line counts all tests. JOBS in the environment is the number of parallel jobs, 2
-# if not set.
+# headers only. (CCACHE_RECACHE=1 in the environment compiles all of it again: what the cache answers
+# for takes no memory.) The last line counts all tests. JOBS in the environment is the number of parallel
+# jobs, 2 if not set.
 
 set -euo pipefail
 export LC_ALL=C
