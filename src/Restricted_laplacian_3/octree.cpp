@@ -2,4 +2,3 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3_impl.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Octree_level_impl.h>

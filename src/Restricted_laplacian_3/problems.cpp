@@ -7,4 +7,3 @@
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels_impl.h>
-#include <CGAL/Restricted_laplacian_3/problems/stabilization_impl.h>

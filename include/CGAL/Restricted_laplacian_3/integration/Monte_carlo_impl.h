@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_MONTE_CARLO_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 
@@ -41,16 +42,12 @@ Monte_carlo::Monte_carlo(const Octree_3& octree, const std::vector<Surface_locat
             throw Location_error("a sample is not on the surface");
         }
       });
-  // counting sort by sheet
-  m_first.assign(number_of_sheets + 1, 0);
-  for(std::size_t sheet : sheet_of_sample)
-    ++m_first[sheet + 1];
-  for(std::size_t i = 0; i < number_of_sheets; ++i)
-    m_first[i + 1] += m_first[i];
-  m_samples.resize(samples.size());
-  std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-  for(std::size_t k = 0; k < samples.size(); ++k)
-    m_samples[next[sheet_of_sample[k]]++] = {positions[k], samples[k]};
+  internal::group_by_key(
+      number_of_sheets, samples.size(), [&](std::size_t k) { return sheet_of_sample[k]; },
+      [&](std::size_t k) -> Sample {
+        return {positions[k], samples[k]};
+      },
+      m_first, m_samples);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Monte_carlo::add_nodes(std::size_t sheet, int /*degree*/,

@@ -4,9 +4,10 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_STABILIZATION_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_STABILIZATION_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+
+#include <algorithm>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -19,13 +20,27 @@ namespace Restricted_laplacian_3 {
 /// For Poisson problems and gradient fields: 1e-3, and 0 in the space of the paper. The number of
 /// iterations does not depend on the depth of the octree then, while the error of the solution is
 /// up to about twice that without stabilization.
-double default_normal_stabilization(const Spline_space_3& space);
+inline double default_normal_stabilization(const Spline_space_3& space) {
+  return space.is_paper_space() ? 0 : 1e-3;
+}
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// For `laplace_spectrum()`, of the stiffness matrix alone: 1e-5, and 0 in the space of the paper.
 /// With it `multigrid_eigenpairs()` needs few iterations on any surface, while eigenvalues change
 /// by no more than the discretization changes them.
-double default_spectrum_stabilization(const Spline_space_3& space);
+inline double default_spectrum_stabilization(const Spline_space_3& space) {
+  return space.is_paper_space() ? 0 : 1e-5;
+}
+
+namespace internal {
+
+/// the smoothing weight in units of the squared cell width
+inline double smoothing_in_cells(const Spline_space_3& space, double smoothing_weight) {
+  const double h = space.octree().cell_width(space.depth());
+  return smoothing_weight / (h * h);
+}
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Fits
 /// For fits, `Function_fitter::fit()`: 1e-14, as small as rounding permits, so that the error is
@@ -35,7 +50,11 @@ double default_spectrum_stabilization(const Spline_space_3& space);
 /// but not more than 1e-4.
 /// \param space the space of the fit
 /// \param smoothing_weight \f$w\f$, in units of length^2
-double default_fit_stabilization(const Spline_space_3& space, double smoothing_weight = 0);
+inline double default_fit_stabilization(const Spline_space_3& space, double smoothing_weight = 0) {
+  constexpr double smallest = 1e-14, largest = 1e-4, of_smoothing = 1e-3;
+  return std::clamp(of_smoothing * internal::smoothing_in_cells(space, smoothing_weight), smallest,
+                    largest);
+}
 
 /// \ingroup PkgRestrictedLaplacian3Fits
 /// Factor of the stabilization for `Function_fitter::project()`: nothing is known there of the
@@ -54,7 +73,10 @@ namespace internal {
 /// errors add as squares: with 0.1, the root mean square error is larger than the least one by half
 /// a percent. Where waves as long as cells are wide are smoothed by more than a thousandth or so,
 /// what is minimized says nothing of the error that is wanted.
-double default_fit_tolerance(const Spline_space_3& space, double smoothing_weight);
+inline double default_fit_tolerance(const Spline_space_3& space, double smoothing_weight) {
+  constexpr double least_smoothing = 1e-3;
+  return smoothing_in_cells(space, smoothing_weight) <= least_smoothing ? 0.1 : 0;
+}
 
 /// The same for `estimate_curvature()`, small because it is the derivatives that count: on a ragged
 /// scan the mean curvature differs by 3e-4, root mean square over root mean square, from that of
@@ -73,9 +95,5 @@ double normal_stabilization(const Spline_space_3& space, const NamedParameters& 
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
-
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
-#include <CGAL/Restricted_laplacian_3/problems/stabilization_impl.h>
-#endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_STABILIZATION_H

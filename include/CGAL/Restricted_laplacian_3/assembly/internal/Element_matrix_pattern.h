@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_INTERNAL_ELEMENT_MATRIX_PATTERN_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Stored_entries.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -26,27 +27,24 @@ namespace internal {
 /// there is never a second copy of the largest array.
 class Element_matrix_pattern {
 public:
-  Element_matrix_pattern(const Spline_space_3& space, int level)
-    : m_space(space), m_first(space.dimension(level) + 1, 0) {
-    // the sheets of each element
+  Element_matrix_pattern(const Spline_space_3& space, int level) : m_space(space) {
     const std::size_t n = space.dimension(level);
     const std::size_t number_of_sheets = space.octree().number_of_sheets(level);
-    for(std::size_t i = 0; i < number_of_sheets; ++i)
-      for(std::uint32_t e : space.elements(level, i))
-        if(e != Spline_space_3::no_element)
-          ++m_first[e + 1];
-    for(std::size_t e = 0; e < n; ++e)
-      m_first[e + 1] += m_first[e];
-    m_sheets.resize(m_first[n]);
+    group_by_key(
+        n, Tensor_basis_3::size * number_of_sheets,
+        [&](std::size_t k) -> std::size_t {
+          const std::uint32_t e =
+              space.elements(level, k / Tensor_basis_3::size)[k % Tensor_basis_3::size];
+          return e == Spline_space_3::no_element ? n : e;
+        },
+        [](std::size_t k) { return static_cast<std::uint32_t>(k / Tensor_basis_3::size); }, m_first,
+        m_sheets);
     m_first_words.reserve(number_of_sheets + 1);
-    std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
     for(std::size_t i = 0; i < number_of_sheets; ++i) {
       m_first_words.push_back(m_words.size());
       for(std::uint32_t e : space.elements(level, i))
-        if(e != Spline_space_3::no_element) {
-          m_sheets[next[e]++] = static_cast<std::uint32_t>(i);
+        if(e != Spline_space_3::no_element)
           add_to_words(e, m_first_words.back());
-        }
     }
     m_first_words.push_back(m_words.size());
   }
@@ -155,7 +153,7 @@ private:
   }
 
   const Spline_space_3& m_space;
-  std::vector<std::uint32_t> m_first; // of elements, numbers in the following
+  std::vector<std::size_t> m_first; // of elements, numbers in the following
   std::vector<std::uint32_t> m_sheets;
   std::vector<std::size_t> m_first_words; // of sheets, numbers in the following
   Words m_words;
