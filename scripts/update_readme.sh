@@ -4,32 +4,33 @@
 
 # Usage: scripts/update_readme.sh [--check]
 #
-# Puts examples/Restricted_laplacian_3/minimal_poisson.cpp into README.md, between the two lines
-# that name it, so that what the README shows is what the tests compile and run. With --check
-# changes nothing, and fails if that would change something.
+# Puts source files into README.md, each between the two lines that name it, so that what the README
+# shows is what the tests compile and run. With --check changes nothing, and fails if that would change
+# something.
 
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-source=examples/Restricted_laplacian_3/minimal_poisson.cpp
-updated=$(awk -v source="$source" '
-  index($0, "<!-- begin " source) {
+updated=$(awk '
+  /^<!-- begin / {
     print
-    print "```cpp"
+    source = $3
+    print "```" (source ~ /[.]py$/ ? "python" : "cpp")
     skip_license = 1
     while((getline line < source) > 0) {
-      if(skip_license && (line ~ /^\/\/ (Copyright|SPDX)/ || line == "")) continue
+      if(skip_license && (line ~ /^(\/\/|#) (Copyright|SPDX)/ || line == "")) continue
       skip_license = 0
       print line
     }
     print "```"
     skipping = 1
+    next
   }
-  index($0, "<!-- end " source) { skipping = 0 }
-  !skipping && !index($0, "<!-- begin " source) { print }' README.md)
+  /^<!-- end / { skipping = 0 }
+  !skipping { print }' README.md)
 if [[ ${1:-} == --check ]]; then
   if [[ $updated != "$(cat README.md)" ]]; then
-    echo "README.md does not show the present $source: run scripts/update_readme.sh" >&2
+    echo "README.md does not show the present sources: run scripts/update_readme.sh" >&2
     exit 1
   fi
 else

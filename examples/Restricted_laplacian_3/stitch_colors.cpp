@@ -56,7 +56,7 @@ comments.
 )"};
 
 struct Options : Common_options, Solver_options {
-  Options() : Solver_options(RL::Poisson_solver::default_tolerance) { space.octree_depth = 8; }
+  Options() : Solver_options(RL::Color_stitcher::default_tolerance) { space.octree_depth = 8; }
 
   std::vector<std::string> scans;
   std::vector<RL::Scan_pose> scan_poses; // from the scans to MESH

@@ -29,10 +29,10 @@ def numbers(values: Any, name: str, dtype: Any = None) -> np.ndarray:
     if array.dtype.kind not in "fiu":
         raise argument_error(name, f"must be an array of numbers, and has the type {array.dtype}")
     if dtype is not None:
-        return np.asarray(array, dtype=dtype, order="C")
+        return np.require(array, dtype, ["C", "ALIGNED"])
     if array.dtype not in _TYPES:  # other sizes, and other orders of bytes
         array = array.astype(np.float64 if array.dtype.kind == "f" else np.int64)
-    return array
+    return np.require(array, requirements=["ALIGNED"])  # fields of packed records are not
 
 
 def rows(values: Any, name: str) -> np.ndarray:

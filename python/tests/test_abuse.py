@@ -68,17 +68,27 @@ def test_surfaces_without_area(points, faces):
         rl.solve_poisson(points, faces, points[:, 2])
 
 
+def field_of_record(values):
+    """The same values, after a byte each, so that they are not aligned."""
+    records = np.zeros(len(values), [("byte", "u1"), ("values", values.dtype, values.shape[1:])])
+    records["values"] = values
+    return records["values"]
+
+
 @pytest.mark.parametrize("dtype", ["f2", "f4", "f8", ">f4", ">f8", np.longdouble])
 @pytest.mark.parametrize("itype", ["i2", "i4", "i8", "u2", "u4", "u8", ">i4", "f4", "f8"])
 def test_types_and_layouts(dtype, itype):
     points = V.astype(dtype)
     expected = rl.solve_poisson(points.astype(float), F, f, depth=3)
     for array in (points, np.asfortranarray(points), np.repeat(points, 2, axis=0)[::2],
-                  np.pad(points, ((0, 0), (1, 2)))[:, 1:4]):
+                  np.pad(points, ((0, 0), (1, 2)))[:, 1:4], field_of_record(points)):
         array.setflags(write=False)
         faces = np.asfortranarray(F.astype(itype))
         faces.setflags(write=False)
         assert np.array_equal(rl.solve_poisson(array, faces, f, depth=3), expected)
+    assert np.array_equal(
+        rl.solve_poisson(points, field_of_record(F.astype(itype)), field_of_record(f), depth=3),
+        expected)
     reverse = points[::-1]
     assert np.array_equal(rl.solve_poisson(reverse, len(V) - 1 - F, f[::-1], depth=3)[::-1],
                           expected)

@@ -66,6 +66,15 @@ def test_code_of_the_manual(tmp_path, monkeypatch):
     assert names["values"].shape == names["V"].shape
 
 
+def test_first_steps(programs, tmp_path):
+    (tmp_path / "elephant.off").write_bytes(data_file("elephant.off").read_bytes())
+    commands = [[sys.executable, pathlib.Path(__file__).parents[1] / "examples/first_steps.py"],
+                [programs / "first_steps"]]
+    printed = [subprocess.run(command, cwd=tmp_path, capture_output=True, check=True).stdout
+               for command in commands]
+    assert abs(float(printed[0]) / float(printed[1]) - 1) < 1e-5
+
+
 def test_notebooks_of_the_manual():
     root = pathlib.Path(__file__).parents[2]
     page = (root / "doc/Restricted_laplacian_3/Notebooks.txt").read_text()

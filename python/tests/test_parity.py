@@ -84,3 +84,32 @@ def test_spectra(programs, tmp_path, mesh):
         expected = run(programs, tmp_path, "spectral_descriptors", path, "--count", "12",
                        "--descriptor", name, *options)
         assert same(found, expected), name
+
+
+def read_scan(path):
+    """Points, triangles and colors of a file that `bake_scans` writes."""
+    content = path.read_bytes()
+    header, body = content.split(b"end_header\n", 1)
+    n, m = (int(line.split()[2]) for line in header.decode().splitlines()
+            if line.startswith("element"))
+    vertex = np.dtype([("point", "<f8", 3), ("color", "u1", 3)])
+    vertices = np.frombuffer(body, vertex, n)
+    faces = np.frombuffer(body, [("size", "u1"), ("corners", "<i4", 3)], m, n * vertex.itemsize)
+    return vertices["point"], faces["corners"], vertices["color"]
+
+
+def test_stitching(programs, tmp_path, mesh):
+    path, V, F = mesh
+    folder = tmp_path / "scans"
+    bake = [programs / "bake_scans", path, folder, "--views", "6", "--resolution", "64", "--quiet"]
+    subprocess.run([str(c) for c in bake], check=True)
+    poses = {line.split()[0]: np.array(line.split()[1:], dtype=float).reshape(4, 4)
+             for line in (folder / "poses.conf").read_text().splitlines() if line[0] != "#"}
+    files = sorted(poses)
+    expected = run(programs, tmp_path, "stitch_colors", path, *(folder / f for f in files),
+                   "--poses", folder / "poses.conf")
+    scans = []
+    for file in files:
+        points, triangles, colors = read_scan(folder / file)
+        scans.append(rl.Scan(points, triangles, colors, pose=poses[file]))
+    assert same(rl.stitch_colors(V, F, scans, depth=5), expected)

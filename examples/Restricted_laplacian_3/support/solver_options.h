@@ -14,6 +14,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
 #include <optional>
+#include <sstream>
 #include <string>
 
 namespace examples {
@@ -30,7 +31,10 @@ inline po::options_description solver_options(Solver_options& o,
                                               const std::string& default_stabilization) {
   po::options_description solver("Solver", help_width);
   auto add = solver.add_options();
-  add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
+  std::ostringstream tolerance; // with no more digits than it needs
+  tolerance << o.tolerance;
+  add("tolerance",
+      po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance, tolerance.str()),
       "norm of the residual, relative to that of the right-hand side");
   add("energy-tolerance", po::value(&o.energy_tolerance)->value_name("T"),
       "estimated error in the norm of the energy at which the iteration ends, too: relative to the "

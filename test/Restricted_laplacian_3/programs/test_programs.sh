@@ -1345,6 +1345,9 @@ test_short_programs() {
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh, and tells its usage" \
     eval '[ "$status" -eq 1 ] && grep -q "^usage: minimal_poisson" err'
+  cp sphere.off elephant.off
+  succeeds first_steps
+  check "first_steps prints the first eigenvalue of a sphere" is_near "$(tail -n 1 out)" 2 0.02
   succeeds eigen_matrices
   check "eigen_matrices comes near to the solution" \
     is_below "$(awk '/error of u/ { print $NF }' out)" 1e-4

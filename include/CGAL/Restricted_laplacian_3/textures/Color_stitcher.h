@@ -183,6 +183,8 @@ class Color_stitcher {
 public:
   /// the default of `screening_weight`, in units of 1 / area of the surface
   static constexpr double default_screening = 10;
+  /// the default of `relative_tolerance`
+  static constexpr double default_tolerance = internal::default_gradient_tolerance;
 
   /// \param space of a mesh or soup; is copied, which costs nothing
   /// \param np optional named parameters:

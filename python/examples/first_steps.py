@@ -1,0 +1,17 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import restricted_laplacian as rl
+
+# or any arrays: points (n, 3),
+# triangles (m, 3)
+V, F = rl.read_mesh("elephant.off")
+
+# Laplacian u = z
+z = V[:, 2]
+u = rl.solve_poisson(V, F, z)
+
+# eigenvalues, eigenfunctions
+# at the vertices
+l, phi = rl.eigs(V, F, 50)
+print(l[1])
