@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Distances from a vertex along surfaces, one thread:
+// - fast: Geodesic_solver, its default
+// - exact: the same by windows alone, which is the reference of the errors
+// - heat, heat_idt: CGAL's heat method, direct and with its intrinsic Delaunay triangulation
+// - cgal_exact: CGAL's Surface_mesh_shortest_path
+//
+// A line for each mesh, source and method: vertices; the mean and the worst relative error of the
+// vertices farther than 2 % of the largest distance, in percent; how many of them are too short and
+// too long by more than 1 %; seconds of the setup and of a query.
+//
+// usage: distance_study [OPTION]...
+
+#include "support/measure.h"
+#include "support/meshes.h"
+#include "support/package.h"
+
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace benchmarks;
+namespace po = boost::program_options;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Cgal_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Cgal_mesh::Vertex_index;
+
+struct Result {
+  std::vector<double> distances;
+  double setup_seconds = 0, seconds = 0;
+};
+
+Result by_rays(const RL::Triangulated_surface_3& surface, std::size_t source,
+               RL::Geodesic_method method) {
+  Result result;
+  double begin = seconds_now();
+  const RL::Geodesic_solver solver(surface);
+  result.setup_seconds = seconds_now() - begin;
+  begin = seconds_now();
+  result.distances = solver.distances(RL::Geodesic_sources::vertex(source), method).distances;
+  result.seconds = seconds_now() - begin;
+  return result;
+}
+
+// as a mesh of CGAL, with the same vertices; empty if the surface is no oriented manifold
+Cgal_mesh cgal_mesh(const RL::Triangulated_surface_3& surface) {
+  Cgal_mesh mesh;
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    mesh.add_vertex(
+        Kernel::Point_3(surface.point(v).x(), surface.point(v).y(), surface.point(v).z()));
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
+    const auto& t = surface.triangle(f);
+    if(mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])) == Cgal_mesh::null_face())
+      return Cgal_mesh();
+  }
+  return mesh;
+}
+
+template <class Mode> Result by_heat(Cgal_mesh& mesh, std::size_t source) {
+  Result result;
+  double begin = seconds_now();
+  CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Cgal_mesh, Mode> heat(mesh);
+  auto distances = mesh.add_property_map<Vertex, double>("v:distance").first;
+  heat.add_source(Vertex(static_cast<Cgal_mesh::size_type>(source)));
+  // the first query sets up the second solver
+  heat.estimate_geodesic_distances(distances);
+  result.setup_seconds = seconds_now() - begin;
+  begin = seconds_now();
+  heat.clear_sources();
+  heat.add_source(Vertex(static_cast<Cgal_mesh::size_type>(source)));
+  heat.estimate_geodesic_distances(distances);
+  result.seconds = seconds_now() - begin;
+  for(const Vertex v : vertices(mesh))
+    result.distances.push_back(distances[v]);
+  mesh.remove_property_map(distances);
+  return result;
+}
+
+Result by_cgal_exact(const Cgal_mesh& mesh, std::size_t source) {
+  Result result;
+  double begin = seconds_now();
+  CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Cgal_mesh>>
+      paths(mesh);
+  result.setup_seconds = seconds_now() - begin;
+  begin = seconds_now();
+  paths.add_source_point(Vertex(static_cast<Cgal_mesh::size_type>(source)));
+  for(const Vertex v : vertices(mesh))
+    result.distances.push_back(paths.shortest_distance_to_source_points(v).first);
+  result.seconds = seconds_now() - begin;
+  return result;
+}
+
+void print(const std::string& mesh, std::size_t source, const char* method, const Result& result,
+           const std::vector<double>& exact) {
+  double largest = 0, sum = 0, worst = 0;
+  for(const double d : exact)
+    if(std::isfinite(d))
+      largest = (std::max)(largest, d);
+  std::size_t number = 0, too_short = 0, too_long = 0;
+  for(std::size_t v = 0; v < exact.size(); ++v)
+    if(std::isfinite(exact[v]) && exact[v] > 0.02 * largest) {
+      const double error = result.distances[v] / exact[v] - 1;
+      sum += std::abs(error);
+      worst = (std::max)(worst, std::abs(error));
+      too_short += error < -0.01;
+      too_long += error > 0.01;
+      ++number;
+    }
+  std::printf("%-20s %7zu %7zu %-10s %9.5f %9.4f %7zu %7zu %8.4f %8.4f\n", mesh.c_str(),
+              exact.size(), source, method, 100 * sum / static_cast<double>(number), 100 * worst,
+              too_short, too_long, result.setup_seconds, result.seconds);
+  std::fflush(stdout);
+}
+
+void study(const std::string& name, const RL::Triangulated_surface_3& surface, std::size_t source,
+           const std::vector<std::string>& methods) {
+  const Result exact = by_rays(surface, source, RL::Geodesic_method::exact);
+  Cgal_mesh mesh = cgal_mesh(surface);
+  for(const std::string& method : methods) {
+    if(method == "exact")
+      print(name, source, "exact", exact, exact.distances);
+    else if(method == "fast")
+      print(name, source, "fast", by_rays(surface, source, RL::Geodesic_method::fast),
+            exact.distances);
+    else if(is_empty(mesh))
+      std::printf("# %s: CGAL's methods need a manifold\n", name.c_str());
+    else if(method == "heat")
+      print(name, source, "heat", by_heat<CGAL::Heat_method_3::Direct>(mesh, source),
+            exact.distances);
+    else if(method == "heat_idt")
+      print(name, source, "heat_idt",
+            by_heat<CGAL::Heat_method_3::Intrinsic_Delaunay>(mesh, source), exact.distances);
+    else if(method == "cgal_exact")
+      print(name, source, "cgal_exact", by_cgal_exact(mesh, source), exact.distances);
+  }
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+  std::vector<std::string> meshes, methods = {"fast", "exact", "heat", "heat_idt", "cgal_exact"};
+  std::vector<double> sources = {0};
+  po::options_description options("usage: distance_study [OPTION]...");
+  auto add = options.add_options();
+  add("help", "this text");
+  add("mesh", po::value(&meshes)->multitoken()->required(), "files or names of meshes");
+  add("method", po::value(&methods)->multitoken(), "all by default");
+  add("source", po::value(&sources)->multitoken(),
+      "numbers of vertices, over that of all vertices; by default 0");
+  try {
+    po::variables_map map;
+    po::store(po::parse_command_line(argc, argv, options), map);
+    if(map.count("help") > 0) {
+      std::cout << options;
+      return 0;
+    }
+    po::notify(map);
+  } catch(const po::error& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 1;
+  }
+  print_header(argc, argv);
+  std::printf("# %-18s %7s %7s %-10s %9s %9s %7s %7s %8s %8s\n", "mesh", "n", "source", "method",
+              "mean", "worst", "short", "long", "setup_s", "query_s");
+  const auto limit = limit_threads(1);
+  int failures = 0;
+  for(const std::string& name : meshes)
+    try {
+      if(const auto surface = find_mesh(name))
+        for(const double part : sources)
+          study(name.substr(name.rfind('/') + 1), *surface,
+                static_cast<std::size_t>(part * static_cast<double>(surface->number_of_vertices())),
+                methods);
+    } catch(const std::exception& e) {
+      std::printf("# %s: %s\n", name.c_str(), e.what());
+      ++failures;
+    }
+  return failures > 0;
+}

@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_GEODESIC_DISTANCES_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_GEODESIC_DISTANCES_H
+
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+/// sources that are given as such, as a vertex, or as a range of vertices
+template <class FaceGraph, class Sources>
+Geodesic_sources geodesic_sources(const FaceGraph& tm, const Sources& sources) {
+  using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
+  if constexpr(std::is_same_v<Sources, Geodesic_sources>)
+    return sources;
+  else {
+    auto index = get(CGAL::dynamic_vertex_property_t<std::size_t>(), tm);
+    std::size_t i = 0;
+    for(Vertex v : vertices(tm))
+      put(index, v, i++);
+    Geodesic_sources result;
+    if constexpr(std::is_convertible_v<Sources, Vertex>)
+      result.add_vertex(get(index, Vertex(sources)));
+    else
+      for(const auto& v : sources)
+        result.add_vertex(get(index, Vertex(v)));
+    return result;
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Distances
+/// Computes distances along a mesh, see `Geodesic_solver`, which answers many queries.
+/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
+/// triangles
+/// \param tm the surface
+/// \param sources from where distances are measured: `Geodesic_sources`, a vertex descriptor, or a
+/// range of vertex descriptors
+/// \param distances a model of `WritablePropertyMap` with the vertex descriptor as key and a number as
+/// value, receives the distances; infinite where no source is reached
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_mesh
+/// \cgalNamedParamsEnd
+/// \return distances again, directions and labels, in the order of `vertices(tm)`
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class FaceGraph, class Sources, class VertexMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0,
+          internal::Require_no_named_parameters<VertexMap> = 0>
+Geodesic_distances geodesic_distances(const FaceGraph& tm, const Sources& sources,
+                                      VertexMap distances,
+                                      const NamedParameters& np = parameters::default_values()) {
+  Geodesic_distances result =
+      Geodesic_solver(read_surface(tm, np)).distances(internal::geodesic_sources(tm, sources));
+  std::size_t i = 0;
+  for(auto v : vertices(tm))
+    put(distances, v, result.distances[i++]);
+  return result;
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_GEODESIC_DISTANCES_H

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_GEODESIC_SOLVER_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_GEODESIC_SOLVER_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Ray_geometry.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Ray_propagation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+
+struct Geodesic_solver::Impl {
+  explicit Impl(Triangulated_surface_3 s) : surface(std::move(s)), geometry(surface) {}
+
+  /// A location as barycentric coordinates, of which rounding errors are taken off.
+  std::array<double, 3> checked(const Surface_location& location) const {
+    constexpr double tolerance = 1e-9;
+    if(location.face >= surface.number_of_faces())
+      throw Location_error("there is no face " + std::to_string(location.face));
+    std::array<double, 3> l = location.barycentric;
+    double sum = 0;
+    for(double& x : l) {
+      if(!(x >= -tolerance && x <= 1 + tolerance))
+        throw Location_error("a source is outside of face " + std::to_string(location.face));
+      x = x < tolerance ? 0 : x;
+      sum += x;
+    }
+    if(!(std::abs(sum - 1) <= 1e-6))
+      throw Location_error("barycentric coordinates of a source in face " +
+                           std::to_string(location.face) + " do not sum to 1");
+    for(double& x : l)
+      x /= sum;
+    return l;
+  }
+
+  /// the corner that a location is, or 3
+  static std::uint32_t corner_of(const std::array<double, 3>& l) {
+    for(std::uint32_t k = 0; k < 3; ++k)
+      if(l[k] == 1)
+        return k;
+    return 3;
+  }
+
+  internal::Plane_vector place(std::size_t face, const std::array<double, 3>& l) const {
+    const auto f = static_cast<std::uint32_t>(face);
+    const internal::Plane_vector c = geometry.apex({f, 0});
+    return {l[1] * geometry.length(f, 0) + l[2] * c.x, l[2] * c.y};
+  }
+
+  void add(const Geodesic_sources::Segment& segment, internal::Ray_propagation& rays) const {
+    const std::array<double, 3> from = checked(segment.from), to = checked(segment.to);
+    const auto face = static_cast<std::uint32_t>(segment.from.face);
+    for(const auto& end : {from, to})
+      if(corner_of(end) < 3)
+        rays.add_vertex(geometry.vertex(face, corner_of(end)), segment.label);
+    if(!geometry.is_used(face) || (from == to && corner_of(from) < 3))
+      return;
+    add_part(face, from, to, segment.label, rays);
+    // On a side they belong to the other faces there, too: the segment, or one of its ends.
+    for(std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t opposite = (k + 2) % 3;
+      if(from[opposite] == 0 || to[opposite] == 0)
+        geometry.for_each_beyond({face, k}, [&](const internal::Ray_geometry::Side& other) {
+          const auto there = [&](const std::array<double, 3>& l) {
+            const bool same = geometry.vertex(other.face, other.number) == geometry.vertex(face, k);
+            std::array<double, 3> result = {0, 0, 0};
+            result[other.number] = l[same ? k : (k + 1) % 3];
+            result[(other.number + 1) % 3] = l[same ? (k + 1) % 3 : k];
+            return result;
+          };
+          add_part(other.face, there(from[opposite] == 0 ? from : to),
+                   there(to[opposite] == 0 ? to : from), segment.label, rays);
+        });
+    }
+  }
+
+  void add_part(std::uint32_t face, const std::array<double, 3>& from,
+                const std::array<double, 3>& to, std::uint32_t label,
+                internal::Ray_propagation& rays) const {
+    rays.add_segment(face, place(face, from), place(face, to), label);
+  }
+
+  Triangulated_surface_3 surface;
+  internal::Ray_geometry geometry;
+};
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Geodesic_solver::Geodesic_solver(Triangulated_surface_3 surface) {
+  surface.require_triangles("the distance along a surface");
+  m_impl = std::make_shared<const Impl>(std::move(surface));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Triangulated_surface_3& Geodesic_solver::surface() const {
+  return m_impl->surface;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_distances
+Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method method) const {
+  const internal::Ray_geometry& geometry = m_impl->geometry;
+  const std::size_t n = m_impl->surface.number_of_vertices();
+  internal::Ray_propagation propagation(geometry, method == Geodesic_method::exact);
+  bool is_empty = sources.vertices().empty() && sources.segments().empty();
+  for(const auto& [v, label] : sources.vertices()) {
+    if(v >= n)
+      throw Invalid_vertex_error(v, "is a source and does not exist");
+    propagation.add_vertex(static_cast<std::uint32_t>(v), label);
+  }
+  for(const Geodesic_sources::Segment& segment : sources.segments())
+    m_impl->add(segment, propagation);
+  for(const std::uint32_t label : sources.boundaries())
+    geometry.for_each_boundary_side([&](const internal::Ray_geometry::Side& side) {
+      is_empty = false;
+      Geodesic_sources::Segment segment{{side.face, {0, 0, 0}}, {side.face, {0, 0, 0}}, label};
+      segment.from.barycentric[side.number] = 1;
+      segment.to.barycentric[(side.number + 1) % 3] = 1;
+      m_impl->add(segment, propagation);
+    });
+  if(is_empty)
+    throw Parameter_error("sources", sources.boundaries().empty()
+                                         ? "is empty"
+                                         : "is the boundary, but the surface has none");
+
+  const std::vector<internal::Ray_propagation::Ray>& rays = propagation.run();
+  Geodesic_distances result;
+  result.distances.resize(n);
+  result.directions.assign(n, CGAL::NULL_VECTOR);
+  result.labels.assign(n, Geodesic_distances::no_label);
+  for(std::size_t v = 0; v < n; ++v) {
+    result.distances[v] = rays[v].distance * m_impl->surface.extent();
+    if(std::isinf(rays[v].distance)) {
+      result.number_of_unreached_vertices += geometry.has_corner(static_cast<std::uint32_t>(v));
+      continue;
+    }
+    result.labels[v] = rays[v].label;
+    if(!std::isnan(rays[v].angle) && rays[v].distance > 0)
+      result.directions[v] = geometry.direction(static_cast<std::uint32_t>(v), rays[v].angle);
+  }
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<std::size_t>
+Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sources) const {
+  const std::size_t n = m_impl->surface.number_of_vertices();
+  std::vector<std::size_t> result;
+  if(number == 0)
+    return result;
+  std::vector<double> nearest;
+  if(!sources.empty())
+    nearest = distances(sources).distances;
+  else {
+    const auto& triangles = m_impl->surface;
+    result.push_back(triangles.triangle(0)[0]);
+    nearest = distances(Geodesic_sources::vertex(result[0])).distances;
+  }
+  while(result.size() < number) {
+    std::size_t farthest = n;
+    for(std::size_t v = 0; v < n; ++v)
+      if(std::isfinite(nearest[v]) && nearest[v] > (farthest < n ? nearest[farthest] : 0.))
+        farthest = v;
+    if(farthest == n)
+      break;
+    result.push_back(farthest);
+    const std::vector<double> from = distances(Geodesic_sources::vertex(farthest)).distances;
+    for(std::size_t v = 0; v < n; ++v)
+      nearest[v] = (std::min)(nearest[v], from[v]);
+  }
+  return result;
+}
+
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_GEODESIC_SOLVER_IMPL_H

@@ -1,0 +1,667 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_PROPAGATION_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_PROPAGATION_H
+
+#include <CGAL/Restricted_laplacian_3/surface/internal/Ray_geometry.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// Propagates distances over the triangles, and with them the directions of their rays, in the order
+/// of a Dijkstra heap. There are two ways from a side of a face through the face:
+///
+/// - Windows, which are exact: the rays from one source, unfolded into the plane of the face, that
+///   enter through a part of the side (Mitchell, Mount, Papadimitriou 1987; pruned as by Xin and
+///   Wang 2009). Sources are those given and the vertices at which rays turn: on the boundary, where
+///   the faces form no fan, or where the angles sum to more than 2 pi. These send rays into what
+///   lies in the shadow of their own ray only.
+/// - A cubic, which costs the same for however many windows there are: distances and directions at
+///   the two ends of a side give the values and slopes of d^2 along it, less the distance of the
+///   source of its rays, so d^2 is a cubic Hermite polynomial (exact for rays from one source), and
+///   the third corner minimizes over the side.
+///
+/// The cubic is used where it can be trusted: the two ends see the same source, to a part of the
+/// side's length, and the side is short beside its distance from there. Windows that arrive at a
+/// short side wait until the distances of both its ends are known, and go on only where the cubic
+/// cannot be used; there more windows are made from the cubics at the two sides before. So close to
+/// sources, at shadows, ridges and long needles distances are exact, and elsewhere one cubic takes the
+/// place of many windows.
+class Ray_propagation {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+public:
+  using Side = Ray_geometry::Side;
+  using Corner = Ray_geometry::Corner;
+
+  /// \param is_exact whether there are windows only
+  Ray_propagation(const Ray_geometry& geometry, bool is_exact)
+    : m_geometry(geometry), m_is_exact(is_exact), m_rays(geometry.surface().number_of_vertices()),
+      m_is_popped(m_rays.size(), 0),
+      m_states(3 * geometry.surface().number_of_faces(), is_exact ? State::windows : State::open),
+      m_waiting(m_states.size(), none) {}
+
+  /// the ray from a vertex back to its source
+  struct Ray {
+    double distance = infinity;
+    /// its angle in the fan; NaN if there is no fan, or if it is not known
+    double angle = std::numeric_limits<double>::quiet_NaN();
+    /// the distance of the point from which it comes straight, not less than 0
+    double offset = 0;
+    /// the vertex which that point is, or `none`
+    std::uint32_t root = none;
+    /// of the source
+    std::uint32_t label = 0;
+  };
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  void add_vertex(std::uint32_t v, std::uint32_t label) {
+    Ray ray;
+    ray.distance = 0;
+    ray.root = v;
+    ray.label = label;
+    offer(v, ray);
+  }
+
+  /// a point in a face, in the frame of its side 0; of a point on a side, the part in this face
+  void add_point(std::uint32_t face, const Plane_vector& s, std::uint32_t label) {
+    const std::array<Plane_vector, 3> corners = corners_of(face);
+    for(std::uint32_t k = 0; k < 3; ++k) {
+      offer_from(face, k, corners, s, s, label);
+      add_beyond({face, k}, s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(face, k), 0,
+                 none, label);
+    }
+  }
+
+  /// a segment in a face, in the frame of its side 0; of one along a side, the part in this face
+  void add_segment(std::uint32_t face, const Plane_vector& a, const Plane_vector& b,
+                   std::uint32_t label) {
+    add_point(face, a, label);
+    add_point(face, b, label);
+    const double length = (b - a).length();
+    if(!(length > 0))
+      return;
+    const std::array<Plane_vector, 3> corners = corners_of(face);
+    const Plane_vector t = (1 / length) * (b - a);
+    // Rays across the segment are parallel: they come from a source that is very far.
+    for(const Plane_vector& n : {Plane_vector{-t.y, t.x}, Plane_vector{t.y, -t.x}}) {
+      const Plane_vector source = a + 0.5 * length * t - far_source * n;
+      for(std::uint32_t k = 0; k < 3; ++k) {
+        const Plane_vector &p = corners[k], &q = corners[(k + 1) % 3];
+        const double along = dot(p - a, t), across = dot(p - a, n);
+        if(along >= 0 && along <= length && across >= 0)
+          offer_from(face, k, corners, a + along * t, p - across * n, label);
+        // the part of the side between the perpendiculars at a and b
+        const double d_along = dot(q - p, t), d_across = dot(q - p, n);
+        double low = 0, high = 1;
+        const auto clip = [&](double value, double slope) { // value + x * slope >= 0
+          if(slope > 0)
+            low = (std::max)(low, -value / slope);
+          else if(slope < 0)
+            high = (std::min)(high, -value / slope);
+          else if(value < 0)
+            high = -1;
+        };
+        clip(along, d_along);
+        clip(length - along, -d_along);
+        clip(across, d_across);
+        if((low + high) / 2 * d_across + across > 1e-12 * length)
+          add_beyond({face, k}, source, p, q, low * (q - p).length(), high * (q - p).length(),
+                     -far_source, none, label);
+      }
+    }
+  }
+
+  /// distances of all vertices from what was added; infinite where there is no way
+  const std::vector<Ray>& run() {
+    while(!m_heap.empty()) {
+      const Entry next = m_heap.top();
+      m_heap.pop();
+      if(next.is_window) {
+        const Window window = m_windows[next.number];
+        m_free_windows.push_back(next.number);
+        if(is_useful(window))
+          cross(window, all_ways);
+      } else if(next.key == m_rays[next.number].distance) {
+        m_is_popped[next.number] = 1;
+        propagate(next.number);
+      }
+    }
+    return m_rays;
+  }
+
+private:
+  /// gains below this part are rounding
+  static constexpr double smallest_gain = 1e-10;
+  /// angles may sum to so much more than 2 pi by rounding
+  static constexpr double flat_angle = 1e-7;
+  /// A side shorter than this part of its distance from the source of its rays is short: there a
+  /// cubic resolves them.
+  static constexpr double short_side = 0.3;
+  /// How far apart the sources may be that the two ends of a side see: the distances that each
+  /// predicts at the other end, over the length of the side, of a short and of another side; and
+  /// the angle between their directions. On other sides than short ones they must be the same.
+  static constexpr double short_side_tolerance = 0.1, long_side_tolerance = 1e-3,
+                          direction_tolerance = 0.1;
+  /// Shadows are wider by this angle on both sides: rays have errors, and more windows do no harm.
+  static constexpr double shadow_slack = 0.3;
+  /// A path along an edge is taken to be the ray if it turns by no more than this, at its root, into the
+  /// light.
+  static constexpr double turn_tolerance = 0.01;
+  /// Windows that are made of a cubic: their number, and the part by which they overlap, because
+  /// rays diverge and would leave gaps.
+  static constexpr int windows_of_cubic = 4;
+  static constexpr double overlap = 0.3;
+  /// Distance of the source of parallel rays, over the extent of the surface: rounding, and the
+  /// curvature of what should be straight, are 1e-10 and 1e-7 then.
+  static constexpr double far_source = 1e6;
+  static constexpr int newton_steps = 3;
+
+  /// Rays from a source below the first axis that enter a face through the part from `first` to
+  /// `last` of a side on that axis.
+  struct Window {
+    Plane_vector source;
+    double first, last;
+    double offset;              // distance of the source
+    std::uint32_t face, number; // the side
+    std::uint32_t root, label;
+    std::uint32_t next; // among those that wait
+
+    Side side() const { return {face, number}; }
+    double distance(double x) const {
+      return offset + Plane_vector{x - source.x, source.y}.length();
+    }
+    /// of the part from the source
+    double height() const {
+      return Plane_vector{(std::max)({0., first - source.x, source.x - last}), source.y}.length();
+    }
+  };
+
+  /// How rays go on from a side into its face: not known yet, both ends being popped; by the cubic, or
+  /// not at all, because they come out of the face; by windows.
+  enum class State : std::uint8_t { open, cubic, windows };
+
+  /// squared distances along a side from 0 to 1, less the offset before squaring
+  struct Cubic {
+    std::array<double, 4> coefficients;
+    double offset;
+    std::uint32_t root, label;
+
+    double operator()(double t) const {
+      const auto& c = coefficients;
+      return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+    }
+    double slope(double t) const {
+      const auto& c = coefficients;
+      return c[1] + t * (2 * c[2] + 3 * t * c[3]);
+    }
+    double curvature(double t) const { return 2 * coefficients[2] + 6 * t * coefficients[3]; }
+  };
+
+  struct Entry {
+    double key;
+    bool is_window;
+    std::uint32_t number;
+
+    friend bool operator>(const Entry& a, const Entry& b) {
+      if(a.key != b.key)
+        return a.key > b.key;
+      return a.is_window != b.is_window ? a.is_window : a.number > b.number;
+    }
+  };
+
+  /// the corners of a face in the frame of its side 0
+  std::array<Plane_vector, 3> corners_of(std::uint32_t face) const {
+    return {Plane_vector{0, 0}, {m_geometry.length(face, 0), 0}, m_geometry.apex({face, 0})};
+  }
+
+  void offer(std::uint32_t v, const Ray& ray) {
+    const double known = m_rays[v].distance;
+    if(!(ray.distance < known * (1 - smallest_gain)) &&
+       !(std::isinf(known) && std::isfinite(ray.distance)))
+      return;
+    m_rays[v] = ray;
+    m_rays[v].offset = (std::max)(0., ray.offset);
+    m_heap.push({ray.distance, false, v});
+  }
+
+  /// offers the distance of a corner from `nearest`, in the direction of `from`
+  void offer_from(std::uint32_t face, std::uint32_t k, const std::array<Plane_vector, 3>& corners,
+                  const Plane_vector& nearest, const Plane_vector& from, std::uint32_t label) {
+    Ray ray;
+    ray.distance = (corners[k] - nearest).length();
+    ray.angle =
+        m_geometry.fan_angle(face, k, angle(corners[(k + 1) % 3] - corners[k], from - corners[k]));
+    ray.label = label;
+    offer(m_geometry.vertex(face, k), ray);
+  }
+
+  /// whether rays turn at a vertex
+  bool is_root(std::uint32_t v) const {
+    return m_rays[v].distance == 0 || m_geometry.is_on_boundary(v) || !m_geometry.has_fan(v) ||
+           m_geometry.total_angle(v) > 2 * CGAL_PI + flat_angle;
+  }
+
+  // Vertices
+
+  void propagate(std::uint32_t v) {
+    const bool is_root_here = is_root(v);
+    m_geometry.for_each_corner(v, [&](const Corner& c) {
+      // along the two sides, of which one begins here, and the other one ends
+      offer_along({c.face, c.number}, v, true, is_root_here);
+      offer_along({c.face, (c.number + 2) % 3}, v, false, is_root_here);
+    });
+    m_geometry.for_each_corner(v, [&](const Corner& c) {
+      if(m_is_popped[m_geometry.vertex(c.face, c.number + 1)])
+        close({c.face, c.number});
+      if(m_is_popped[m_geometry.vertex(c.face, c.number + 2)])
+        close({c.face, (c.number + 2) % 3});
+    });
+    const bool is_unknown = std::isnan(m_rays[v].angle);
+    if(is_unknown && !is_root_here)
+      m_geometry.for_each_corner(v, [&](const Corner& c) {
+        // It was reached along edges only: were the cubics around it too coarse?
+        for(std::uint32_t k = 0; k < 3; ++k)
+          refine({c.face, (c.number + k) % 3}, k == 1);
+      });
+    if(is_unknown || is_root_here)
+      m_geometry.for_each_corner(v, [&](const Corner& c) { emit(c); });
+  }
+
+  /// offers the way along a side to its other end
+  void offer_along(const Side& side, std::uint32_t v, bool begins_here, bool is_root_here) {
+    const std::uint32_t here = begins_here ? side.number : (side.number + 1) % 3,
+                        there = begins_here ? side.number + 1 : side.number;
+    const auto along = [&](std::uint32_t k, bool begins) {
+      return m_geometry.fan_angle(side.face, k, begins ? 0 : m_geometry.corner_angle(side.face, k));
+    };
+    Ray ray = m_rays[v];
+    ray.distance += m_geometry.length(side.face, side.number);
+    ray.angle = std::numeric_limits<double>::quiet_NaN();
+    if(is_root_here) {
+      ray.offset = m_rays[v].distance;
+      ray.root = v;
+      if(goes_on(v, along(here, begins_here)))
+        ray.angle = along(there, !begins_here);
+    }
+    offer(m_geometry.vertex(side.face, there), ray);
+  }
+
+  /// whether a shortest way through a root goes on in a direction
+  bool goes_on(std::uint32_t root, double direction) const {
+    const double phi = m_rays[root].angle;
+    if(std::isnan(phi) || m_rays[root].distance == 0)
+      return true;
+    const double turned = std::abs(direction - phi);
+    return turned > CGAL_PI - turn_tolerance &&
+           (m_geometry.is_on_boundary(root) ||
+            m_geometry.total_angle(root) - turned > CGAL_PI - turn_tolerance);
+  }
+
+  /// rays from a vertex through the opposite side, into the shadow of its own ray
+  void emit(const Corner& c) {
+    const std::uint32_t v = m_geometry.vertex(c.face, c.number);
+    const double phi = m_rays[v].angle, all = m_geometry.corner_angle(c.face, c.number);
+    if(std::isnan(phi) || m_rays[v].distance == 0) {
+      emit(c, {0, all});
+      return;
+    }
+    const double total = m_geometry.total_angle(v), to_shadow = CGAL_PI - shadow_slack;
+    if(m_geometry.is_on_boundary(v)) {
+      emit(c, m_geometry.part_of_corner(c, phi + to_shadow, infinity));
+      emit(c, m_geometry.part_of_corner(c, -infinity, phi - to_shadow));
+    } else
+      for(const double turn : {-total, 0., total})
+        emit(c,
+             m_geometry.part_of_corner(c, phi + to_shadow + turn, phi + total - to_shadow + turn));
+  }
+  /// \param part angles from the side that begins at the corner
+  void emit(const Corner& c, const std::array<double, 2>& part) {
+    if(!(part[1] > part[0]))
+      return;
+    const std::uint32_t v = m_geometry.vertex(c.face, c.number);
+    const double all = m_geometry.corner_angle(c.face, c.number),
+                 l = m_geometry.length(c.face, c.number),
+                 m = m_geometry.length(c.face, c.number + 2);
+    const Plane_vector s{0, 0}, p{l, 0}, q{m * std::cos(all), m * std::sin(all)};
+    const auto passes = [&](double t) { return position(s, {std::cos(t), std::sin(t)}, p, q); };
+    const Side opposite{c.face, (c.number + 1) % 3};
+    add_beyond(opposite, s, p, q, part[0] <= 0 ? 0 : passes(part[0]),
+               part[1] >= all ? m_geometry.length(opposite.face, opposite.number) : passes(part[1]),
+               m_rays[v].distance, v, m_rays[v].label);
+  }
+
+  // Windows
+
+  /// where on the way from `p` to `q` a ray from `s` passes, in units of length
+  static double position(const Plane_vector& s, const Plane_vector& direction,
+                         const Plane_vector& p, const Plane_vector& q) {
+    const Plane_vector e = q - p;
+    const double n = internal::cross(e, direction),
+                 t = n != 0 ? internal::cross(direction, p - s) / n : 0;
+    return (std::min)(1., (std::max)(0., t)) * e.length();
+  }
+
+  /// Makes windows in the faces beyond a side of a face.
+  /// \param s the source
+  /// \param p, q the ends of the side, in the order of that face
+  /// \param first, last the part of the side
+  void add_beyond(const Side& side, const Plane_vector& s, const Plane_vector& p,
+                  const Plane_vector& q, double first, double last, double offset,
+                  std::uint32_t root, std::uint32_t label) {
+    const double l = m_geometry.length(side.face, side.number);
+    if(!(last > first))
+      return;
+    const Plane_vector u = (1 / l) * (q - p);
+    const double x = dot(s - p, u), height = std::abs(internal::cross(u, s - p));
+    constexpr double along_the_side = 1e-14;
+    if(!(height > along_the_side * l))
+      return;
+    m_geometry.for_each_beyond(side, [&](const Side& other) {
+      const bool same =
+          m_geometry.vertex(other.face, other.number) == m_geometry.vertex(side.face, side.number);
+      Window w;
+      w.source = {same ? x : l - x, -height};
+      w.first = same ? first : l - last;
+      w.last = same ? last : l - first;
+      w.offset = offset;
+      w.face = other.face;
+      w.number = other.number;
+      w.root = root;
+      w.label = label;
+      w.next = none;
+      add(w);
+    });
+  }
+
+  void add(const Window& w) {
+    if(!is_useful(w))
+      return;
+    std::uint32_t i = static_cast<std::uint32_t>(m_windows.size());
+    if(m_free_windows.empty())
+      m_windows.push_back(w);
+    else {
+      i = m_free_windows.back();
+      m_free_windows.pop_back();
+      m_windows[i] = w;
+    }
+    const std::size_t side = 3 * w.face + w.number;
+    if(m_states[side] != State::windows &&
+       m_geometry.length(w.face, w.number) <= short_side * w.height()) {
+      m_windows[i].next = m_waiting[side];
+      m_waiting[side] = i;
+    } else
+      m_heap.push({w.offset + w.height(), true, i});
+  }
+
+  /// Whether a window can give any point its distance: not if one end of the side gives a shorter
+  /// way to the far end of the window.
+  bool is_useful(const Window& w) const {
+    constexpr double rounding = 1 - 1e-12;
+    const double l = m_geometry.length(w.face, w.number),
+                 d0 = m_rays[m_geometry.vertex(w.face, w.number)].distance,
+                 d1 = m_rays[m_geometry.vertex(w.face, w.number + 1)].distance;
+    return !(d0 + w.last < w.distance(w.last) * rounding) &&
+           !(d1 + (l - w.first) < w.distance(w.first) * rounding);
+  }
+
+  static constexpr std::uint32_t all_ways = 3;
+
+  /// takes a window through its face: to the third corner, and through the other sides
+  /// \param target the number of a side, to go through that one only, or `all_ways`
+  void cross(const Window& w, std::uint32_t target) {
+    const Side side = w.side();
+    const Plane_vector &s = w.source, a{0, 0}, b{m_geometry.length(w.face, w.number), 0},
+                       c = m_geometry.apex(side);
+    const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y}, to_apex = c - s;
+    const double rounding = 1e-12 * b.x * to_apex.length();
+    const bool goes_left =
+        internal::cross(first, to_apex)<rounding, goes_right = internal::cross(last, to_apex)> -
+        rounding;
+    const std::uint32_t k = w.number;
+    if(goes_left && goes_right && target == all_ways) {
+      Ray ray;
+      ray.distance = w.offset + to_apex.length();
+      ray.angle = m_geometry.fan_angle(w.face, k + 2, angle(a - c, s - c));
+      ray.offset = w.offset;
+      ray.root = w.root;
+      ray.label = w.label;
+      offer(m_geometry.vertex(w.face, k + 2), ray);
+    }
+    const Side left{w.face, (k + 2) % 3}, right{w.face, (k + 1) % 3};
+    if(goes_left && (target == all_ways || target == left.number)) // from c to a
+      add_beyond(left, s, c, a, goes_right ? 0 : position(s, last, c, a), position(s, first, c, a),
+                 w.offset, w.root, w.label);
+    if(goes_right && (target == all_ways || target == right.number)) // from b to c
+      add_beyond(right, s, b, c, position(s, last, b, c),
+                 goes_left ? m_geometry.length(w.face, right.number) : position(s, first, b, c),
+                 w.offset, w.root, w.label);
+  }
+
+  // Sides whose ends have distances
+
+  /// what the ends of a side tell of the rays that pass into its face
+  struct Ends {
+    bool is_known = false;                                  // the directions of both
+    bool first_comes_out = false, second_comes_out = false; // of the face
+    bool is_short = false, is_regular = false;
+    Cubic cubic;
+  };
+  Ends ends_of(const Side& side) const {
+    Ends ends;
+    const std::uint32_t p = m_geometry.vertex(side.face, side.number),
+                        q = m_geometry.vertex(side.face, side.number + 1);
+    const Ray &at_p = m_rays[p], &at_q = m_rays[q];
+    // An end may be the source of the other one's ray.
+    const double offset_p = at_q.root == p ? at_p.distance : at_p.offset,
+                 offset_q = at_p.root == q ? at_q.distance : at_q.offset,
+                 l = m_geometry.length(side.face, side.number), from_p = at_p.distance - offset_p,
+                 from_q = at_q.distance - offset_q;
+    ends.is_short = l <= short_side * (std::min)(from_p, from_q);
+    ends.is_known = !std::isnan(at_p.angle) && !std::isnan(at_q.angle);
+    if(!ends.is_known)
+      return ends;
+    const double along_p = m_geometry.fan_angle(side.face, side.number, 0),
+                 along_q =
+                     m_geometry.fan_angle(side.face, side.number + 1,
+                                          m_geometry.corner_angle(side.face, side.number + 1));
+    ends.first_comes_out = comes_out(side.face, side.number, true, along_p);
+    ends.second_comes_out = comes_out(side.face, (side.number + 1) % 3, false, along_q);
+    // derivatives of the distance along the side
+    const double slope_p = -std::cos(m_geometry.difference(p, along_p, at_p.angle)),
+                 slope_q = std::cos(m_geometry.difference(q, along_q, at_q.angle));
+    // the sources that the ends see
+    const auto behind = [](double c) { return -std::sqrt((std::max)(0., 1 - c * c)); };
+    const Plane_vector end{l, 0}, middle{l / 2, 0},
+        source_p{-from_p * slope_p, from_p * behind(slope_p)},
+        source_q{l - from_q * slope_q, from_q * behind(slope_q)};
+    const double limit = (ends.is_short ? short_side_tolerance : long_side_tolerance) * l;
+    const Ray& older = offset_p < offset_q ? at_p : at_q;
+    ends.cubic.offset = (std::min)(offset_p, offset_q);
+    ends.cubic.root = older.root;
+    ends.cubic.label = older.label;
+    const double r_p = at_p.distance - ends.cubic.offset, r_q = at_q.distance - ends.cubic.offset,
+                 y0 = r_p * r_p, y1 = r_q * r_q, m0 = 2 * r_p * slope_p * l,
+                 m1 = 2 * r_q * slope_q * l;
+    ends.cubic.coefficients = {y0, m0, 3 * (y1 - y0) - 2 * m0 - m1, 2 * (y0 - y1) + m0 + m1};
+    ends.is_regular = std::abs(r_p - r_q) <= l && r_p + r_q >= l && !ends.first_comes_out &&
+                      !ends.second_comes_out &&
+                      std::abs(source_q.length() + offset_q - at_p.distance) <= limit &&
+                      std::abs((source_p - end).length() + offset_p - at_q.distance) <= limit &&
+                      angle(source_p - middle, source_q - middle) <= direction_tolerance;
+    return ends;
+  }
+  /// Whether the ray of a corner lies on the face's side of an edge.
+  /// \param begins whether it is the edge that begins at the corner, or the one that ends there
+  /// \param edge its direction
+  bool comes_out(std::uint32_t face, std::uint32_t k, bool begins, double edge) const {
+    const std::uint32_t v = m_geometry.vertex(face, k);
+    const double phi = m_rays[v].angle, total = m_geometry.total_angle(v),
+                 other = m_geometry.fan_angle(
+                     face, k, begins ? m_geometry.corner_angle(face, k) : 0); // the other edge
+    const double t = other > edge ? phi - edge : edge - phi;                  // through the face
+    if(m_geometry.is_on_boundary(v))
+      return t > 0;
+    return t < 0 ? t + total < -t : t < total - t;
+  }
+
+  /// Both ends of a side have their distances: decides how rays go on into its face.
+  void close(const Side& side) {
+    if(m_is_exact || !(m_geometry.length(side.face, side.number) > 0))
+      return;
+    State& state = m_states[3 * side.face + side.number];
+    const Ends ends = ends_of(side);
+    if(ends.is_known && ends.first_comes_out && ends.second_comes_out && ends.is_short) {
+      state = State::cubic;
+      return;
+    }
+    if(!ends.is_regular) {
+      state = State::windows;
+      release(side);
+      make_windows_before(side);
+      return;
+    }
+    state = State::cubic;
+    offer_to_apex(side, ends.cubic);
+    for(std::uint32_t k = 1; k < 3; ++k)
+      if(windows_go_on({side.face, (side.number + k) % 3}))
+        make_windows(side, ends.cubic, (side.number + k) % 3);
+  }
+
+  /// a side whose cubic seems to be too coarse
+  void refine(const Side& side, bool is_opposite) {
+    if(m_states[3 * side.face + side.number] != State::cubic)
+      return;
+    m_states[3 * side.face + side.number] = State::windows;
+    make_windows_before(side);
+    const Ends ends = ends_of(side);
+    if(is_opposite && ends.is_known && !ends.first_comes_out && !ends.second_comes_out)
+      make_windows(side, ends.cubic, all_ways);
+  }
+
+  /// lets windows go on that wait at a side
+  void release(const Side& side) {
+    std::uint32_t& first = m_waiting[3 * side.face + side.number];
+    for(std::uint32_t i = first; i != none; i = m_windows[i].next)
+      m_heap.push({m_windows[i].offset + m_windows[i].height(), true, i});
+    first = none;
+  }
+
+  bool windows_go_on(const Side& side) const {
+    bool result = false;
+    m_geometry.for_each_beyond(side, [&](const Side& other) {
+      result |= m_states[3 * other.face + other.number] == State::windows;
+    });
+    return result;
+  }
+
+  /// windows from the cubics at the sides before a side
+  void make_windows_before(const Side& side) {
+    m_geometry.for_each_beyond(side, [&](const Side& other) {
+      for(std::uint32_t k = 1; k < 3; ++k) {
+        const Side before{other.face, (other.number + k) % 3};
+        if(m_states[3 * before.face + before.number] != State::cubic)
+          continue;
+        const Ends ends = ends_of(before);
+        if(ends.is_known && !ends.first_comes_out && !ends.second_comes_out)
+          make_windows(before, ends.cubic, other.number);
+      }
+    });
+  }
+
+  /// Windows that stand for a cubic, each from the source that the distances at its ends give.
+  void make_windows(const Side& side, const Cubic& cubic, std::uint32_t target) {
+    constexpr double grazing = 1e-6;
+    const double l = m_geometry.length(side.face, side.number), h = l / windows_of_cubic;
+    double r0 = std::sqrt(cubic(0));
+    for(int i = 0; i < windows_of_cubic; ++i) {
+      const double r1 = std::sqrt((std::max)(0., cubic(double(i + 1) / windows_of_cubic))),
+                   x = ((r0 - r1) * (r0 + r1) / h + h) / 2;
+      Window w;
+      w.source = {i * h + x,
+                  -std::sqrt((std::max)((r0 - x) * (r0 + x), grazing * grazing * r0 * r0))};
+      w.first = (std::max)(0., (i - overlap) * h);
+      w.last = (std::min)(l, (i + 1 + overlap) * h);
+      w.offset = cubic.offset;
+      w.face = side.face;
+      w.number = side.number;
+      w.root = cubic.root;
+      w.label = cubic.label;
+      w.next = none;
+      cross(w, target);
+      r0 = r1;
+    }
+  }
+
+  /// Minimizes the distance of the third corner through a side, by Newton's method from where the ray
+  /// crosses it that the distances of the ends give.
+  void offer_to_apex(const Side& side, const Cubic& cubic) {
+    constexpr double longest_step = 0.3;
+    const double l = m_geometry.length(side.face, side.number);
+    const Plane_vector c = m_geometry.apex(side);
+    const double r0 = std::sqrt(cubic(0)), r1 = std::sqrt(cubic(1)),
+                 x = ((r0 - r1) * (r0 + r1) / l + l) / 2, y2 = (r0 - x) * (r0 + x);
+    if(!(y2 >= 0))
+      return;
+    const double depth = std::sqrt(y2);
+    double t = (x + depth * (c.x - x) / (c.y + depth)) / l, distance = 0;
+    for(int step = 0; step <= newton_steps; ++step) {
+      const double y = cubic(t), slope = cubic.slope(t),
+                   to_apex = Plane_vector{t * l - c.x, c.y}.length();
+      if(!(y > 0) || !(to_apex > 0))
+        return;
+      const double r = std::sqrt(y), second = cubic.curvature(t) / (2 * r) -
+                                              slope * slope / (4 * y * r) +
+                                              l * l * c.y * c.y / (to_apex * to_apex * to_apex);
+      if(!(second > 0))
+        return;
+      distance = cubic.offset + r + to_apex;
+      if(step < newton_steps)
+        t += (std::max)(
+            -longest_step,
+            (std::min)(longest_step, -(slope / (2 * r) + l * (t * l - c.x) / to_apex) / second));
+    }
+    const double least = (std::min)(m_rays[m_geometry.vertex(side.face, side.number)].distance,
+                                    m_rays[m_geometry.vertex(side.face, side.number + 1)].distance);
+    if(!(t >= 0 && t <= 1) || !(distance >= least))
+      return;
+    Ray ray;
+    ray.distance = distance;
+    ray.angle = m_geometry.fan_angle(side.face, side.number + 2,
+                                     angle(Plane_vector{0, 0} - c, Plane_vector{t * l, 0} - c));
+    ray.offset = cubic.offset;
+    ray.root = cubic.root;
+    ray.label = cubic.label;
+    offer(m_geometry.vertex(side.face, side.number + 2), ray);
+  }
+
+  const Ray_geometry& m_geometry;
+  bool m_is_exact;
+  std::vector<Ray> m_rays; // of vertices
+  std::vector<char> m_is_popped;
+  std::vector<State> m_states;          // of sides
+  std::vector<std::uint32_t> m_waiting; // of sides: the first window that waits
+  std::vector<Window> m_windows;
+  std::vector<std::uint32_t> m_free_windows;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_heap;
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_PROPAGATION_H

@@ -1,0 +1,661 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Distances along surfaces: against exact ones on spheres, planes, cylinders and cones, and on small
+// surfaces against all straight ways from vertex to vertex.
+
+#include "catch.h"
+#include "shapes.h"
+#include "special_shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/geodesic_distances.h>
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+using Distances = std::vector<double>;
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+RL::Geodesic_solver solver(const shapes::Triangles& t) {
+  return RL::Geodesic_solver(RL::Triangulated_surface_3(t.points, t.faces));
+}
+
+double length(const RL::Vector_3& v) { return std::sqrt(v.squared_length()); }
+
+Distances from_vertex(const shapes::Triangles& t, std::size_t v) {
+  return solver(t).distances(RL::Geodesic_sources::vertex(v)).distances;
+}
+
+/// Dijkstra along the edges, by relaxation
+Distances along_edges(const shapes::Triangles& t, std::size_t source) {
+  Distances d(t.points.size(), infinity);
+  d[source] = 0;
+  for(bool changed = true; changed;) {
+    changed = false;
+    for(const auto& f : t.faces)
+      for(int k = 0; k < 3; ++k)
+        for(const auto& [a, b] :
+            {std::pair(f[k], f[(k + 1) % 3]), std::pair(f[(k + 1) % 3], f[k])}) {
+          const double there = d[a] + length(t.points[a] - t.points[b]);
+          if(there < d[b]) {
+            d[b] = there;
+            changed = true;
+          }
+        }
+  }
+  return d;
+}
+
+/// Distances of all pairs of vertices of a small surface: a shortest way is made of ways that are
+/// straight when the faces that they cross are unfolded. Tries all sequences of faces.
+class All_ways {
+public:
+  explicit All_ways(const shapes::Triangles& t)
+    : m_triangles(t), distances(t.points.size(), Distances(t.points.size(), infinity)) {
+    for(std::size_t f = 0; f < t.faces.size(); ++f)
+      for(int k = 0; k < 3; ++k)
+        m_faces[std::minmax(t.faces[f][k], t.faces[f][(k + 1) % 3])].push_back(f);
+    for(std::uint32_t v = 0; v < t.points.size(); ++v) {
+      distances[v] = along_edges(t, v);
+      for(double d : distances[v])
+        if(std::isfinite(d))
+          m_longest = (std::max)(m_longest, d);
+    }
+    for(std::size_t f = 0; f < t.faces.size(); ++f)
+      for(int k = 0; k < 3; ++k) {
+        const std::uint32_t v = t.faces[f][k], p = t.faces[f][(k + 1) % 3],
+                            q = t.faces[f][(k + 2) % 3];
+        const double a = side(v, p), b = side(v, q), c = side(p, q);
+        see(v, p, a);
+        see(v, q, b);
+        const double cosine = (a * a + b * b - c * c) / (2 * a * b);
+        const Point at_p{a, 0},
+            at_q{b * cosine, b * std::sqrt((std::max)(0., 1 - cosine * cosine))};
+        cross(v, f, p, q, at_p, at_q, at_p, at_q, 0);
+      }
+    const std::size_t n = t.points.size();
+    for(std::size_t k = 0; k < n; ++k)
+      for(std::size_t i = 0; i < n; ++i)
+        for(std::size_t j = 0; j < n; ++j)
+          distances[i][j] = (std::min)(distances[i][j], distances[i][k] + distances[k][j]);
+  }
+
+private:
+  using Point = std::array<double, 2>;
+  static double wedge(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+  double side(std::uint32_t p, std::uint32_t q) const {
+    return length(m_triangles.points[p] - m_triangles.points[q]);
+  }
+  void see(std::uint32_t v, std::uint32_t w, double d) {
+    distances[v][w] = (std::min)(distances[v][w], d);
+    distances[w][v] = distances[v][w];
+  }
+  // from v at the origin through the edge p, q, between two directions
+  void cross(std::uint32_t v, std::size_t from, std::uint32_t p, std::uint32_t q, const Point& at_p,
+             const Point& at_q, const Point& right, const Point& left, int depth) {
+    // not farther than along edges
+    const double along = (at_p[0] - at_q[0]) * at_p[0] + (at_p[1] - at_q[1]) * at_p[1],
+                 part = std::clamp(along / (side(p, q) * side(p, q)), 0., 1.);
+    if(depth > 40 || !(wedge(right, left) > 1e-12) ||
+       std::hypot(at_p[0] + part * (at_q[0] - at_p[0]), at_p[1] + part * (at_q[1] - at_p[1])) >
+           m_longest)
+      return;
+    for(const std::size_t f : m_faces[std::minmax(p, q)]) {
+      if(f == from)
+        continue;
+      std::uint32_t r = 0;
+      for(const std::uint32_t w : m_triangles.faces[f])
+        if(w != p && w != q)
+          r = w;
+      const double l = side(p, q), a = side(p, r), b = side(q, r),
+                   x = (l * l + a * a - b * b) / (2 * l),
+                   y = std::sqrt((std::max)(0., a * a - x * x));
+      const Point u{(at_q[0] - at_p[0]) / l, (at_q[1] - at_p[1]) / l};
+      // q is on the left: away from the origin is on the right of the way from p to q
+      const Point at_r{at_p[0] + x * u[0] + y * u[1], at_p[1] + x * u[1] - y * u[0]};
+      const double to_right = wedge(right, at_r), to_left = wedge(at_r, left);
+      if(to_right >= -1e-12 && to_left >= -1e-12)
+        see(v, r, std::hypot(at_r[0], at_r[1]));
+      cross(v, f, p, r, at_p, at_r, right, to_left > 0 ? at_r : left, depth + 1);
+      cross(v, f, r, q, at_r, at_q, to_right > 0 ? at_r : right, left, depth + 1);
+    }
+  }
+
+  const shapes::Triangles& m_triangles;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> m_faces;
+  double m_longest = 0;
+
+public:
+  std::vector<Distances> distances;
+};
+
+/// the largest relative differences from all vertices to all
+struct Differences {
+  double fast = 0, exact = 0;
+
+  explicit Differences(const shapes::Triangles& t) {
+    const All_ways all(t);
+    const RL::Geodesic_solver geodesics = solver(t);
+    for(std::size_t v = 0; v < t.points.size(); ++v)
+      for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+        double& worst = method == RL::Geodesic_method::fast ? fast : exact;
+        const Distances found =
+            geodesics.distances(RL::Geodesic_sources::vertex(v), method).distances;
+        for(std::size_t w = 0; w < t.points.size(); ++w)
+          if(v != w) {
+            if(std::isinf(all.distances[v][w]))
+              CHECK(std::isinf(found[w]));
+            else
+              worst = (std::max)(worst, std::abs(found[w] / all.distances[v][w] - 1));
+          }
+      }
+  }
+};
+
+shapes::Triangles crumpled(shapes::Triangles t, double amount, unsigned seed) {
+  std::mt19937 generator(seed);
+  const auto random = [&] { return amount * (generator() * std::ldexp(2., -32) - 1); };
+  for(RL::Point_3& p : t.points)
+    p = p + RL::Vector_3(random(), random(), random());
+  return t;
+}
+
+/// triangles between random ones of few points: most edges have three faces or more
+shapes::Triangles shared_soup(unsigned seed, int points, int faces) {
+  std::mt19937 generator(seed);
+  const auto random = [&] { return generator() * std::ldexp(1., -32); };
+  shapes::Triangles t;
+  for(int i = 0; i < points; ++i)
+    t.points.emplace_back(random(), random(), random());
+  while(static_cast<int>(t.faces.size()) < faces) {
+    std::array<std::uint32_t, 3> face;
+    for(std::uint32_t& v : face)
+      v = generator() % static_cast<unsigned>(points);
+    if(face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
+      t.faces.push_back(face);
+  }
+  return t;
+}
+
+/// relative errors of all that is farther than 2 % of the largest distance
+struct Errors {
+  double mean = 0, worst = 0;
+
+  Errors(const Distances& found, const Distances& expected) {
+    const double largest = *std::max_element(expected.begin(), expected.end());
+    int number = 0;
+    for(std::size_t v = 0; v < found.size(); ++v)
+      if(expected[v] > 0.02 * largest) {
+        const double error = std::abs(found[v] / expected[v] - 1);
+        mean += error;
+        worst = (std::max)(worst, error);
+        ++number;
+      }
+    mean /= number;
+  }
+};
+
+Errors errors_on_sphere(int n) {
+  const shapes::Triangles t = shapes::sphere(n);
+  Distances expected;
+  for(const RL::Point_3& p : t.points)
+    expected.push_back(
+        std::acos(std::clamp((p - CGAL::ORIGIN) * (t.points[3] - CGAL::ORIGIN), -1., 1.)));
+  return Errors(from_vertex(t, 3), expected);
+}
+
+/// a grid over [0, 1]^2, taken to space; with two diagonals in turn
+template <class Map> shapes::Triangles grid(int n, Map&& map) {
+  shapes::Triangles t;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+      t.points.push_back(map(double(i) / n, double(j) / n));
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i) {
+      const auto a = static_cast<std::uint32_t>(i + (n + 1) * j), b = a + 1,
+                 c = static_cast<std::uint32_t>(a + n + 2), d = c - 1;
+      if((i + j) % 2) {
+        t.faces.push_back({a, b, c});
+        t.faces.push_back({a, c, d});
+      } else {
+        t.faces.push_back({a, b, d});
+        t.faces.push_back({b, c, d});
+      }
+    }
+  return t;
+}
+
+} // namespace
+
+TEST_CASE("distances_are_those_of_all_ways_on_small_surfaces", "[geodesic]") {
+  for(const shapes::Triangles& t : {shapes::box(1, 1, 1, 1, 3), shapes::box(1, 2, 0.1, 2, 7),
+                                    shapes::rectangle(1, 2), shapes::stairs(3, 0.5)}) {
+    const Differences differences(t);
+    CHECK(differences.exact < 1e-9);
+    CHECK(differences.fast < 1e-9);
+  }
+  for(unsigned seed = 1; seed <= 10; ++seed)
+    for(const shapes::Triangles& t :
+        {crumpled(shapes::sphere(1), 0.4, seed), crumpled(shapes::box(1, 1, 1, 2, seed), 0.3, seed),
+         shared_soup(seed, 8, 12), shared_soup(seed, 30, 20)}) {
+      CAPTURE(seed, t.points.size());
+      const Differences differences(t);
+      CHECK(differences.exact < 1e-7);
+      CHECK(differences.fast < 1e-3);
+    }
+}
+
+TEST_CASE("distances_on_spheres_converge_with_order_two", "[geodesic]") {
+  const Errors a = errors_on_sphere(3), b = errors_on_sphere(4), c = errors_on_sphere(5);
+  CHECK(c.worst < 1e-3);
+  CHECK(a.mean / b.mean > 3.3);
+  CHECK(b.mean / c.mean > 3.3);
+  CHECK(b.mean / c.mean < 5);
+}
+
+TEST_CASE("distances_on_unfolded_surfaces_are_exact", "[geodesic]") {
+  const int n = 12;
+  SECTION("plane") {
+    const auto t = grid(n, [](double x, double y) { return RL::Point_3(x, y, 0.3 * x - y); });
+    for(std::size_t source : {std::size_t(0), std::size_t(45)}) {
+      Distances expected;
+      for(const RL::Point_3& p : t.points)
+        expected.push_back(length(p - t.points[source]));
+      CHECK(Errors(from_vertex(t, source), expected).worst < 1e-9);
+    }
+  }
+  SECTION("folded strip: a ray goes straight over creases") {
+    const auto fold = [](double x, double y) {
+      const double s = 12 * x; // pleats of the width 1/12, all at 60 degrees
+      const double phase = s - std::floor(s / 2) * 2;
+      return RL::Point_3(x / 2, y, std::sqrt(0.75) / 12 * (phase < 1 ? phase : 2 - phase));
+    };
+    const auto t = grid(n, fold),
+               flat = grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
+    Distances expected;
+    for(const RL::Point_3& p : flat.points)
+      expected.push_back(length(p - flat.points[17]));
+    CHECK(Errors(from_vertex(t, 17), expected).worst < 1e-9);
+  }
+  SECTION("a wall with an open end") {
+    // the plane without the strip between two columns, up to the middle
+    shapes::Triangles t = grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    for(const auto& f : t.faces) {
+      const RL::Point_3 c = CGAL::centroid(t.points[f[0]], t.points[f[1]], t.points[f[2]]);
+      if(!(c.x() > 0.5 && c.x() < 0.5 + 1. / n && c.y() < 0.5))
+        faces.push_back(f);
+    }
+    t.faces = faces;
+    const Distances found = from_vertex(t, 0);
+    const RL::Point_3 source(0, 0, 0), first(0.5, 0.5, 0), second(0.5 + 1. / n, 0.5, 0);
+    for(std::size_t v = 0; v < t.points.size(); ++v) {
+      const RL::Point_3& p = t.points[v];
+      double expected = length(p - source);
+      if(p.x() > 0.5 && p.y() < p.x())
+        expected = length(first - source) + length(p - first);
+      if(p.x() > 0.5 + 1. / n - 1e-9 && p.y() < 0.5)
+        expected = length(first - source) + length(second - first) + length(p - second);
+      CHECK(found[v] == Approx(expected).epsilon(1e-4));
+    }
+  }
+  SECTION("cone, from its tip and from its side") {
+    // k sectors of the angle 1.8 pi / k around the tip
+    const int k = 40, rings = 10;
+    const double sector = 1.8 * CGAL_PI / k;
+    shapes::Triangles t;
+    t.points.emplace_back(0, 0, 0);
+    for(int r = 1; r <= rings; ++r)
+      for(int i = 0; i < k; ++i) {
+        // edges from the tip have the length r, and chords the angle of a sector
+        const double chord = 2 * std::sin(sector / 2) / (2 * std::sin(CGAL_PI / k));
+        t.points.emplace_back(r * chord * std::cos(2 * CGAL_PI * i / k),
+                              r * chord * std::sin(2 * CGAL_PI * i / k),
+                              r * std::sqrt(1 - chord * chord));
+      }
+    const auto at = [&](int r, int i) {
+      return static_cast<std::uint32_t>(r == 0 ? 0 : 1 + k * (r - 1) + i % k);
+    };
+    for(int i = 0; i < k; ++i)
+      for(int r = 0; r < rings; ++r) {
+        t.faces.push_back({at(r, i), at(r + 1, i), at(r + 1, i + 1)});
+        if(r > 0)
+          t.faces.push_back({at(r, i), at(r + 1, i + 1), at(r, i + 1)});
+      }
+    const Distances from_tip = from_vertex(t, 0), from_side = from_vertex(t, at(5, 3));
+    for(int r = 1; r <= rings; ++r)
+      for(int i = 0; i < k; ++i) {
+        CHECK(from_tip[at(r, i)] == Approx(r));
+        // unfolded, the smaller way around
+        const int turn = std::abs(i - 3);
+        const double phi = sector * (std::min)(turn, k - turn);
+        // rays at the rim would leave the cone: ways along it are longer than those unfolded
+        const double expected = std::sqrt(r * r + 25. - 10 * r * std::cos(phi));
+        if(r < rings && turn != 0)
+          CHECK(from_side[at(r, i)] == Approx(expected).epsilon(1e-4));
+      }
+  }
+}
+
+TEST_CASE("directions_point_to_the_source", "[geodesic]") {
+  const shapes::Triangles t = shapes::sphere(4);
+  const RL::Geodesic_distances found = solver(t).distances(RL::Geodesic_sources::vertex(100));
+  const RL::Vector_3 source = t.points[100] - CGAL::ORIGIN;
+  CHECK(found.directions[100] == CGAL::NULL_VECTOR);
+  double worst = 0;
+  int known = 0;
+  for(std::size_t v = 0; v < t.points.size(); ++v) {
+    const RL::Vector_3 p = t.points[v] - CGAL::ORIGIN, d = found.directions[v];
+    const RL::Vector_3 tangent = source - (source * p) * p;
+    if(d == CGAL::NULL_VECTOR || source * p < -0.98)
+      continue;
+    ++known;
+    CHECK(d.squared_length() == Approx(1));
+    worst = (std::max)(worst, length(d - tangent / length(tangent)));
+  }
+  CHECK(known > 0.95 * static_cast<double>(t.points.size()));
+  CHECK(worst < 0.1);
+}
+
+TEST_CASE("sources_may_be_points_segments_and_boundaries", "[geodesic]") {
+  const int n = 12;
+  const auto t = grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
+  const RL::Geodesic_solver geodesics = solver(t);
+  const RL::Triangulated_surface_3& surface = geodesics.surface();
+  const auto location = [](std::size_t face, double a, double b) {
+    return RL::Surface_location{face, {a, b, 1 - a - b}};
+  };
+  const auto check = [&](const RL::Geodesic_sources& sources, auto&& expected, double tolerance) {
+    const RL::Geodesic_distances found = geodesics.distances(sources);
+    for(std::size_t v = 0; v < t.points.size(); ++v) {
+      CAPTURE(v, t.points[v].x(), t.points[v].y());
+      CHECK(found.distances[v] == Approx(expected(t.points[v])).epsilon(tolerance).margin(1e-6));
+    }
+  };
+  for(const auto& l : {location(100, 0.2, 0.3), location(100, 0.5, 0.5), location(37, 0, 0.3),
+                       location(37, 0.25, 0), location(50, 1, 0), location(50, 0, 0)}) {
+    RL::Geodesic_sources sources;
+    sources.add_location(l);
+    const RL::Point_3 p = surface.surface_point(l).point;
+    check(
+        sources, [&](const RL::Point_3& q) { return length(p - q); }, 1e-9);
+  }
+  SECTION("segments in a face, along an edge, and over several faces") {
+    const auto to_segment = [](const RL::Point_3& a, const RL::Point_3& b, const RL::Point_3& q) {
+      const double s = std::clamp((q - a) * (b - a) / (b - a).squared_length(), 0., 1.);
+      return length(q - (a + s * (b - a)));
+    };
+    for(const auto& [a, b] : {std::pair(location(130, 0.1, 0.2), location(130, 0.6, 0.3)),
+                              std::pair(location(131, 0, 0.2), location(131, 0, 0.9)),
+                              std::pair(location(131, 1, 0), location(131, 0, 1)),
+                              std::pair(location(131, 0.3, 0), location(131, 0, 0.4))}) {
+      RL::Geodesic_sources sources;
+      sources.add_segment(a, b);
+      const RL::Point_3 p = surface.surface_point(a).point, q = surface.surface_point(b).point;
+      check(
+          sources, [&, a = p, b = q](const RL::Point_3& r) { return to_segment(a, b, r); }, 2e-3);
+    }
+    RL::Geodesic_sources column;
+    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+      for(int k = 0; k < 3; ++k)
+        if(std::abs(surface.point(f, k).x() - 0.25) < 1e-9 &&
+           std::abs(surface.point(f, (k + 1) % 3).x() - 0.25) < 1e-9) {
+          RL::Surface_location from{f, {0, 0, 0}}, to{f, {0, 0, 0}};
+          from.barycentric[k] = to.barycentric[(k + 1) % 3] = 1;
+          column.add_segment(from, to);
+        }
+    check(
+        column, [](const RL::Point_3& p) { return std::abs(p.x() - 0.25); }, 1e-3);
+  }
+  SECTION("the boundary") {
+    RL::Geodesic_sources boundary;
+    boundary.add_boundary();
+    check(
+        boundary,
+        [](const RL::Point_3& p) {
+          return (std::min)((std::min)(p.x(), 1 - p.x()), (std::min)(p.y(), 1 - p.y()));
+        },
+        1e-3);
+    CHECK_THROWS_AS(solver(shapes::sphere(1)).distances(boundary), RL::Parameter_error);
+  }
+}
+
+TEST_CASE("labels_are_those_of_the_nearest_source", "[geodesic]") {
+  shapes::Triangles t = grid(20, [](double x, double y) { return RL::Point_3(x, y, 0); });
+  const std::size_t number = t.points.size();
+  t = shapes::joined(t, shapes::moved(shapes::sphere(1), RL::Vector_3(5, 0, 0)));
+  t.points.emplace_back(9, 9, 9); // with no face
+  RL::Geodesic_sources sources;
+  const std::vector<std::size_t> at = {0, 20, 230, 235};
+  const std::vector<std::uint32_t> labels = {7, 1, 3, 3};
+  for(std::size_t i = 0; i < at.size(); ++i)
+    sources.add_vertex(at[i], labels[i]);
+  const RL::Geodesic_distances found = solver(t).distances(sources);
+  for(std::size_t v = 0; v < number; ++v) {
+    std::map<std::uint32_t, double> nearest;
+    for(std::size_t i = 0; i < at.size(); ++i) {
+      const double d = length(t.points[v] - t.points[at[i]]);
+      const auto [it, is_new] = nearest.insert({labels[i], d});
+      it->second = (std::min)(it->second, d);
+    }
+    double least = infinity;
+    for(const auto& [label, d] : nearest)
+      least = (std::min)(least, d);
+    CHECK(found.distances[v] == Approx(least).epsilon(1e-3).margin(1e-12));
+    CHECK(nearest[found.labels[v]] <= least * (1 + 1e-3));
+  }
+  for(std::size_t v = number; v < t.points.size(); ++v) {
+    CHECK(std::isinf(found.distances[v]));
+    CHECK(found.labels[v] == RL::Geodesic_distances::no_label);
+  }
+  CHECK(found.number_of_unreached_vertices == t.points.size() - number - 1);
+}
+
+TEST_CASE("distances_are_symmetric_and_form_triangles", "[geodesic]") {
+  for(const shapes::Triangles& t :
+      {shapes::bumpy_square(24, 0.3, 3, 5), shapes::ragged_square(20, 0.2, 3),
+       crumpled(shapes::sphere(3), 0.03, 2)}) {
+    std::mt19937 generator(4);
+    const RL::Geodesic_solver geodesics = solver(t);
+    std::vector<std::size_t> chosen;
+    std::vector<Distances> from;
+    for(int i = 0; i < 10; ++i) {
+      chosen.push_back(generator() % t.points.size());
+      from.push_back(geodesics.distances(RL::Geodesic_sources::vertex(chosen.back())).distances);
+    }
+    for(std::size_t i = 0; i < 10; ++i)
+      for(std::size_t j = 0; j < i; ++j) {
+        if(std::isinf(from[i][chosen[j]]) || chosen[i] == chosen[j])
+          continue;
+        CHECK(from[i][chosen[j]] == Approx(from[j][chosen[i]]).epsilon(3e-3));
+        for(std::size_t k = 0; k < 10; ++k)
+          CHECK(from[i][chosen[j]] <= (from[i][chosen[k]] + from[k][chosen[j]]) * (1 + 3e-3));
+      }
+  }
+}
+
+TEST_CASE("distances_do_not_depend_on_the_triangulation", "[geodesic]") {
+  // The same bumpy surface refined in the planes of its faces, shuffled, and with faces turned over.
+  const shapes::Triangles coarse = shapes::bumpy_square(16, 0.3, 3, 5);
+  const shapes::Triangles fine = shapes::split_in_four(shapes::split_in_four(coarse));
+  shapes::Triangles turned = coarse;
+  std::mt19937 generator(1);
+  for(auto& f : turned.faces)
+    if(generator() & 1u)
+      std::swap(f[0], f[1]);
+  std::shuffle(turned.faces.begin(), turned.faces.end(), generator);
+  const Distances a = from_vertex(coarse, 40), b = from_vertex(fine, 40),
+                  c = from_vertex(turned, 40);
+  for(std::size_t v = 0; v < coarse.points.size(); ++v) {
+    CHECK(b[v] == Approx(a[v]).epsilon(3e-3));
+    CHECK(c[v] == Approx(a[v]).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("distances_do_not_depend_on_position_and_scale", "[geodesic]") {
+  const shapes::Triangles t = shapes::bumpy_square(16, 0.3, 3, 5);
+  const Distances found = from_vertex(t, 40);
+  for(const double scale : {1e-90, 1e-9, 1e9, 1e90}) {
+    const Distances scaled = from_vertex(shapes::scaled(t, scale), 40);
+    for(std::size_t v = 0; v < t.points.size(); ++v)
+      CHECK(scaled[v] / scale == Approx(found[v]).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("rays_go_on_in_each_face_of_an_edge", "[geodesic]") {
+  // three half planes that meet in the y-axis
+  shapes::Triangles t;
+  const int n = 8;
+  for(int wing = 0; wing < 3; ++wing) {
+    const double phi = 2 * CGAL_PI * wing / 3 + 0.1;
+    t = wing == 0 ? grid(n,
+                         [&](double x, double y) {
+                           return RL::Point_3(x * std::cos(phi), y, x * std::sin(phi));
+                         })
+                  : shapes::joined(t, grid(n, [&](double x, double y) {
+                                     return RL::Point_3(x * std::cos(phi), y, x * std::sin(phi));
+                                   }));
+  }
+  // one axis for all
+  const std::uint32_t size = (n + 1) * (n + 1);
+  for(auto& f : t.faces)
+    for(std::uint32_t& v : f)
+      if(v % size % (n + 1) == 0)
+        v %= size;
+  const std::size_t source = 5 + 2 * (n + 1);
+  const Distances found = from_vertex(t, source);
+  const double x = 5. / n, y = 2. / n;
+  for(std::uint32_t v = 0; v < t.points.size(); ++v) {
+    const double i = double(v % size % (n + 1)) / n, j = double(v % size / (n + 1)) / n;
+    if(i == 0 && v >= size)
+      continue;
+    const double across = v < size ? i - x : i + x;
+    CHECK(found[v] == Approx(std::hypot(across, j - y)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("distances_on_hostile_surfaces", "[geodesic]") {
+  SECTION("one triangle") {
+    const Distances d =
+        from_vertex(shapes::Triangles{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}}, 1);
+    CHECK(d == Distances{1, 0, std::sqrt(5.)});
+  }
+  SECTION("a strip of needles of the aspect 1e4") {
+    shapes::Triangles t;
+    const int n = 200;
+    for(int i = 0; i <= n; ++i) {
+      t.points.emplace_back(i * 1e-4, 0, 0);
+      t.points.emplace_back(i * 1e-4, 1, 0);
+    }
+    for(std::uint32_t i = 0; i < n; ++i) {
+      t.faces.push_back({2 * i, 2 * i + 2, 2 * i + 1});
+      t.faces.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+    }
+    for(std::size_t source : {std::size_t(0), std::size_t(201)}) {
+      const Distances d = from_vertex(t, source);
+      for(std::size_t v = 0; v < t.points.size(); ++v)
+        CHECK(d[v] == Approx(length(t.points[v] - t.points[source])).epsilon(1e-8));
+    }
+  }
+  SECTION("faces of no area") {
+    shapes::Triangles t = shapes::rectangle(1, 1);
+    const auto n = static_cast<std::uint32_t>(t.points.size());
+    t.points.push_back(CGAL::midpoint(t.points[0], t.points[1]));
+    t.points.push_back(t.points[2]);
+    t.faces.push_back({0, 1, n});
+    t.faces.push_back({2, n + 1, 0});
+    t.faces.push_back({0, 0, 1});
+    t.faces.push_back({2, 2, 2});
+    const Distances d = from_vertex(t, 0);
+    for(std::size_t v = 0; v < t.points.size(); ++v)
+      CHECK(d[v] == Approx(length(t.points[v] - t.points[0])).margin(1e-12));
+  }
+  SECTION("random soups: no more than along edges, no less than straight through space") {
+    for(unsigned seed = 1; seed <= 200; ++seed) {
+      CAPTURE(seed);
+      const shapes::Triangles t =
+          seed % 2 ? shared_soup(seed, 12, 30) : crumpled(shapes::box(1, 1, 1, 3, seed), 0.5, seed);
+      const std::size_t source = seed % t.points.size();
+      const Distances d = from_vertex(t, source), edges = along_edges(t, source);
+      for(std::size_t v = 0; v < t.points.size(); ++v) {
+        CHECK((std::isinf(d[v]) == std::isinf(edges[v]) && d[v] <= edges[v] * (1 + 1e-9)));
+        CHECK(d[v] >= length(t.points[v] - t.points[source]) * (1 - 1e-3));
+      }
+    }
+  }
+}
+
+TEST_CASE("bad_sources_of_distances_are_named", "[geodesic]") {
+  const shapes::Triangles t = shapes::rectangle(1, 1);
+  const RL::Geodesic_solver geodesics = solver(t);
+  CHECK_THROWS_AS(geodesics.distances(RL::Geodesic_sources()), RL::Parameter_error);
+  try {
+    geodesics.distances(RL::Geodesic_sources::vertex(77));
+    FAIL("no exception");
+  } catch(const RL::Invalid_vertex_error& e) {
+    CHECK(e.vertex() == 77);
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(const RL::Surface_location& l :
+      {RL::Surface_location{99, {1, 0, 0}}, RL::Surface_location{0, {nan, 0, 0}},
+       RL::Surface_location{0, {1.5, -0.5, 0}}, RL::Surface_location{0, {0.5, 0.5, 0.5}}}) {
+    RL::Geodesic_sources sources;
+    sources.add_location(l);
+    CHECK_THROWS_AS(geodesics.distances(sources), RL::Location_error);
+  }
+  RL::Geodesic_sources sources;
+  CHECK_THROWS_AS(sources.add_segment({0, {1, 0, 0}}, {1, {1, 0, 0}}), RL::Location_error);
+  CHECK_THROWS_AS(RL::Geodesic_solver(RL::Triangulated_surface_3({{0, 0, 0}, {1, 0, 0}},
+                                                                 {{0, 0, 1}, {0, 0, 1}}, {1, 1})),
+                  RL::Input_error);
+}
+
+TEST_CASE("farthest_points_are_far", "[geodesic]") {
+  const shapes::Triangles t = shapes::sphere(3);
+  const RL::Geodesic_solver geodesics = solver(t);
+  const std::vector<std::size_t> two = geodesics.farthest_points(2);
+  REQUIRE(two.size() == 2);
+  CHECK(length(t.points[two[0]] - t.points[two[1]]) == Approx(2).epsilon(1e-3));
+  const std::vector<std::size_t> six =
+      geodesics.farthest_points(6, RL::Geodesic_sources::vertex(0));
+  CHECK(std::set<std::size_t>(six.begin(), six.end()).size() == 6);
+  // nowhere closer than half of the largest distance from all of them
+  RL::Geodesic_sources all = RL::Geodesic_sources::vertex(0);
+  for(std::size_t v : six)
+    all.add_vertex(v);
+  const Distances d = geodesics.distances(all).distances;
+  const double covered = *std::max_element(d.begin(), d.end());
+  for(std::size_t i = 0; i < 6; ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      CHECK(2 * std::asin(length(t.points[six[i]] - t.points[six[j]]) / 2) >= covered * 0.99);
+  CHECK(geodesics.farthest_points(100000).size() == t.points.size());
+  CHECK(geodesics.farthest_points(0).empty());
+}
+
+TEST_CASE("distances_go_into_property_maps", "[geodesic]") {
+  shapes::Mesh mesh = shapes::mesh(shapes::sphere(2));
+  auto d = mesh.add_property_map<shapes::Mesh::Vertex_index, double>("v:d").first;
+  const shapes::Mesh::Vertex_index a(3), b(7);
+  RL::geodesic_distances(mesh, a, d);
+  const double from_a = d[b];
+  CHECK(d[a] == 0);
+  RL::geodesic_distances(mesh, std::vector<shapes::Mesh::Vertex_index>{a, b}, d);
+  CHECK((d[a] == 0 && d[b] == 0));
+  RL::geodesic_distances(mesh, RL::Geodesic_sources::vertex(7), d);
+  CHECK(d[a] == Approx(from_a).epsilon(1e-4));
+}
