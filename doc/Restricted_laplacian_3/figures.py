@@ -565,6 +565,22 @@ for name, value, text, methods in [
               value, text, 1, None, lambda r, m=methods: r["method"] in m)
 
 
+# ---- distances
+
+DISTANCES = {
+    "fast": "`fast`",
+    "exact": "`exact`",
+    "heat": "heat",
+    "heat_idt": "heat, intrinsic Delaunay",
+    "cgal_exact": "CGAL, exact",
+}
+for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent), ("setup", "setup_s", short),
+                          ("query", "query_s", short)]:
+    add_table("distances_" + name, "distance_study", ["mesh", "n", "source", "method", "mean"],
+              {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"]), "From vertex": lambda r: whole(r["source"])},
+              of(DISTANCES), value, text, 1)
+
+
 # ---- thin features and tessellations
 
 

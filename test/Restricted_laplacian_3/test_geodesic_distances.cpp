@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances along surfaces: against exact ones on spheres, planes, cylinders and cones, and on small
-// surfaces against all straight ways from vertex to vertex.
+// Distances along surfaces: against exact ones on spheres, planes, cylinders and cones, and on
+// small surfaces against all straight ways from vertex to vertex.
 
 #include "catch.h"
 #include "shapes.h"
@@ -435,6 +435,24 @@ TEST_CASE("sources_may_be_points_segments_and_boundaries", "[geodesic]") {
   }
 }
 
+TEST_CASE("sources_are_what_was_added", "[geodesic]") {
+  RL::Geodesic_sources sources;
+  CHECK(sources.empty());
+  sources.add_vertex(3, 4);
+  sources.add_location({5, {0, 1, 0}}, 6);
+  sources.add_segment({7, {1, 0, 0}}, {7, {0, 0, 1}}, 8);
+  sources.add_boundary(9);
+  CHECK(!sources.empty());
+  CHECK(sources.vertices() == std::vector<std::pair<std::size_t, std::uint32_t>>{{3, 4}});
+  CHECK(sources.boundaries() == std::vector<std::uint32_t>{9});
+  REQUIRE(sources.segments().size() == 2);
+  const RL::Geodesic_sources::Segment &point = sources.segments()[0],
+                                      &segment = sources.segments()[1];
+  CHECK((point.from.face == 5 && point.from.barycentric == point.to.barycentric));
+  CHECK((point.label == 6 && segment.label == 8 && segment.from.face == segment.to.face));
+  CHECK((segment.from.barycentric[0] == 1 && segment.to.barycentric[2] == 1));
+}
+
 TEST_CASE("labels_are_those_of_the_nearest_source", "[geodesic]") {
   shapes::Triangles t = grid(20, [](double x, double y) { return RL::Point_3(x, y, 0); });
   const std::size_t number = t.points.size();
@@ -490,7 +508,8 @@ TEST_CASE("distances_are_symmetric_and_form_triangles", "[geodesic]") {
 }
 
 TEST_CASE("distances_do_not_depend_on_the_triangulation", "[geodesic]") {
-  // The same bumpy surface refined in the planes of its faces, shuffled, and with faces turned over.
+  // The same bumpy surface refined in the planes of its faces, shuffled, and with faces turned
+  // over.
   const shapes::Triangles coarse = shapes::bumpy_square(16, 0.3, 3, 5);
   const shapes::Triangles fine = shapes::split_in_four(shapes::split_in_four(coarse));
   shapes::Triangles turned = coarse;

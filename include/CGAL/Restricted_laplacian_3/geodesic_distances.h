@@ -48,8 +48,8 @@ Geodesic_sources geodesic_sources(const FaceGraph& tm, const Sources& sources) {
 /// \param tm the surface
 /// \param sources from where distances are measured: `Geodesic_sources`, a vertex descriptor, or a
 /// range of vertex descriptors
-/// \param distances a model of `WritablePropertyMap` with the vertex descriptor as key and a number as
-/// value, receives the distances; infinite where no source is reached
+/// \param distances a model of `WritablePropertyMap` with the vertex descriptor as key and a number
+/// as value, receives the distances; infinite where no source is reached
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh

@@ -1345,6 +1345,10 @@ test_short_programs() {
   run minimal_poisson missing.off
   check "minimal_poisson fails without a mesh, and tells its usage" \
     eval '[ "$status" -eq 1 ] && grep -q "^usage: minimal_poisson" err'
+  succeeds minimal_distances sphere.off
+  check "minimal_distances prints half of a great circle" \
+    is_near "$(sed -n 's/^the vertex that is farthest.*: //p' out)" 3.1416 0.01
+  fails "usage" minimal_distances
   cp sphere.off elephant.off
   succeeds first_steps
   check "first_steps prints the first eigenvalue of a sphere" is_near "$(tail -n 1 out)" 2 0.02

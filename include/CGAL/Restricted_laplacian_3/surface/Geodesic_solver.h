@@ -25,10 +25,13 @@ namespace Restricted_laplacian_3 {
 /// one label are one set.
 class Geodesic_sources {
 public:
-  /// a point, or the segment between two points of a face
+  /// \ingroup PkgRestrictedLaplacian3Distances
+  /// A point, or the segment between two points of a face.
   struct Segment {
-    /// its ends, equal if it is a point; locations of one face
-    Surface_location from, to;
+    /// one end
+    Surface_location from;
+    /// the other end, the same if it is a point; a location of the same face
+    Surface_location to;
     /// the label
     std::uint32_t label;
   };
@@ -83,10 +86,10 @@ struct Geodesic_distances {
 
   /// of the vertices, in units of length; infinite where no source is reached
   std::vector<double> distances;
-  /// Unit vectors at the vertices: where the shortest way to the source begins, tangent to a face of
-  /// the vertex. The gradient of the distance is the opposite. Zero at sources, where no source
-  /// is reached, where the faces of a vertex form no fan, and at the few vertices at which the direction
-  /// could not be found.
+  /// Unit vectors at the vertices: where the shortest way to the source begins, tangent to a face
+  /// of the vertex. The gradient of the distance is the opposite. Zero at sources, where no source
+  /// is reached, where the faces of a vertex form no fan, and at the few vertices at which the
+  /// direction could not be found.
   std::vector<Vector_3> directions;
   /// labels of the nearest sources: Voronoi regions
   std::vector<std::uint32_t> labels;
@@ -106,15 +109,15 @@ enum class Geodesic_method {
 /// \ingroup PkgRestrictedLaplacian3Distances
 /// Distances along a surface of triangles, set up once for any number of queries.
 ///
-/// Distances are those on the triangles as they are, lengths of shortest ways over their faces. They are
-/// propagated from the sources together with the directions of their rays, exactly near sources, at
-/// the shadows of saddles and boundaries, at ridges and on long needles, elsewhere by a cubic in the
-/// squared distance along each edge; see \ref RL_theory_distances. On the meshes of \ref
-/// RL_distance_study they differ from exact distances by less than 0.02 % in the mean. The surface need not
-/// be a manifold, nor orientable, nor connected.
+/// Distances are those on the triangles as they are, lengths of shortest ways over their faces.
+/// They are propagated from the sources together with the directions of their rays, exactly near
+/// sources, at the shadows of saddles and boundaries, at ridges and on long needles, elsewhere by a
+/// cubic in the squared distance along each edge; see \ref RL_theory_distances. On the meshes of
+/// \ref RL_distance_study they differ from exact distances by less than 0.03 % in the mean. The
+/// surface need not be a manifold, nor orientable, nor connected.
 ///
-/// A query takes time and memory nearly linear in the number of faces. Queries may run at the same time;
-/// their results do not depend on the number of threads.
+/// A query takes time and memory nearly linear in the number of faces. Queries may run at the same
+/// time; their results do not depend on the number of threads.
 class Geodesic_solver {
 public:
   /// Takes time \f$O(n \log n)\f$ for \f$n\f$ faces.
@@ -127,7 +130,8 @@ public:
   /// Distances of all vertices from the nearest of the sources.
   /// \param sources at least one
   /// \param method whether they need to be exact
-  /// \throws Parameter_error if there is no source: none was added, or the boundary, and there is none
+  /// \throws Parameter_error if there is no source: none was added, or the boundary, and there is
+  /// none
   /// \throws Invalid_vertex_error a source is a vertex that does not exist
   /// \throws Location_error a source is not on the surface
   Geodesic_distances distances(const Geodesic_sources& sources,
@@ -135,7 +139,8 @@ public:
 
   /// Vertices far from each other and from the sources: each is the one that is farthest from the
   /// sources and those before (Gonzalez 1985). Ties go to the lower number.
-  /// \param sources where to begin; if empty, the first vertex with a face, which is the first result then
+  /// \param sources where to begin; if empty, the first vertex with a face, which is the first
+  /// result then
   /// \param number of vertices
   /// \return at most as many vertices as there are on the components that are reached
   std::vector<std::size_t> farthest_points(std::size_t number,

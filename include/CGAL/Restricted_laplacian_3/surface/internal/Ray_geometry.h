@@ -41,8 +41,8 @@ inline double angle(const Plane_vector& a, const Plane_vector& b) {
   return std::atan2(std::abs(cross(a, b)), dot(a, b));
 }
 
-/// What rays need to know of a surface: the lengths of sides, the angles of corners, which faces are
-/// beyond a side, and the fan of a vertex, if its corners form one. Corner `k` of a face is its
+/// What rays need to know of a surface: the lengths of sides, the angles of corners, which faces
+/// are beyond a side, and the fan of a vertex, if its corners form one. Corner `k` of a face is its
 /// vertex `k`, side `k` runs from there to the next corner.
 ///
 /// The unit of length is the extent of the surface.
@@ -98,7 +98,8 @@ public:
   double corner_angle(std::uint32_t face, std::uint32_t k) const {
     return m_angles[3 * face + k % 3];
   }
-  /// the third corner of a face, in a frame in which a side runs from the origin along the first axis
+  /// the third corner of a face, in a frame in which a side runs from the origin along the first
+  /// axis
   Plane_vector apex(const Side& side) const {
     const double l = length(side.face, side.number), a = length(side.face, side.number + 2),
                  b = length(side.face, side.number + 1);

@@ -22,12 +22,13 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// Propagates distances over the triangles, and with them the directions of their rays, in the order
-/// of a Dijkstra heap. There are two ways from a side of a face through the face:
+/// Propagates distances over the triangles, and with them the directions of their rays, in the
+/// order of a Dijkstra heap. There are two ways from a side of a face through the face:
 ///
 /// - Windows, which are exact: the rays from one source, unfolded into the plane of the face, that
 ///   enter through a part of the side (Mitchell, Mount, Papadimitriou 1987; pruned as by Xin and
-///   Wang 2009). Sources are those given and the vertices at which rays turn: on the boundary, where
+///   Wang 2009). Sources are those given and the vertices at which rays turn: on the boundary,
+/// where
 ///   the faces form no fan, or where the angles sum to more than 2 pi. These send rays into what
 ///   lies in the shadow of their own ray only.
 /// - A cubic, which costs the same for however many windows there are: distances and directions at
@@ -39,8 +40,8 @@ namespace internal {
 /// side's length, and the side is short beside its distance from there. Windows that arrive at a
 /// short side wait until the distances of both its ends are known, and go on only where the cubic
 /// cannot be used; there more windows are made from the cubics at the two sides before. So close to
-/// sources, at shadows, ridges and long needles distances are exact, and elsewhere one cubic takes the
-/// place of many windows.
+/// sources, at shadows, ridges and long needles distances are exact, and elsewhere one cubic takes
+/// the place of many windows.
 class Ray_propagation {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -159,8 +160,8 @@ private:
                           direction_tolerance = 0.1;
   /// Shadows are wider by this angle on both sides: rays have errors, and more windows do no harm.
   static constexpr double shadow_slack = 0.3;
-  /// A path along an edge is taken to be the ray if it turns by no more than this, at its root, into the
-  /// light.
+  /// A path along an edge is taken to be the ray if it turns by no more than this, at its root,
+  /// into the light.
   static constexpr double turn_tolerance = 0.01;
   /// Windows that are made of a cubic: their number, and the part by which they overlap, because
   /// rays diverge and would leave gaps.
@@ -191,8 +192,8 @@ private:
     }
   };
 
-  /// How rays go on from a side into its face: not known yet, both ends being popped; by the cubic, or
-  /// not at all, because they come out of the face; by windows.
+  /// How rays go on from a side into its face: not known yet, both ends being popped; by the cubic,
+  /// or not at all, because they come out of the face; by windows.
   enum class State : std::uint8_t { open, cubic, windows };
 
   /// squared distances along a side from 0 to 1, less the offset before squaring
@@ -607,8 +608,8 @@ private:
     }
   }
 
-  /// Minimizes the distance of the third corner through a side, by Newton's method from where the ray
-  /// crosses it that the distances of the ends give.
+  /// Minimizes the distance of the third corner through a side, by Newton's method from where the
+  /// ray crosses it that the distances of the ends give.
   void offer_to_apex(const Side& side, const Cubic& cubic) {
     constexpr double longest_step = 0.3;
     const double l = m_geometry.length(side.face, side.number);
