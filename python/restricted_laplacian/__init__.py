@@ -3,8 +3,8 @@
 
 """The Laplace-Beltrami operator of a surface, by B-splines on an octree restricted to it.
 
-Poisson problems, spectra, fits, curvature, gradient fields and stitched colors of any triangles, or
-of points with normals: results that do not depend on the triangulation, by a multigrid method.
+Poisson problems, spectra, fits, curvature, gradient fields, stitched colors and distances of any
+triangles, or of points with normals: results that do not depend on the triangulation, by a multigrid method.
 
 >>> import restricted_laplacian as rl
 >>> V, F = rl.icosphere(4)
@@ -13,6 +13,7 @@ of points with normals: results that do not depend on the triangulation, by a mu
 """
 
 from ._core import __version__
+from ._distances import Distances, Geodesics, farthest_points, geodesic_distance
 from ._errors import Canceled, ConvergenceError, InputError
 from ._files import read_mesh
 from ._input import Corners
@@ -27,11 +28,11 @@ from ._spectra import (Spectrum, biharmonic_embedding, diffusion_map, eigs,
 from ._textures import Scan, stitch_colors
 
 __all__ = [
-    "Canceled", "ConvergenceError", "Corners", "Curvature", "InputError", "Operators",
-    "PoissonSolver", "Report", "Scan", "Space", "Spectrum", "SplineFunction", "__version__",
-    "biharmonic_embedding", "curvature", "diffusion_map", "eigs", "fit_function",
-    "global_point_signature", "heat_kernel_signature", "heat_kernel_times", "heat_trace",
-    "icosphere", "integrate_gradient", "laplace_spectrum", "number_of_zero_eigenvalues",
-    "read_mesh", "shape_dna", "solve_poisson",
+    "Canceled", "ConvergenceError", "Corners", "Curvature", "Distances", "Geodesics", "InputError",
+    "Operators", "PoissonSolver", "Report", "Scan", "Space", "Spectrum", "SplineFunction",
+    "__version__", "biharmonic_embedding", "curvature", "diffusion_map", "eigs", "farthest_points",
+    "fit_function", "geodesic_distance", "global_point_signature", "heat_kernel_signature",
+    "heat_kernel_times", "heat_trace", "icosphere", "integrate_gradient", "laplace_spectrum",
+    "number_of_zero_eigenvalues", "read_mesh", "shape_dna", "solve_poisson",
     "solve_screened_poisson", "stitch_colors", "wave_kernel_signature",
 ]

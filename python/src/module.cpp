@@ -78,6 +78,7 @@ NB_MODULE(_core, m) {
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   nanobind::register_exception_translator(python::translate);
   python::add_surfaces(m);
+  python::add_distances(m);
   python::add_problems(m);
   python::add_spectra(m);
   python::add_textures(m);

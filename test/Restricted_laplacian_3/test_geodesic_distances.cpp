@@ -475,6 +475,7 @@ TEST_CASE("labels_are_those_of_the_nearest_source", "[geodesic]") {
     for(const auto& [label, d] : nearest)
       least = (std::min)(least, d);
     CHECK(found.distances[v] == Approx(least).epsilon(1e-3).margin(1e-12));
+    REQUIRE(nearest.count(found.labels[v]) == 1);
     CHECK(nearest[found.labels[v]] <= least * (1 + 1e-3));
   }
   for(std::size_t v = number; v < t.points.size(); ++v) {

@@ -162,8 +162,10 @@ Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sou
   if(!sources.empty())
     nearest = distances(sources).distances;
   else {
-    const auto& triangles = m_impl->surface;
-    result.push_back(triangles.triangle(0)[0]);
+    std::uint32_t first = 0;
+    while(!m_impl->geometry.has_corner(first))
+      ++first;
+    result.push_back(first);
     nearest = distances(Geodesic_sources::vertex(result[0])).distances;
   }
   while(result.size() < number) {

@@ -1,0 +1,185 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Distances along a surface."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+
+from . import _core
+from ._errors import argument_error
+from ._input import make_surface, numbers, rows
+
+
+class Distances(NamedTuple):
+    """What `Geodesics.distances` returns, of the vertices."""
+
+    distances: np.ndarray
+    """Infinite where no source is reached."""
+    directions: np.ndarray
+    """Unit vectors along which the way to the source begins, (n, 3); 0 where that is not known."""
+    labels: np.ndarray
+    """Label of the nearest source, or -1."""
+
+
+def _integers(values: Any, name: str) -> np.ndarray:
+    given = numbers(values, name).ravel()
+    with np.errstate(invalid="ignore"):  # NaN
+        result = given.astype(np.int64)
+    if not np.array_equal(result, given) or (result < 0).any():
+        raise argument_error(name, "must be whole numbers from 0 on")
+    return result
+
+
+def _barycentric(values: Any, name: str) -> np.ndarray:
+    result = rows(np.atleast_2d(numbers(values, name)), name)
+    if result.shape[1] != 3:
+        raise argument_error(name, "must have three barycentric coordinates for each face")
+    return result
+
+
+class Geodesics:
+    """Distances along a surface of triangles, set up once for any number of queries.
+
+    Parameters
+    ----------
+    V, F
+        The triangles, as for `Space`; they need not form a manifold.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> geodesics = rl.Geodesics(V, F)
+    >>> d = geodesics.distances(0).distances  # from vertex 0
+    >>> bool(abs(d.max() - 3.1416) < 0.01)
+    True
+    >>> far = geodesics.farthest_points(6)
+    >>> regions = geodesics.distances(far).labels  # Voronoi regions
+    """
+
+    def __init__(self, V: Any, F: Any = None) -> None:
+        self._solver = _core.GeodesicSolver.make(make_surface(V, F))
+
+    def distances(self, sources: Any = None, *, points: Any = None, segments: Any = None,
+                  boundary: bool = False, labels: Any = None, exact: bool = False) -> Distances:
+        """Distances of all vertices from the nearest source.
+
+        Parameters
+        ----------
+        sources : int or array_like of int, optional
+            Vertices.
+        points : (faces, barycentric), optional
+            Points in faces: rows of ``F``, and three coordinates for each.
+        segments : (faces, barycentric, barycentric), optional
+            Segments from one point of a face to another one. A polyline consists of such.
+        boundary : bool
+            Whether edges with one face only are sources, too.
+        labels : array_like of int, optional
+            Of the vertices, points, segments, and the boundary, in that order; by default 0, 1 and
+            so on.
+        exact : bool
+            Exact up to rounding, in more time; by default errors are of the order of 0.01 %.
+
+        Returns
+        -------
+        Distances
+            A tuple of ``distances``, ``directions`` and ``labels``.
+        """
+        vertices = _integers([] if sources is None else sources, "sources")
+        faces: list[np.ndarray] = []
+        starts: list[np.ndarray] = []
+        ends: list[np.ndarray] = []
+        for given, name in ((points, "points"), (segments, "segments")):
+            if given is None:
+                continue
+            parts = list(given)
+            if len(parts) != (2 if name == "points" else 3):
+                raise argument_error(name, "must be faces, and barycentric coordinates"
+                                     + (" of both ends" if name == "segments" else ""))
+            faces.append(_integers(parts[0], name))
+            starts.append(_barycentric(parts[1], name))
+            ends.append(_barycentric(parts[-1], name))
+        none = np.zeros((0, 3))
+        own_faces = np.concatenate([np.zeros(0, np.int64), *faces])
+        number = len(vertices) + len(own_faces) + bool(boundary)
+        own_labels = np.arange(number) if labels is None else _integers(labels, "labels")
+        return Distances(*self._solver.distances(
+            vertices, own_faces, np.concatenate([none, *starts]), np.concatenate([none, *ends]),
+            bool(boundary), own_labels, bool(exact)))
+
+    def farthest_points(self, number: int, sources: Any = None) -> np.ndarray:
+        """Vertices far from each other: each is the one farthest from those before.
+
+        Parameters
+        ----------
+        number : int
+            How many.
+        sources : int or array_like of int, optional
+            Vertices to begin with, which are not among the results; by default the first vertex
+            with a face, which is the first of them.
+
+        Returns
+        -------
+        numpy.ndarray, (number,)
+            Fewer if there are not so many.
+        """
+        if isinstance(number, bool) or not isinstance(number, (int, np.integer)):
+            raise argument_error("number", f"must be a whole number, and is {number!r}")
+        own = _integers([] if sources is None else sources, "sources")
+        return self._solver.farthest_points(int(np.clip(number, -1, 2 ** 32)), own)
+
+
+def geodesic_distance(V: Any, F: Any = None, sources: Any = None, *, boundary: bool = False,
+                      exact: bool = False) -> np.ndarray:
+    """Distances along a surface.
+
+    Parameters
+    ----------
+    V, F
+        The triangles, as for `Space`.
+    sources : int or array_like of int, optional
+        Vertices from which distances are measured.
+    boundary, exact
+        See `Geodesics.distances`, which takes other sources, too.
+
+    Returns
+    -------
+    numpy.ndarray, (n,)
+        Of the vertices from the nearest source; infinite where none is reached.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> d = rl.geodesic_distance(V, F, [0, 7])
+    """
+    return Geodesics(V, F).distances(sources, boundary=boundary, exact=exact).distances
+
+
+def farthest_points(V: Any, F: Any = None, number: int = 1, sources: Optional[Any] = None
+                    ) -> np.ndarray:
+    """Vertices far from each other, see `Geodesics.farthest_points`.
+
+    Parameters
+    ----------
+    V, F
+        The triangles, as for `Space`.
+    number, sources
+        See `Geodesics.farthest_points`.
+
+    Returns
+    -------
+    numpy.ndarray, (number,)
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(3)
+    >>> len(rl.farthest_points(V, F, 5))
+    5
+    """
+    return Geodesics(V, F).farthest_points(number, sources)
