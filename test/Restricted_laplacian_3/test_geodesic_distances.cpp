@@ -435,6 +435,27 @@ TEST_CASE("sources_may_be_points_segments_and_boundaries", "[geodesic]") {
   }
 }
 
+TEST_CASE("directions_are_those_of_exact_rays", "[geodesic]") {
+  for(const shapes::Triangles& t :
+      {shapes::bumpy_square(24, 0.3, 3, 5), crumpled(shapes::sphere(3), 0.03, 2)}) {
+    const RL::Geodesic_solver geodesics = solver(t);
+    const auto source = RL::Geodesic_sources::vertex(77);
+    const std::vector<RL::Vector_3> fast = geodesics.distances(source).directions,
+                                    exact = geodesics.distances(source, RL::Geodesic_method::exact)
+                                                .directions;
+    std::size_t known = 0, far = 0;
+    for(std::size_t v = 0; v < t.points.size(); ++v)
+      if(fast[v] != CGAL::NULL_VECTOR && exact[v] != CGAL::NULL_VECTOR) {
+        ++known;
+        far += fast[v] * exact[v] < 0.98;
+      }
+    CHECK(known > 0.95 * static_cast<double>(t.points.size()));
+    // where rays of two sides meet, the nearest may be either
+    CAPTURE(known, far);
+    CHECK(far < 0.01 * static_cast<double>(known));
+  }
+}
+
 TEST_CASE("sources_are_what_was_added", "[geodesic]") {
   RL::Geodesic_sources sources;
   CHECK(sources.empty());
@@ -519,12 +540,17 @@ TEST_CASE("distances_do_not_depend_on_the_triangulation", "[geodesic]") {
     if(generator() & 1u)
       std::swap(f[0], f[1]);
   std::shuffle(turned.faces.begin(), turned.faces.end(), generator);
-  const Distances a = from_vertex(coarse, 40), b = from_vertex(fine, 40),
-                  c = from_vertex(turned, 40);
+  const auto source = RL::Geodesic_sources::vertex(40);
+  const RL::Geodesic_distances found = solver(coarse).distances(source),
+                               other = solver(turned).distances(source);
+  const Distances &a = found.distances, b = from_vertex(fine, 40), &c = other.distances;
+  std::size_t same_directions = 0;
   for(std::size_t v = 0; v < coarse.points.size(); ++v) {
     CHECK(b[v] == Approx(a[v]).epsilon(3e-3));
     CHECK(c[v] == Approx(a[v]).epsilon(1e-3));
+    same_directions += length(found.directions[v] - other.directions[v]) < 0.05;
   }
+  CHECK(same_directions > 0.95 * static_cast<double>(coarse.points.size()));
 }
 
 TEST_CASE("distances_do_not_depend_on_position_and_scale", "[geodesic]") {

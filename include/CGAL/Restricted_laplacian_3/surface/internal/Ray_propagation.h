@@ -160,9 +160,6 @@ private:
                           direction_tolerance = 0.1;
   /// Shadows are wider by this angle on both sides: rays have errors, and more windows do no harm.
   static constexpr double shadow_slack = 0.3;
-  /// A path along an edge is taken to be the ray if it turns by no more than this, at its root,
-  /// into the light.
-  static constexpr double turn_tolerance = 0.01;
   /// Windows that are made of a cubic: their number, and the part by which they overlap, because
   /// rays diverge and would leave gaps.
   static constexpr int windows_of_cubic = 4;
@@ -285,32 +282,17 @@ private:
 
   /// offers the way along a side to its other end
   void offer_along(const Side& side, std::uint32_t v, bool begins_here, bool is_root_here) {
-    const std::uint32_t here = begins_here ? side.number : (side.number + 1) % 3,
-                        there = begins_here ? side.number + 1 : side.number;
-    const auto along = [&](std::uint32_t k, bool begins) {
-      return m_geometry.fan_angle(side.face, k, begins ? 0 : m_geometry.corner_angle(side.face, k));
-    };
+    const std::uint32_t there = begins_here ? side.number + 1 : side.number;
     Ray ray = m_rays[v];
     ray.distance += m_geometry.length(side.face, side.number);
     ray.angle = std::numeric_limits<double>::quiet_NaN();
     if(is_root_here) {
       ray.offset = m_rays[v].distance;
       ray.root = v;
-      if(goes_on(v, along(here, begins_here)))
-        ray.angle = along(there, !begins_here);
+      ray.angle = m_geometry.fan_angle(side.face, there,
+                                       begins_here ? m_geometry.corner_angle(side.face, there) : 0);
     }
     offer(m_geometry.vertex(side.face, there), ray);
-  }
-
-  /// whether a shortest way through a root goes on in a direction
-  bool goes_on(std::uint32_t root, double direction) const {
-    const double phi = m_rays[root].angle;
-    if(std::isnan(phi) || m_rays[root].distance == 0)
-      return true;
-    const double turned = std::abs(direction - phi);
-    return turned > CGAL_PI - turn_tolerance &&
-           (m_geometry.is_on_boundary(root) ||
-            m_geometry.total_angle(root) - turned > CGAL_PI - turn_tolerance);
   }
 
   /// rays from a vertex through the opposite side, into the shadow of its own ray
