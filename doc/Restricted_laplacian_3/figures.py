@@ -580,6 +580,14 @@ for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent)
               {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"]), "From vertex": lambda r: whole(r["source"])},
               of(DISTANCES), value, text, 1)
 
+PYTHON_DISTANCES = {"fast": "here, `fast`", "exact": "here, `exact`", "pygeodesic": "pygeodesic",
+                    "potpourri3d": "potpourri3d"}
+for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent), ("setup", "setup_s", short),
+                          ("query", "query_s", short)]:
+    add_table("distance_peers_" + name, "distance_peers", ["mesh", "n", "method", "mean"],
+              {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"])}, of(PYTHON_DISTANCES),
+              value, text, 1, list(PYTHON_DISTANCES.values()))
+
 
 # ---- thin features and tessellations
 
