@@ -97,6 +97,10 @@ draw long --isolines 10 spectral_descriptors "$elephant" --depth 5 --time 0.1
 draw wave --isolines 10 spectral_descriptors "$elephant" --depth 5 --descriptor wks --energy 6
 side_by_side descriptors 500 {short,long,wave}.png
 
+draw distance --isolines 20 --property distance geodesic_distance "$elephant" --source 0
+draw regions geodesic_distance "$elephant" --farthest 8 --show nearest
+side_by_side distances 400 {distance,regions}.png
+
 draw normals fit_function "$lion" --normals --depth 7
 refine "$meshes/nefertiti.off" >once.off
 refine once.off >twice.off

@@ -181,7 +181,8 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
 
   require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
   require_positive(given, "cube-scale", o.space.cube_scale);
-  o.space.split_elements = !given["unsplit"].as<bool>();
+  if(given.count("unsplit")) // a program with a space
+    o.space.split_elements = !given["unsplit"].as<bool>();
   require(given.count("join") == 0 ||
               (o.space.joining_tolerance >= 0 && std::isfinite(o.space.joining_tolerance)),
           "the argument of --join must be a number that is not negative");

@@ -198,6 +198,8 @@ test_help() {
   explains stitch_colors $common_options \
     poses frame method gradients alpha maximum-distance normal-angle unoriented leave-out \
     keep-exposures linear-light no-details truth tolerance stabilization
+  explains geodesic_distance source boundary farthest exact show csv output threads quiet verbose \
+    progress version
   explains bake_scans views resolution field-of-view points noise exposure-range exposures tint \
     light linear-light pattern seed quiet version
   check "bake_scans --help rounds its defaults" eval "! grep -q '[09]\{6\}' out"
@@ -225,7 +227,7 @@ test_help_examples() {
   ln -s "$data/../points_3" points_3
   cd meshes || exit 2
   for program in solve_poisson laplace_spectrum spectral_descriptors fit_function \
-    estimate_curvature bake_scans stitch_colors draw_mesh; do
+    estimate_curvature geodesic_distance bake_scans stitch_colors draw_mesh; do
     [ $program != draw_mesh ] || has_draw_mesh || continue
     succeeds "$program" --help
     help_examples "$program" > examples
@@ -1298,6 +1300,31 @@ test_points() {
   succeeds laplace_spectrum sphere.off --depth 3 --count 2 --csv stratified.csv \
     --assembly monte-carlo --samples 50000 --sampling stratified
   check "stratified samples" is_near "$(numbers stratified.csv | tail -n 1)" 2 0.01
+}
+
+test_distances() {
+  # the first vertices are on the axes
+  succeeds geodesic_distance sphere.off --source 0 --csv d.csv --output d.ply
+  check "half of a great circle" \
+    is_near "$(sed -n 's/^largest_distance *//p' out)" 3.1416 0.01
+  check "its columns" grep -qx "vertex,distance,nearest" d.csv
+  check "the source" grep -qx "0,0,0" d.csv
+  check "its properties" grep -qa "^property double distance" d.ply
+  succeeds geodesic_distance sphere.off --source 0 1 --exact --show nearest --output d.ply --csv d.csv
+  check "two regions" [ "$(grep -v '^[#v]' d.csv | cut -d, -f3 | sort -u | paste -sd' ')" = "0 1" ]
+  succeeds geodesic_distance sphere.off --farthest 3
+  check "three sources" [ "$(sed -n '/^sources/,$p' out | wc -l)" -eq 4 ]
+  printf 'OFF\n5 4 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n2 2 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n' > square.off
+  succeeds geodesic_distance square.off --boundary
+  check "the center is farthest from the boundary" \
+    is_near "$(sed -n 's/^largest_distance *//p' out)" 2 1e-5
+  fails "no source" geodesic_distance sphere.off
+  fails "boundary, but the surface has none" geodesic_distance sphere.off --boundary
+  fails "vertex 100000" geodesic_distance sphere.off --source 100000
+  fails "source" geodesic_distance sphere.off --source -1
+  fails "farthest" geodesic_distance square.off --boundary --farthest 2
+  fails "show" geodesic_distance sphere.off --source 0 --show both
+  fails "open" geodesic_distance missing.off --source 0
 }
 
 test_short_programs() {

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Computes distances along a mesh from some of its vertices or its boundary.
+
+#include "support/color_map.h"
+#include "support/command_line.h"
+#include "support/program.h"
+#include "support/surface_program.h"
+#include "support/table.h"
+
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+using namespace examples;
+
+const Help help = {"geodesic_distance MESH [OPTION]...", std::string(R"(
+Computes the distances of the vertices of a surface from sources, along the surface, and which
+source is the nearest.
+
+Distances are infinite at vertices that no source reaches.
+)") + about_meshes,
+                   R"(  geodesic_distance elephant.off --source 0 --output distance.ply
+      a mesh colored by the distance from its first vertex; draw_mesh draws isolines
+  geodesic_distance elephant.off --farthest 8 --show nearest --output regions.ply
+      eight vertices far from each other, and the regions that are nearest to each
+  geodesic_distance elephant-with-holes.off --boundary --csv distance.csv
+      a table of the distances from the boundary
+)",
+                   R"(  0  all went well
+  1  an error, which one line on the error stream names
+)"};
+
+struct Options : Common_options {
+  std::vector<std::size_t> sources;
+  bool boundary = false, exact = false;
+  std::size_t farthest = 0;
+  std::string show = "distance";
+};
+
+// returns false if there is nothing more to do
+bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
+  po::options_description problem("Problem", help_width);
+  auto add = problem.add_options();
+  add("source", po::value(&o.sources)->multitoken()->value_name("V..."),
+      "numbers of vertices, counted from 0");
+  add("boundary", po::bool_switch(&o.boundary), "edges with one face only are sources, too");
+  add("farthest", po::value(&o.farthest)->value_name("N"),
+      "N more sources: each is the vertex that is farthest from those before; the first one is the "
+      "first vertex with a face, if there is no other source");
+  add("exact", po::bool_switch(&o.exact),
+      "exact up to rounding, in more time; by default errors are of the order of 0.01 %");
+  po::options_description colors("Colors", help_width);
+  add = colors.add_options();
+  add("show", po::value(&o.show)->value_name("distance|nearest")->default_value(o.show),
+      "what colors show");
+  po::options_description all(help_width);
+  all.add(problem)
+      .add(colors)
+      .add(output_options(o, "vertex, distance, nearest", "the properties distance and nearest"))
+      .add(general_options(o));
+  if(!parse_command_line(argc, argv, help, all, o, given))
+    return false;
+  require_choice("show", o.show, {"distance", "nearest"});
+  require(!o.sources.empty() || o.boundary || o.farthest > 0,
+          "there is no source: give --source, --boundary or --farthest");
+  require(!o.boundary || o.farthest == 0, "--farthest begins with vertices, not with --boundary");
+  return true;
+}
+
+// the colors of values; those that are infinite have none
+std::vector<Color> distance_colors(const Eigen::VectorXd& distances) {
+  std::vector<double> finite(distances.begin(), distances.end());
+  std::replace_if(
+      finite.begin(), finite.end(), [](double d) { return std::isinf(d); }, std::nan(""));
+  return value_colors(finite);
+}
+
+// a color for each source: hues that are far from each other
+std::vector<Color> region_colors(const Eigen::VectorXd& nearest) {
+  std::vector<Color> colors;
+  for(const double label : nearest) {
+    Color color = {0.5, 0.5, 0.5};
+    for(std::size_t k = 0; label >= 0 && k < 3; ++k)
+      color[k] = 0.6 + 0.35 * std::cos(2.399963 * label - 2.0943951 * static_cast<double>(k));
+    colors.push_back(color);
+  }
+  return colors;
+}
+
+Outcome measure(Job& job, const Options& o) {
+  job.progress.show("setting up rays");
+  const RL::Geodesic_solver solver(job.surface);
+  const double setup_seconds = job.seconds();
+  RL::Geodesic_sources sources;
+  std::vector<std::size_t> all = o.sources;
+  for(std::size_t v : o.sources)
+    sources.add_vertex(v);
+  if(o.farthest > 0) {
+    job.progress.show("choosing vertices far from each other");
+    for(std::size_t v : solver.farthest_points(o.farthest, sources))
+      all.push_back(v);
+  }
+  sources = {};
+  for(std::size_t i = 0; i < all.size(); ++i)
+    sources.add_vertex(all[i], static_cast<std::uint32_t>(i));
+  if(o.boundary)
+    sources.add_boundary(static_cast<std::uint32_t>(all.size()));
+  job.progress.show("propagating distances");
+  const double begin = job.seconds();
+  const RL::Geodesic_distances found =
+      solver.distances(sources, o.exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast);
+  job.summary.add_detail("setup_seconds", setup_seconds);
+  job.summary.add_detail("query_seconds", job.seconds() - begin);
+
+  Outcome result;
+  result.names = {"distance", "nearest"};
+  result.values.resize(static_cast<Eigen::Index>(found.distances.size()), 2);
+  double largest = 0;
+  for(std::size_t v = 0; v < found.distances.size(); ++v) {
+    const bool is_reached = found.labels[v] != RL::Geodesic_distances::no_label;
+    result.values.row(static_cast<Eigen::Index>(v)) << found.distances[v],
+        is_reached ? static_cast<double>(found.labels[v]) : -1;
+    if(is_reached)
+      largest = (std::max)(largest, found.distances[v]);
+  }
+  job.summary.add("largest_distance", largest);
+  job.summary.add("unreached_vertices", found.number_of_unreached_vertices);
+  result.paint = [show = o.show](const Eigen::MatrixXd& values) {
+    return show == "nearest" ? region_colors(values.col(1)) : distance_colors(values.col(0));
+  };
+  if(o.farthest > 0)
+    result.print = [all](std::ostream& out) {
+      out << "sources\n";
+      for(std::size_t v : all)
+        out << v << '\n';
+    };
+  return result;
+}
+
+int main(int argc, char* argv[]) {
+  return run_surface_program("geodesic_distance", argc, argv, read_options, measure);
+}
