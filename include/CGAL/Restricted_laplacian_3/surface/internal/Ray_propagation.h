@@ -159,7 +159,7 @@ private:
   static constexpr double short_side_tolerance = 0.1, long_side_tolerance = 1e-3,
                           direction_tolerance = 0.1;
   /// Shadows are wider by this angle on both sides: rays have errors, and more windows do no harm.
-  static constexpr double shadow_slack = 0.3;
+  static constexpr double shadow_slack = 0.2;
   /// Windows that are made of a cubic: their number, and the part by which they overlap, because
   /// rays diverge and would leave gaps.
   static constexpr int windows_of_cubic = 4;
