@@ -411,10 +411,10 @@ private:
     const Plane_vector &s = w.source, a{0, 0}, b{m_geometry.length(w.face, w.number), 0},
                        c = m_geometry.apex(side);
     const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y}, to_apex = c - s;
-    const double rounding = 1e-12 * b.x * to_apex.length();
-    const bool goes_left =
-        internal::cross(first, to_apex)<rounding, goes_right = internal::cross(last, to_apex)> -
-        rounding;
+    const double rounding = 1e-12 * b.x * to_apex.length(),
+                 right_of_first = internal::cross(to_apex, first),
+                 left_of_last = internal::cross(last, to_apex);
+    const bool goes_left = right_of_first > -rounding, goes_right = left_of_last > -rounding;
     const std::uint32_t k = w.number;
     if(goes_left && goes_right && target == all_ways) {
       Ray ray;
