@@ -24,8 +24,8 @@
 using namespace examples;
 
 const Help help = {"geodesic_distance MESH [OPTION]...", std::string(R"(
-Computes the distances of the vertices of a surface from sources, along the surface, and which
-source is the nearest.
+Computes the distances of the vertices of a surface from sources, along the surface, and
+which source is the nearest.
 
 Distances are infinite at vertices that no source reaches.
 )") + about_meshes,
