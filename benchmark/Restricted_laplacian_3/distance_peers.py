@@ -13,12 +13,7 @@ for each mesh and method: vertices; the mean and the worst relative error of the
 2 % of the largest distance, in percent; seconds of the setup and of a query, from arrays to arrays.
 """
 
-import argparse
-import importlib.metadata
 import os
-import pathlib
-import platform
-import subprocess
 import time
 
 for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
@@ -29,6 +24,7 @@ import potpourri3d  # noqa: E402
 import pygeodesic.geodesic  # noqa: E402
 
 import restricted_laplacian as rl  # noqa: E402
+from support.peers import arguments, print_header  # noqa: E402
 
 MESHES = ["cow_5k8", "cat_16k", "mechpart_15k", "fandisk_32k", "turbine_18k", "pulley_28k",
           "bimba_46k", "bunny_closed_70k", "koala_100k"]
@@ -67,20 +63,8 @@ def study(name, V, F):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("mesh", nargs="*", default=MESHES)
-    o = parser.parse_args()
-    here = pathlib.Path(__file__).parent
-    commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=here, text=True,
-                            capture_output=True).stdout.strip() or "unknown"
-    packages = ("numpy", "potpourri3d", "pygeodesic")
-    print(f"# commit: {commit}")
-    print(f"# machine: {platform.machine()}, {os.cpu_count()} cores")
-    print("# command:", " ".join(["distance_peers", *o.mesh]))
-    print("# versions:", ", ".join(f"{p} {importlib.metadata.version(p)}" for p in packages),
-          f"restricted-laplacian {rl.__version__}")
+    o = arguments(__doc__, MESHES)
+    print_header("distance_peers", o.mesh, ["numpy", "potpourri3d", "pygeodesic"])
     print(f"# {'mesh':16} {'n':>7} {'method':12} {'mean':>10} {'worst':>10} {'setup_s':>8} "
           f"{'query_s':>8}", flush=True)
     for name in o.mesh:

@@ -19,12 +19,7 @@ the cotangent Laplacian of a mesh whose triangles are divided into four, once an
 nan for meshes that are too large for that.
 """
 
-import argparse
-import importlib.metadata
 import os
-import pathlib
-import platform
-import subprocess
 import sys
 import time
 
@@ -37,6 +32,7 @@ import scipy.sparse.csgraph  # noqa: E402
 import scipy.sparse.linalg  # noqa: E402
 
 import restricted_laplacian as rl  # noqa: E402
+from support.peers import arguments, print_header  # noqa: E402
 
 K = 50
 MESHES = ["cow_5k8", "bimba_46k", "bunny_closed_70k", "armadillo", "fandisk_32k", "cessna_soup_14k",
@@ -152,23 +148,11 @@ def measure(work, *arguments):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("mesh", nargs="*", default=MESHES)
-    o = parser.parse_args()
+    o = arguments(__doc__, MESHES)
     import fast_simplification
 
-    packages = ("numpy", "scipy", "robust-laplacian", "lapy", "libigl", "scikit-sparse",
-                "fast-simplification")
-    here = pathlib.Path(__file__).parent
-    commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=here, text=True,
-                            capture_output=True).stdout.strip() or "unknown"
-    print(f"# commit: {commit}")
-    print(f"# machine: {platform.machine()}, {os.cpu_count()} cores")
-    print("# command:", " ".join(["python_peers", *(["..."] if len(o.mesh) > 9 else o.mesh)]))
-    print("# versions:", ", ".join(f"{p} {importlib.metadata.version(p)}" for p in packages),
-          f"restricted-laplacian {rl.__version__}")
+    print_header("python_peers", o.mesh, ["numpy", "scipy", "robust-laplacian", "lapy", "libigl",
+                                          "scikit-sparse", "fast-simplification"])
     print(f"# {'mesh':20} {'vertices':>9} {'method':17} {'eigs_s':>8} {'eigs_err':>9} {'change':>9} "
           f"{'poisson_s':>9} {'pois_err':>9}")
     for mesh in o.mesh:

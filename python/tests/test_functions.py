@@ -10,6 +10,7 @@ import pytest
 import scipy.sparse.linalg
 
 import restricted_laplacian as rl
+from conftest import data_file, read_off
 
 
 def test_matrices_are_those_of_the_operator(sphere):
@@ -233,3 +234,16 @@ def test_stitching():
     as_bytes = np.round(255 * colors).astype(np.uint8)
     assert rl.stitch_colors(V, F, [rl.Scan(V, F, as_bytes, viewpoint=(0, 0, 5))], oriented=True,
                             depth=4).max() <= 1
+
+
+def test_nodes_of_callables_are_as_many_as_the_manual_says():
+    V, F = read_off(data_file("elephant.off"))
+    number = 0
+
+    def f(points):
+        nonlocal number
+        number += len(points)
+        return points[:, 2]
+
+    rl.solve_poisson(V, F, f)
+    assert 100 < number / len(F) < 200

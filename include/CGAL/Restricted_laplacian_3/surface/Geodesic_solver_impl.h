@@ -145,7 +145,7 @@ Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method meth
       result.number_of_unreached_vertices += geometry.has_corner(static_cast<std::uint32_t>(v));
       continue;
     }
-    result.labels[v] = rays[v].label;
+    result.labels[v] = rays[v].origin.label;
     if(!std::isnan(rays[v].angle) && rays[v].distance > 0)
       result.directions[v] = geometry.direction(static_cast<std::uint32_t>(v), rays[v].angle);
   }

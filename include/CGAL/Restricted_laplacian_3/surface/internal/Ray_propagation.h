@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_PROPAGATION_H
 
 #include <CGAL/Restricted_laplacian_3/surface/internal/Ray_geometry.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/ray_waves.h>
 
 #include <CGAL/number_utils.h>
 
@@ -28,13 +29,12 @@ namespace internal {
 /// - Windows, which are exact: the rays from one source, unfolded into the plane of the face, that
 ///   enter through a part of the side (Mitchell, Mount, Papadimitriou 1987; pruned as by Xin and
 ///   Wang 2009). Sources are those given and the vertices at which rays turn: on the boundary,
-/// where
-///   the faces form no fan, or where the angles sum to more than 2 pi. These send rays into what
-///   lies in the shadow of their own ray only.
+///   where the faces form no fan, or where the angles sum to more than 2 pi. These send rays into
+///   what lies in the shadow of their own ray only.
 /// - A cubic, which costs the same for however many windows there are: distances and directions at
-///   the two ends of a side give the values and slopes of d^2 along it, less the distance of the
-///   source of its rays, so d^2 is a cubic Hermite polynomial (exact for rays from one source), and
-///   the third corner minimizes over the side.
+///   the two ends of a side give values and slopes of the squared distance along it, less that of
+///   the source before squaring. Its cubic Hermite polynomial is exact for rays from one source.
+///   The third corner minimizes over the side.
 ///
 /// The cubic is used where it can be trusted: the two ends see the same source, to a part of the
 /// side's length, and the side is short beside its distance from there. Windows that arrive at a
@@ -54,27 +54,21 @@ public:
     : m_geometry(geometry), m_is_exact(is_exact), m_rays(geometry.surface().number_of_vertices()),
       m_is_popped(m_rays.size(), 0),
       m_states(3 * geometry.surface().number_of_faces(), is_exact ? State::windows : State::open),
-      m_waiting(m_states.size(), none) {}
+      m_waiting(m_states.size(), no_root) {}
 
   /// the ray from a vertex back to its source
   struct Ray {
     double distance = infinity;
     /// its angle in the fan; NaN if there is no fan, or if it is not known
     double angle = std::numeric_limits<double>::quiet_NaN();
-    /// the distance of the point from which it comes straight, not less than 0
-    double offset = 0;
-    /// the vertex which that point is, or `none`
-    std::uint32_t root = none;
-    /// of the source
-    std::uint32_t label = 0;
+    /// with an offset that is not less than 0
+    Ray_origin origin;
   };
-  static constexpr std::uint32_t none = 0xffffffff;
 
   void add_vertex(std::uint32_t v, std::uint32_t label) {
     Ray ray;
     ray.distance = 0;
-    ray.root = v;
-    ray.label = label;
+    ray.origin = {0, v, label};
     offer(v, ray);
   }
 
@@ -83,8 +77,8 @@ public:
     const std::array<Plane_vector, 3> corners = corners_of(face);
     for(std::uint32_t k = 0; k < 3; ++k) {
       offer_from(face, k, corners, s, s, label);
-      add_beyond({face, k}, s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(face, k), 0,
-                 none, label);
+      add_beyond({face, k}, s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(face, k),
+                 {0, no_root, label});
     }
   }
 
@@ -122,7 +116,7 @@ public:
         clip(across, d_across);
         if((low + high) / 2 * d_across + across > 1e-12 * length)
           add_beyond({face, k}, source, p, q, low * (q - p).length(), high * (q - p).length(),
-                     -far_source, none, label);
+                     {-far_source, no_root, label});
       }
     }
   }
@@ -133,7 +127,7 @@ public:
       const Entry next = m_heap.top();
       m_heap.pop();
       if(next.is_window) {
-        const Window window = m_windows[next.number];
+        const Ray_window window = m_windows[next.number];
         m_free_windows.push_back(next.number);
         if(is_useful(window))
           cross(window, all_ways);
@@ -167,48 +161,10 @@ private:
   /// Distance of the source of parallel rays, over the extent of the surface: rounding, and the
   /// curvature of what should be straight, are 1e-10 and 1e-7 then.
   static constexpr double far_source = 1e6;
-  static constexpr int newton_steps = 3;
-
-  /// Rays from a source below the first axis that enter a face through the part from `first` to
-  /// `last` of a side on that axis.
-  struct Window {
-    Plane_vector source;
-    double first, last;
-    double offset;              // distance of the source
-    std::uint32_t face, number; // the side
-    std::uint32_t root, label;
-    std::uint32_t next; // among those that wait
-
-    Side side() const { return {face, number}; }
-    double distance(double x) const {
-      return offset + Plane_vector{x - source.x, source.y}.length();
-    }
-    /// of the part from the source
-    double height() const {
-      return Plane_vector{(std::max)({0., first - source.x, source.x - last}), source.y}.length();
-    }
-  };
 
   /// How rays go on from a side into its face: not known yet, both ends being popped; by the cubic,
   /// or not at all, because they come out of the face; by windows.
   enum class State : std::uint8_t { open, cubic, windows };
-
-  /// squared distances along a side from 0 to 1, less the offset before squaring
-  struct Cubic {
-    std::array<double, 4> coefficients;
-    double offset;
-    std::uint32_t root, label;
-
-    double operator()(double t) const {
-      const auto& c = coefficients;
-      return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
-    }
-    double slope(double t) const {
-      const auto& c = coefficients;
-      return c[1] + t * (2 * c[2] + 3 * t * c[3]);
-    }
-    double curvature(double t) const { return 2 * coefficients[2] + 6 * t * coefficients[3]; }
-  };
 
   struct Entry {
     double key;
@@ -233,7 +189,7 @@ private:
        !(std::isinf(known) && std::isfinite(ray.distance)))
       return;
     m_rays[v] = ray;
-    m_rays[v].offset = (std::max)(0., ray.offset);
+    m_rays[v].origin.offset = (std::max)(0., ray.origin.offset);
     m_heap.push({ray.distance, false, v});
   }
 
@@ -244,7 +200,7 @@ private:
     ray.distance = (corners[k] - nearest).length();
     ray.angle =
         m_geometry.fan_angle(face, k, angle(corners[(k + 1) % 3] - corners[k], from - corners[k]));
-    ray.label = label;
+    ray.origin.label = label;
     offer(m_geometry.vertex(face, k), ray);
   }
 
@@ -269,14 +225,7 @@ private:
       if(m_is_popped[m_geometry.vertex(c.face, c.number + 2)])
         close({c.face, (c.number + 2) % 3});
     });
-    const bool is_unknown = std::isnan(m_rays[v].angle);
-    if(is_unknown && !is_root_here)
-      m_geometry.for_each_corner(v, [&](const Corner& c) {
-        // It was reached along edges only: were the cubics around it too coarse?
-        for(std::uint32_t k = 0; k < 3; ++k)
-          refine({c.face, (c.number + k) % 3}, k == 1);
-      });
-    if(is_unknown || is_root_here)
+    if(is_root_here || std::isnan(m_rays[v].angle))
       m_geometry.for_each_corner(v, [&](const Corner& c) { emit(c); });
   }
 
@@ -287,8 +236,7 @@ private:
     ray.distance += m_geometry.length(side.face, side.number);
     ray.angle = std::numeric_limits<double>::quiet_NaN();
     if(is_root_here) {
-      ray.offset = m_rays[v].distance;
-      ray.root = v;
+      ray.origin = {m_rays[v].distance, v, ray.origin.label};
       ray.angle = m_geometry.fan_angle(side.face, there,
                                        begins_here ? m_geometry.corner_angle(side.face, there) : 0);
     }
@@ -321,31 +269,23 @@ private:
                  l = m_geometry.length(c.face, c.number),
                  m = m_geometry.length(c.face, c.number + 2);
     const Plane_vector s{0, 0}, p{l, 0}, q{m * std::cos(all), m * std::sin(all)};
-    const auto passes = [&](double t) { return position(s, {std::cos(t), std::sin(t)}, p, q); };
+    const auto passes = [&](double t) {
+      return passing_point(s, {std::cos(t), std::sin(t)}, p, q);
+    };
     const Side opposite{c.face, (c.number + 1) % 3};
     add_beyond(opposite, s, p, q, part[0] <= 0 ? 0 : passes(part[0]),
                part[1] >= all ? m_geometry.length(opposite.face, opposite.number) : passes(part[1]),
-               m_rays[v].distance, v, m_rays[v].label);
+               {m_rays[v].distance, v, m_rays[v].origin.label});
   }
 
   // Windows
-
-  /// where on the way from `p` to `q` a ray from `s` passes, in units of length
-  static double position(const Plane_vector& s, const Plane_vector& direction,
-                         const Plane_vector& p, const Plane_vector& q) {
-    const Plane_vector e = q - p;
-    const double n = internal::cross(e, direction),
-                 t = n != 0 ? internal::cross(direction, p - s) / n : 0;
-    return (std::min)(1., (std::max)(0., t)) * e.length();
-  }
 
   /// Makes windows in the faces beyond a side of a face.
   /// \param s the source
   /// \param p, q the ends of the side, in the order of that face
   /// \param first, last the part of the side
   void add_beyond(const Side& side, const Plane_vector& s, const Plane_vector& p,
-                  const Plane_vector& q, double first, double last, double offset,
-                  std::uint32_t root, std::uint32_t label) {
+                  const Plane_vector& q, double first, double last, const Ray_origin& origin) {
     const double l = m_geometry.length(side.face, side.number);
     if(!(last > first))
       return;
@@ -357,21 +297,17 @@ private:
     m_geometry.for_each_beyond(side, [&](const Side& other) {
       const bool same =
           m_geometry.vertex(other.face, other.number) == m_geometry.vertex(side.face, side.number);
-      Window w;
+      Ray_window w;
+      w.side = other;
       w.source = {same ? x : l - x, -height};
       w.first = same ? first : l - last;
       w.last = same ? last : l - first;
-      w.offset = offset;
-      w.face = other.face;
-      w.number = other.number;
-      w.root = root;
-      w.label = label;
-      w.next = none;
+      w.origin = origin;
       add(w);
     });
   }
 
-  void add(const Window& w) {
+  void add(const Ray_window& w) {
     if(!is_useful(w))
       return;
     std::uint32_t i = static_cast<std::uint32_t>(m_windows.size());
@@ -382,22 +318,22 @@ private:
       m_free_windows.pop_back();
       m_windows[i] = w;
     }
-    const std::size_t side = 3 * w.face + w.number;
+    const std::size_t side = 3 * w.side.face + w.side.number;
     if(m_states[side] != State::windows &&
-       m_geometry.length(w.face, w.number) <= short_side * w.height()) {
+       m_geometry.length(w.side.face, w.side.number) <= short_side * w.height()) {
       m_windows[i].next = m_waiting[side];
       m_waiting[side] = i;
     } else
-      m_heap.push({w.offset + w.height(), true, i});
+      m_heap.push({w.origin.offset + w.height(), true, i});
   }
 
   /// Whether a window can give any point its distance: not if one end of the side gives a shorter
   /// way to the far end of the window.
-  bool is_useful(const Window& w) const {
+  bool is_useful(const Ray_window& w) const {
     constexpr double rounding = 1 - 1e-12;
-    const double l = m_geometry.length(w.face, w.number),
-                 d0 = m_rays[m_geometry.vertex(w.face, w.number)].distance,
-                 d1 = m_rays[m_geometry.vertex(w.face, w.number + 1)].distance;
+    const double l = m_geometry.length(w.side.face, w.side.number),
+                 d0 = m_rays[m_geometry.vertex(w.side.face, w.side.number)].distance,
+                 d1 = m_rays[m_geometry.vertex(w.side.face, w.side.number + 1)].distance;
     return !(d0 + w.last < w.distance(w.last) * rounding) &&
            !(d1 + (l - w.first) < w.distance(w.first) * rounding);
   }
@@ -406,33 +342,32 @@ private:
 
   /// takes a window through its face: to the third corner, and through the other sides
   /// \param target the number of a side, to go through that one only, or `all_ways`
-  void cross(const Window& w, std::uint32_t target) {
-    const Side side = w.side();
-    const Plane_vector &s = w.source, a{0, 0}, b{m_geometry.length(w.face, w.number), 0},
+  void cross(const Ray_window& w, std::uint32_t target) {
+    const Side side = w.side;
+    const Plane_vector &s = w.source, a{0, 0}, b{m_geometry.length(w.side.face, w.side.number), 0},
                        c = m_geometry.apex(side);
     const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y}, to_apex = c - s;
     const double rounding = 1e-12 * b.x * to_apex.length(),
                  right_of_first = internal::cross(to_apex, first),
                  left_of_last = internal::cross(last, to_apex);
     const bool goes_left = right_of_first > -rounding, goes_right = left_of_last > -rounding;
-    const std::uint32_t k = w.number;
+    const std::uint32_t k = w.side.number;
     if(goes_left && goes_right && target == all_ways) {
       Ray ray;
-      ray.distance = w.offset + to_apex.length();
-      ray.angle = m_geometry.fan_angle(w.face, k + 2, angle(a - c, s - c));
-      ray.offset = w.offset;
-      ray.root = w.root;
-      ray.label = w.label;
-      offer(m_geometry.vertex(w.face, k + 2), ray);
+      ray.distance = w.origin.offset + to_apex.length();
+      ray.angle = m_geometry.fan_angle(w.side.face, k + 2, angle(a - c, s - c));
+      ray.origin = w.origin;
+      offer(m_geometry.vertex(w.side.face, k + 2), ray);
     }
-    const Side left{w.face, (k + 2) % 3}, right{w.face, (k + 1) % 3};
+    const Side left{w.side.face, (k + 2) % 3}, right{w.side.face, (k + 1) % 3};
     if(goes_left && (target == all_ways || target == left.number)) // from c to a
-      add_beyond(left, s, c, a, goes_right ? 0 : position(s, last, c, a), position(s, first, c, a),
-                 w.offset, w.root, w.label);
+      add_beyond(left, s, c, a, goes_right ? 0 : passing_point(s, last, c, a),
+                 passing_point(s, first, c, a), w.origin);
     if(goes_right && (target == all_ways || target == right.number)) // from b to c
-      add_beyond(right, s, b, c, position(s, last, b, c),
-                 goes_left ? m_geometry.length(w.face, right.number) : position(s, first, b, c),
-                 w.offset, w.root, w.label);
+      add_beyond(right, s, b, c, passing_point(s, last, b, c),
+                 goes_left ? m_geometry.length(w.side.face, right.number)
+                           : passing_point(s, first, b, c),
+                 w.origin);
   }
 
   // Sides whose ends have distances
@@ -442,7 +377,7 @@ private:
     bool is_known = false;                                  // the directions of both
     bool first_comes_out = false, second_comes_out = false; // of the face
     bool is_short = false, is_regular = false;
-    Cubic cubic;
+    Ray_cubic cubic;
   };
   Ends ends_of(const Side& side) const {
     Ends ends;
@@ -450,8 +385,8 @@ private:
                         q = m_geometry.vertex(side.face, side.number + 1);
     const Ray &at_p = m_rays[p], &at_q = m_rays[q];
     // An end may be the source of the other one's ray.
-    const double offset_p = at_q.root == p ? at_p.distance : at_p.offset,
-                 offset_q = at_p.root == q ? at_q.distance : at_q.offset,
+    const double offset_p = at_q.origin.root == p ? at_p.distance : at_p.origin.offset,
+                 offset_q = at_p.origin.root == q ? at_q.distance : at_q.origin.offset,
                  l = m_geometry.length(side.face, side.number), from_p = at_p.distance - offset_p,
                  from_q = at_q.distance - offset_q;
     ends.is_short = l <= short_side * (std::min)(from_p, from_q);
@@ -473,14 +408,10 @@ private:
         source_p{-from_p * slope_p, from_p * behind(slope_p)},
         source_q{l - from_q * slope_q, from_q * behind(slope_q)};
     const double limit = (ends.is_short ? short_side_tolerance : long_side_tolerance) * l;
-    const Ray& older = offset_p < offset_q ? at_p : at_q;
-    ends.cubic.offset = (std::min)(offset_p, offset_q);
-    ends.cubic.root = older.root;
-    ends.cubic.label = older.label;
-    const double r_p = at_p.distance - ends.cubic.offset, r_q = at_q.distance - ends.cubic.offset,
-                 y0 = r_p * r_p, y1 = r_q * r_q, m0 = 2 * r_p * slope_p * l,
-                 m1 = 2 * r_q * slope_q * l;
-    ends.cubic.coefficients = {y0, m0, 3 * (y1 - y0) - 2 * m0 - m1, 2 * (y0 - y1) + m0 + m1};
+    Ray_origin older = offset_p < offset_q ? at_p.origin : at_q.origin;
+    older.offset = (std::min)(offset_p, offset_q);
+    const double r_p = at_p.distance - older.offset, r_q = at_q.distance - older.offset;
+    ends.cubic = Ray_cubic(l, r_p, r_q, slope_p, slope_q, older);
     ends.is_regular = std::abs(r_p - r_q) <= l && r_p + r_q >= l && !ends.first_comes_out &&
                       !ends.second_comes_out &&
                       std::abs(source_q.length() + offset_q - at_p.distance) <= limit &&
@@ -525,23 +456,12 @@ private:
         make_windows(side, ends.cubic, (side.number + k) % 3);
   }
 
-  /// a side whose cubic seems to be too coarse
-  void refine(const Side& side, bool is_opposite) {
-    if(m_states[3 * side.face + side.number] != State::cubic)
-      return;
-    m_states[3 * side.face + side.number] = State::windows;
-    make_windows_before(side);
-    const Ends ends = ends_of(side);
-    if(is_opposite && ends.is_known && !ends.first_comes_out && !ends.second_comes_out)
-      make_windows(side, ends.cubic, all_ways);
-  }
-
   /// lets windows go on that wait at a side
   void release(const Side& side) {
     std::uint32_t& first = m_waiting[3 * side.face + side.number];
-    for(std::uint32_t i = first; i != none; i = m_windows[i].next)
-      m_heap.push({m_windows[i].offset + m_windows[i].height(), true, i});
-    first = none;
+    for(std::uint32_t i = first; i != no_root; i = m_windows[i].next)
+      m_heap.push({m_windows[i].origin.offset + m_windows[i].height(), true, i});
+    first = no_root;
   }
 
   bool windows_go_on(const Side& side) const {
@@ -567,68 +487,31 @@ private:
   }
 
   /// Windows that stand for a cubic, each from the source that the distances at its ends give.
-  void make_windows(const Side& side, const Cubic& cubic, std::uint32_t target) {
-    constexpr double grazing = 1e-6;
-    const double l = m_geometry.length(side.face, side.number), h = l / windows_of_cubic;
-    double r0 = std::sqrt(cubic(0));
+  void make_windows(const Side& side, const Ray_cubic& cubic, std::uint32_t target) {
     for(int i = 0; i < windows_of_cubic; ++i) {
-      const double r1 = std::sqrt((std::max)(0., cubic(double(i + 1) / windows_of_cubic))),
-                   x = ((r0 - r1) * (r0 + r1) / h + h) / 2;
-      Window w;
-      w.source = {i * h + x,
-                  -std::sqrt((std::max)((r0 - x) * (r0 + x), grazing * grazing * r0 * r0))};
-      w.first = (std::max)(0., (i - overlap) * h);
-      w.last = (std::min)(l, (i + 1 + overlap) * h);
-      w.offset = cubic.offset;
-      w.face = side.face;
-      w.number = side.number;
-      w.root = cubic.root;
-      w.label = cubic.label;
-      w.next = none;
+      Ray_window w;
+      w.side = side;
+      w.source = cubic.source(double(i) / windows_of_cubic, double(i + 1) / windows_of_cubic);
+      w.first = (std::max)(0., (i - overlap) / windows_of_cubic) * cubic.length;
+      w.last = (std::min)(1., (i + 1 + overlap) / windows_of_cubic) * cubic.length;
+      w.origin = cubic.origin;
       cross(w, target);
-      r0 = r1;
     }
   }
 
-  /// Minimizes the distance of the third corner through a side, by Newton's method from where the
-  /// ray crosses it that the distances of the ends give.
-  void offer_to_apex(const Side& side, const Cubic& cubic) {
-    constexpr double longest_step = 0.3;
-    const double l = m_geometry.length(side.face, side.number);
+  /// the shortest way to the third corner through a side
+  void offer_to_apex(const Side& side, const Ray_cubic& cubic) {
     const Plane_vector c = m_geometry.apex(side);
-    const double r0 = std::sqrt(cubic(0)), r1 = std::sqrt(cubic(1)),
-                 x = ((r0 - r1) * (r0 + r1) / l + l) / 2, y2 = (r0 - x) * (r0 + x);
-    if(!(y2 >= 0))
-      return;
-    const double depth = std::sqrt(y2);
-    double t = (x + depth * (c.x - x) / (c.y + depth)) / l, distance = 0;
-    for(int step = 0; step <= newton_steps; ++step) {
-      const double y = cubic(t), slope = cubic.slope(t),
-                   to_apex = Plane_vector{t * l - c.x, c.y}.length();
-      if(!(y > 0) || !(to_apex > 0))
-        return;
-      const double r = std::sqrt(y), second = cubic.curvature(t) / (2 * r) -
-                                              slope * slope / (4 * y * r) +
-                                              l * l * c.y * c.y / (to_apex * to_apex * to_apex);
-      if(!(second > 0))
-        return;
-      distance = cubic.offset + r + to_apex;
-      if(step < newton_steps)
-        t += (std::max)(
-            -longest_step,
-            (std::min)(longest_step, -(slope / (2 * r) + l * (t * l - c.x) / to_apex) / second));
-    }
-    const double least = (std::min)(m_rays[m_geometry.vertex(side.face, side.number)].distance,
-                                    m_rays[m_geometry.vertex(side.face, side.number + 1)].distance);
-    if(!(t >= 0 && t <= 1) || !(distance >= least))
+    const Ray_cubic::Way way = cubic.shortest_way(c);
+    if(way.distance < (std::min)(m_rays[m_geometry.vertex(side.face, side.number)].distance,
+                                 m_rays[m_geometry.vertex(side.face, side.number + 1)].distance))
       return;
     Ray ray;
-    ray.distance = distance;
-    ray.angle = m_geometry.fan_angle(side.face, side.number + 2,
-                                     angle(Plane_vector{0, 0} - c, Plane_vector{t * l, 0} - c));
-    ray.offset = cubic.offset;
-    ray.root = cubic.root;
-    ray.label = cubic.label;
+    ray.distance = way.distance;
+    ray.angle = m_geometry.fan_angle(
+        side.face, side.number + 2,
+        angle(Plane_vector{0, 0} - c, Plane_vector{way.t * cubic.length, 0} - c));
+    ray.origin = cubic.origin;
     offer(m_geometry.vertex(side.face, side.number + 2), ray);
   }
 
@@ -638,7 +521,7 @@ private:
   std::vector<char> m_is_popped;
   std::vector<State> m_states;          // of sides
   std::vector<std::uint32_t> m_waiting; // of sides: the first window that waits
-  std::vector<Window> m_windows;
+  std::vector<Ray_window> m_windows;
   std::vector<std::uint32_t> m_free_windows;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_heap;
 };

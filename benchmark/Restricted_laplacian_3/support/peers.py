@@ -1,0 +1,33 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the comparisons in Python share: the command line, and the head of a result."""
+
+import argparse
+import importlib.metadata
+import os
+import pathlib
+import platform
+import subprocess
+
+import restricted_laplacian as rl
+
+
+def arguments(doc, meshes):
+    """The folder of meshes, and their names, by default `meshes`."""
+    parser = argparse.ArgumentParser(description=doc,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("mesh", nargs="*", default=meshes)
+    return parser.parse_args()
+
+
+def print_header(name, meshes, packages):
+    """Commit, machine, command, and versions of packages."""
+    commit = subprocess.run(["git", "describe", "--always", "--dirty"],
+                            cwd=pathlib.Path(__file__).parent, text=True,
+                            capture_output=True).stdout.strip() or "unknown"
+    print(f"# commit: {commit}")
+    print(f"# machine: {platform.machine()}, {os.cpu_count()} cores")
+    print("# command:", " ".join([name, *meshes]))
+    print("# versions:", ", ".join(f"{p} {importlib.metadata.version(p)}" for p in packages)
+          + f", restricted-laplacian {rl.__version__}")

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_WAVES_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_WAVES_H
+
+#include <CGAL/Restricted_laplacian_3/surface/internal/Ray_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// \file
+/// The two forms in which rays pass through a side of a face, in the frame of that side: it runs
+/// from the origin along the first axis, the face lies above, and the rays come from below.
+
+constexpr std::uint32_t no_root = 0xffffffff;
+
+/// where rays come from
+struct Ray_origin {
+  /// the distance of the point from which they come straight
+  double offset = 0;
+  /// the vertex which that point is, or `no_root`
+  std::uint32_t root = no_root;
+  /// of the source
+  std::uint32_t label = 0;
+};
+
+/// Where on the way from `p` to `q` a ray from `s` passes, in units of length.
+inline double passing_point(const Plane_vector& s, const Plane_vector& direction,
+                            const Plane_vector& p, const Plane_vector& q) {
+  const Plane_vector e = q - p;
+  const double n = cross(e, direction), t = n != 0 ? cross(direction, p - s) / n : 0;
+  return (std::min)(1., (std::max)(0., t)) * e.length();
+}
+
+/// Rays from one point that pass through the part of a side from `first` to `last`.
+struct Ray_window {
+  Ray_geometry::Side side;
+  Plane_vector source;
+  double first, last;
+  Ray_origin origin;
+  std::uint32_t next = no_root; // the next one of those that wait at the side
+
+  double distance(double x) const {
+    return origin.offset + Plane_vector{x - source.x, source.y}.length();
+  }
+  /// distance of the part from the point
+  double height() const {
+    return Plane_vector{(std::max)({0., first - source.x, source.x - last}), source.y}.length();
+  }
+};
+
+/// Squared distances along a side of the length `length`, less the offset before squaring: a cubic
+/// in t from 0 to 1.
+struct Ray_cubic {
+  double length = 0;
+  std::array<double, 4> coefficients = {0, 0, 0, 0};
+  Ray_origin origin;
+
+  Ray_cubic() = default;
+  /// \param r0, r1 distances of the ends, less the offset
+  /// \param slope0, slope1 their derivatives along the side
+  Ray_cubic(double length, double r0, double r1, double slope0, double slope1,
+            const Ray_origin& origin)
+    : length(length), origin(origin) {
+    const double y0 = r0 * r0, y1 = r1 * r1, m0 = 2 * r0 * slope0 * length,
+                 m1 = 2 * r1 * slope1 * length;
+    coefficients = {y0, m0, 3 * (y1 - y0) - 2 * m0 - m1, 2 * (y0 - y1) + m0 + m1};
+  }
+
+  /// the distance less the offset
+  double distance(double t) const { return std::sqrt((std::max)(0., square(t))); }
+
+  /// a way through the side to a point beyond
+  struct Way {
+    double t = 0, distance = std::numeric_limits<double>::infinity();
+  };
+  /// The shortest way to a point above the side, by Newton's method from where a ray crosses it that
+  /// comes straight from the source of the two end distances; infinite if it leaves the side.
+  Way shortest_way(const Plane_vector& c) const {
+    constexpr double longest_step = 0.3;
+    constexpr int newton_steps = 3;
+    const Plane_vector s = source(0, 1);
+    Way way;
+    way.t = (s.x - s.y * (c.x - s.x) / (c.y - s.y)) / length;
+    double distance = 0;
+    for(int step = 0;; ++step) {
+      const double y = square(way.t), along = way.t * length - c.x,
+                   beyond = Plane_vector{along, c.y}.length();
+      if(!(y > 0) || !(beyond > 0))
+        return {};
+      const auto& q = coefficients;
+      const double r = std::sqrt(y), slope = q[1] + way.t * (2 * q[2] + 3 * way.t * q[3]),
+                   curvature = 2 * q[2] + 6 * way.t * q[3],
+                   second = curvature / (2 * r) - slope * slope / (4 * y * r) +
+                            length * length * c.y * c.y / (beyond * beyond * beyond);
+      if(!(second > 0))
+        return {};
+      distance = origin.offset + r + beyond;
+      if(step == newton_steps)
+        break;
+      const double move = -(slope / (2 * r) + length * along / beyond) / second;
+      way.t += (std::max)(-longest_step, (std::min)(longest_step, move));
+    }
+    if(way.t >= 0 && way.t <= 1)
+      way.distance = distance;
+    return way;
+  }
+
+  /// the point from which the distances at two places come straight
+  Plane_vector source(double t0, double t1) const {
+    // Rays along the side come from close below it.
+    constexpr double grazing = 1e-6;
+    const double r0 = distance(t0), r1 = distance(t1), h = (t1 - t0) * length,
+                 x = ((r0 - r1) * (r0 + r1) / h + h) / 2;
+    return {t0 * length + x,
+            -std::sqrt((std::max)((r0 - x) * (r0 + x), grazing * grazing * r0 * r0))};
+  }
+
+private:
+  double square(double t) const {
+    const auto& c = coefficients;
+    return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+  }
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_WAVES_H
