@@ -38,7 +38,8 @@ def test_sphere(sphere):
     toward = toward[inner] / np.linalg.norm(toward[inner], axis=1)[:, None]
     assert (np.einsum("ij,ij->i", toward, directions[inner]) > 0.99).all()
     exact = geodesics.distances(5, exact=True).distances
-    assert abs(d - exact).max() < 2e-3 * exact.max()
+    assert 0 < abs(d - exact).max() < 2e-3 * exact.max()
+    assert exact[77] == pytest.approx(geodesics.distances(77, exact=True).distances[5], rel=1e-12)
     assert np.array_equal(rl.geodesic_distance(V, F, [5]), d)
 
 
@@ -148,3 +149,6 @@ def test_vertex_that_does_not_exist_is_named():
     with pytest.raises(rl.InputError) as e:
         geodesics.distances([0, len(V) + 5])
     assert e.value.vertex == len(V) + 5
+    with pytest.raises(rl.InputError) as e:
+        geodesics.distances(-1)
+    assert e.value.argument == "sources"

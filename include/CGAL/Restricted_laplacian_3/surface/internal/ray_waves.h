@@ -82,8 +82,8 @@ struct Ray_cubic {
   struct Way {
     double t = 0, distance = std::numeric_limits<double>::infinity();
   };
-  /// The shortest way to a point above the side, by Newton's method from where a ray crosses it that
-  /// comes straight from the source of the two end distances; infinite if it leaves the side.
+  /// The shortest way to a point above the side, by Newton's method from where a ray crosses it
+  /// that comes straight from the source of the two end distances; infinite if it leaves the side.
   Way shortest_way(const Plane_vector& c) const {
     constexpr double longest_step = 0.3;
     constexpr int newton_steps = 3;
