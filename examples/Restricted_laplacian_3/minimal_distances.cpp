@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/geodesic_distances.h>
+#include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
@@ -40,6 +41,15 @@ int main(int argc, char* argv[]) try {
   for(std::size_t i = 0; i < far.size(); ++i)
     std::cout << "vertex " << far[i] << " is the nearest for "
               << std::count(nearest.labels.begin(), nearest.labels.end(), i) << " vertices\n";
+
+  // between the vertices: in the center of a face, as a spline
+  const RL::Geodesic_distances from_first = solver.distances(RL::Geodesic_sources::vertex(0));
+  const RL::Spline_space_3 space(mesh);
+  const RL::Geodesic_fitter fitter(space);
+  const RL::Geodesic_spline u = fitter.fit(RL::Geodesic_function(solver, from_first));
+  const RL::Surface_location middle{num_faces(mesh) / 2, {1. / 3, 1. / 3, 1. / 3}};
+  std::cout << "at the center of a face: " << u.value(middle) << ", gradient " << u.gradient(middle)
+            << '\n';
 } catch(const std::exception& e) {
   std::cerr << "minimal_distances: " << e.what() << '\n';
   return 1;

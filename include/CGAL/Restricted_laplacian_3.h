@@ -13,6 +13,7 @@
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
+#include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3_impl.h>

@@ -37,6 +37,27 @@ inline Triangles stairs(int n, double step) {
   return t;
 }
 
+/// a grid over [0, 1]^2, taken to space; with two diagonals in turn
+template <class Map> Triangles grid(int n, Map&& map) {
+  Triangles t;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+      t.points.push_back(map(double(i) / n, double(j) / n));
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i) {
+      const auto a = static_cast<std::uint32_t>(i + (n + 1) * j), b = a + 1,
+                 c = static_cast<std::uint32_t>(a + n + 2), d = c - 1;
+      if((i + j) % 2) {
+        t.faces.push_back({a, b, c});
+        t.faces.push_back({a, c, d});
+      } else {
+        t.faces.push_back({a, b, d});
+        t.faces.push_back({b, c, d});
+      }
+    }
+  return t;
+}
+
 inline Triangles scaled(Triangles t, double factor) {
   for(RL::Point_3& p : t.points)
     p = RL::Point_3(factor * p.x(), factor * p.y(), factor * p.z());

@@ -5,6 +5,7 @@
 // small surfaces against all straight ways from vertex to vertex.
 
 #include "catch.h"
+#include "geodesic_shapes.h"
 #include "shapes.h"
 #include "special_shapes.h"
 
@@ -30,34 +31,8 @@ using Distances = std::vector<double>;
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-RL::Geodesic_solver solver(const shapes::Triangles& t) {
-  return RL::Geodesic_solver(RL::Triangulated_surface_3(t.points, t.faces));
-}
-
-double length(const RL::Vector_3& v) { return std::sqrt(v.squared_length()); }
-
 Distances from_vertex(const shapes::Triangles& t, std::size_t v) {
-  return solver(t).distances(RL::Geodesic_sources::vertex(v)).distances;
-}
-
-/// Dijkstra along the edges, by relaxation
-Distances along_edges(const shapes::Triangles& t, std::size_t source) {
-  Distances d(t.points.size(), infinity);
-  d[source] = 0;
-  for(bool changed = true; changed;) {
-    changed = false;
-    for(const auto& f : t.faces)
-      for(int k = 0; k < 3; ++k)
-        for(const auto& [a, b] :
-            {std::pair(f[k], f[(k + 1) % 3]), std::pair(f[(k + 1) % 3], f[k])}) {
-          const double there = d[a] + length(t.points[a] - t.points[b]);
-          if(there < d[b]) {
-            d[b] = there;
-            changed = true;
-          }
-        }
-  }
-  return d;
+  return shapes::geodesics(t).distances(RL::Geodesic_sources::vertex(v)).distances;
 }
 
 /// Distances of all pairs of vertices of a small surface: a shortest way is made of ways that are
@@ -70,7 +45,7 @@ public:
       for(int k = 0; k < 3; ++k)
         m_faces[std::minmax(t.faces[f][k], t.faces[f][(k + 1) % 3])].push_back(f);
     for(std::uint32_t v = 0; v < t.points.size(); ++v) {
-      distances[v] = along_edges(t, v);
+      distances[v] = shapes::along_edges(t, v);
       for(double d : distances[v])
         if(std::isfinite(d))
           m_longest = (std::max)(m_longest, d);
@@ -99,7 +74,7 @@ private:
   static double wedge(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
 
   double side(std::uint32_t p, std::uint32_t q) const {
-    return length(m_triangles.points[p] - m_triangles.points[q]);
+    return shapes::length(m_triangles.points[p] - m_triangles.points[q]);
   }
   void see(std::uint32_t v, std::uint32_t w, double d) {
     distances[v][w] = (std::min)(distances[v][w], d);
@@ -150,7 +125,7 @@ struct Differences {
 
   explicit Differences(const shapes::Triangles& t) {
     const All_ways all(t);
-    const RL::Geodesic_solver geodesics = solver(t);
+    const RL::Geodesic_solver geodesics = shapes::geodesics(t);
     for(std::size_t v = 0; v < t.points.size(); ++v)
       for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
         double& worst = method == RL::Geodesic_method::fast ? fast : exact;
@@ -166,31 +141,6 @@ struct Differences {
       }
   }
 };
-
-shapes::Triangles crumpled(shapes::Triangles t, double amount, unsigned seed) {
-  std::mt19937 generator(seed);
-  const auto random = [&] { return amount * (generator() * std::ldexp(2., -32) - 1); };
-  for(RL::Point_3& p : t.points)
-    p = p + RL::Vector_3(random(), random(), random());
-  return t;
-}
-
-/// triangles between random ones of few points: most edges have three faces or more
-shapes::Triangles shared_soup(unsigned seed, int points, int faces) {
-  std::mt19937 generator(seed);
-  const auto random = [&] { return generator() * std::ldexp(1., -32); };
-  shapes::Triangles t;
-  for(int i = 0; i < points; ++i)
-    t.points.emplace_back(random(), random(), random());
-  while(static_cast<int>(t.faces.size()) < faces) {
-    std::array<std::uint32_t, 3> face;
-    for(std::uint32_t& v : face)
-      v = generator() % static_cast<unsigned>(points);
-    if(face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
-      t.faces.push_back(face);
-  }
-  return t;
-}
 
 /// relative errors of all that is farther than 2 % of the largest distance
 struct Errors {
@@ -219,27 +169,6 @@ Errors errors_on_sphere(int n) {
   return Errors(from_vertex(t, 3), expected);
 }
 
-/// a grid over [0, 1]^2, taken to space; with two diagonals in turn
-template <class Map> shapes::Triangles grid(int n, Map&& map) {
-  shapes::Triangles t;
-  for(int j = 0; j <= n; ++j)
-    for(int i = 0; i <= n; ++i)
-      t.points.push_back(map(double(i) / n, double(j) / n));
-  for(int j = 0; j < n; ++j)
-    for(int i = 0; i < n; ++i) {
-      const auto a = static_cast<std::uint32_t>(i + (n + 1) * j), b = a + 1,
-                 c = static_cast<std::uint32_t>(a + n + 2), d = c - 1;
-      if((i + j) % 2) {
-        t.faces.push_back({a, b, c});
-        t.faces.push_back({a, c, d});
-      } else {
-        t.faces.push_back({a, b, d});
-        t.faces.push_back({b, c, d});
-      }
-    }
-  return t;
-}
-
 } // namespace
 
 TEST_CASE("distances_are_those_of_all_ways_on_small_surfaces", "[geodesic]") {
@@ -251,8 +180,9 @@ TEST_CASE("distances_are_those_of_all_ways_on_small_surfaces", "[geodesic]") {
   }
   for(unsigned seed = 1; seed <= 10; ++seed)
     for(const shapes::Triangles& t :
-        {crumpled(shapes::sphere(1), 0.4, seed), crumpled(shapes::box(1, 1, 1, 2, seed), 0.3, seed),
-         shared_soup(seed, 8, 12), shared_soup(seed, 30, 20)}) {
+        {shapes::crumpled(shapes::sphere(1), 0.4, seed),
+         shapes::crumpled(shapes::box(1, 1, 1, 2, seed), 0.3, seed),
+         shapes::shared_soup(seed, 8, 12), shapes::shared_soup(seed, 30, 20)}) {
       CAPTURE(seed, t.points.size());
       const Differences differences(t);
       CHECK(differences.exact < 1e-7);
@@ -271,11 +201,12 @@ TEST_CASE("distances_on_spheres_converge_with_order_two", "[geodesic]") {
 TEST_CASE("distances_on_unfolded_surfaces_are_exact", "[geodesic]") {
   const int n = 12;
   SECTION("plane") {
-    const auto t = grid(n, [](double x, double y) { return RL::Point_3(x, y, 0.3 * x - y); });
+    const auto t =
+        shapes::grid(n, [](double x, double y) { return RL::Point_3(x, y, 0.3 * x - y); });
     for(std::size_t source : {std::size_t(0), std::size_t(45)}) {
       Distances expected;
       for(const RL::Point_3& p : t.points)
-        expected.push_back(length(p - t.points[source]));
+        expected.push_back(shapes::length(p - t.points[source]));
       CHECK(Errors(from_vertex(t, source), expected).worst < 1e-9);
     }
   }
@@ -285,16 +216,16 @@ TEST_CASE("distances_on_unfolded_surfaces_are_exact", "[geodesic]") {
       const double phase = s - std::floor(s / 2) * 2;
       return RL::Point_3(x / 2, y, std::sqrt(0.75) / 12 * (phase < 1 ? phase : 2 - phase));
     };
-    const auto t = grid(n, fold),
-               flat = grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
+    const auto t = shapes::grid(n, fold),
+               flat = shapes::grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
     Distances expected;
     for(const RL::Point_3& p : flat.points)
-      expected.push_back(length(p - flat.points[17]));
+      expected.push_back(shapes::length(p - flat.points[17]));
     CHECK(Errors(from_vertex(t, 17), expected).worst < 1e-9);
   }
   SECTION("a wall with an open end") {
     // the plane without the strip between two columns, up to the middle
-    shapes::Triangles t = grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
+    shapes::Triangles t = shapes::grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
     std::vector<std::array<std::uint32_t, 3>> faces;
     for(const auto& f : t.faces) {
       const RL::Point_3 c = CGAL::centroid(t.points[f[0]], t.points[f[1]], t.points[f[2]]);
@@ -306,11 +237,12 @@ TEST_CASE("distances_on_unfolded_surfaces_are_exact", "[geodesic]") {
     const RL::Point_3 source(0, 0, 0), first(0.5, 0.5, 0), second(0.5 + 1. / n, 0.5, 0);
     for(std::size_t v = 0; v < t.points.size(); ++v) {
       const RL::Point_3& p = t.points[v];
-      double expected = length(p - source);
+      double expected = shapes::length(p - source);
       if(p.x() > 0.5 && p.y() < p.x())
-        expected = length(first - source) + length(p - first);
+        expected = shapes::length(first - source) + shapes::length(p - first);
       if(p.x() > 0.5 + 1. / n - 1e-9 && p.y() < 0.5)
-        expected = length(first - source) + length(second - first) + length(p - second);
+        expected = shapes::length(first - source) + shapes::length(second - first) +
+                   shapes::length(p - second);
       CHECK(found[v] == Approx(expected).epsilon(1e-4));
     }
   }
@@ -354,7 +286,8 @@ TEST_CASE("distances_on_unfolded_surfaces_are_exact", "[geodesic]") {
 
 TEST_CASE("directions_point_to_the_source", "[geodesic]") {
   const shapes::Triangles t = shapes::sphere(4);
-  const RL::Geodesic_distances found = solver(t).distances(RL::Geodesic_sources::vertex(100));
+  const RL::Geodesic_distances found =
+      shapes::geodesics(t).distances(RL::Geodesic_sources::vertex(100));
   const RL::Vector_3 source = t.points[100] - CGAL::ORIGIN;
   CHECK(found.directions[100] == CGAL::NULL_VECTOR);
   double worst = 0;
@@ -366,7 +299,7 @@ TEST_CASE("directions_point_to_the_source", "[geodesic]") {
       continue;
     ++known;
     CHECK(d.squared_length() == Approx(1));
-    worst = (std::max)(worst, length(d - tangent / length(tangent)));
+    worst = (std::max)(worst, shapes::length(d - tangent / shapes::length(tangent)));
   }
   CHECK(known > 0.95 * static_cast<double>(t.points.size()));
   CHECK(worst < 0.1);
@@ -374,8 +307,8 @@ TEST_CASE("directions_point_to_the_source", "[geodesic]") {
 
 TEST_CASE("sources_may_be_points_segments_and_boundaries", "[geodesic]") {
   const int n = 12;
-  const auto t = grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
-  const RL::Geodesic_solver geodesics = solver(t);
+  const auto t = shapes::grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
+  const RL::Geodesic_solver geodesics = shapes::geodesics(t);
   const RL::Triangulated_surface_3& surface = geodesics.surface();
   const auto location = [](std::size_t face, double a, double b) {
     return RL::Surface_location{face, {a, b, 1 - a - b}};
@@ -393,12 +326,12 @@ TEST_CASE("sources_may_be_points_segments_and_boundaries", "[geodesic]") {
     sources.add_location(l);
     const RL::Point_3 p = surface.surface_point(l).point;
     check(
-        sources, [&](const RL::Point_3& q) { return length(p - q); }, 1e-9);
+        sources, [&](const RL::Point_3& q) { return shapes::length(p - q); }, 1e-9);
   }
   SECTION("segments in a face, along an edge, and over several faces") {
     const auto to_segment = [](const RL::Point_3& a, const RL::Point_3& b, const RL::Point_3& q) {
       const double s = std::clamp((q - a) * (b - a) / (b - a).squared_length(), 0., 1.);
-      return length(q - (a + s * (b - a)));
+      return shapes::length(q - (a + s * (b - a)));
     };
     for(const auto& [a, b] : {std::pair(location(130, 0.1, 0.2), location(130, 0.6, 0.3)),
                               std::pair(location(131, 0, 0.2), location(131, 0, 0.9)),
@@ -431,14 +364,14 @@ TEST_CASE("sources_may_be_points_segments_and_boundaries", "[geodesic]") {
           return (std::min)((std::min)(p.x(), 1 - p.x()), (std::min)(p.y(), 1 - p.y()));
         },
         1e-3);
-    CHECK_THROWS_AS(solver(shapes::sphere(1)).distances(boundary), RL::Parameter_error);
+    CHECK_THROWS_AS(shapes::geodesics(shapes::sphere(1)).distances(boundary), RL::Parameter_error);
   }
 }
 
 TEST_CASE("directions_are_those_of_exact_rays", "[geodesic]") {
   for(const shapes::Triangles& t :
-      {shapes::bumpy_square(24, 0.3, 3, 5), crumpled(shapes::sphere(3), 0.03, 2)}) {
-    const RL::Geodesic_solver geodesics = solver(t);
+      {shapes::bumpy_square(24, 0.3, 3, 5), shapes::crumpled(shapes::sphere(3), 0.03, 2)}) {
+    const RL::Geodesic_solver geodesics = shapes::geodesics(t);
     const auto source = RL::Geodesic_sources::vertex(77);
     const std::vector<RL::Vector_3> fast = geodesics.distances(source).directions,
                                     exact = geodesics.distances(source, RL::Geodesic_method::exact)
@@ -475,7 +408,7 @@ TEST_CASE("sources_are_what_was_added", "[geodesic]") {
 }
 
 TEST_CASE("labels_are_those_of_the_nearest_source", "[geodesic]") {
-  shapes::Triangles t = grid(20, [](double x, double y) { return RL::Point_3(x, y, 0); });
+  shapes::Triangles t = shapes::grid(20, [](double x, double y) { return RL::Point_3(x, y, 0); });
   const std::size_t number = t.points.size();
   t = shapes::joined(t, shapes::moved(shapes::sphere(1), RL::Vector_3(5, 0, 0)));
   t.points.emplace_back(9, 9, 9); // with no face
@@ -484,11 +417,11 @@ TEST_CASE("labels_are_those_of_the_nearest_source", "[geodesic]") {
   const std::vector<std::uint32_t> labels = {7, 1, 3, 3};
   for(std::size_t i = 0; i < at.size(); ++i)
     sources.add_vertex(at[i], labels[i]);
-  const RL::Geodesic_distances found = solver(t).distances(sources);
+  const RL::Geodesic_distances found = shapes::geodesics(t).distances(sources);
   for(std::size_t v = 0; v < number; ++v) {
     std::map<std::uint32_t, double> nearest;
     for(std::size_t i = 0; i < at.size(); ++i) {
-      const double d = length(t.points[v] - t.points[at[i]]);
+      const double d = shapes::length(t.points[v] - t.points[at[i]]);
       const auto [it, is_new] = nearest.insert({labels[i], d});
       it->second = (std::min)(it->second, d);
     }
@@ -509,9 +442,9 @@ TEST_CASE("labels_are_those_of_the_nearest_source", "[geodesic]") {
 TEST_CASE("distances_are_symmetric_and_form_triangles", "[geodesic]") {
   for(const shapes::Triangles& t :
       {shapes::bumpy_square(24, 0.3, 3, 5), shapes::ragged_square(20, 0.2, 3),
-       crumpled(shapes::sphere(3), 0.03, 2)}) {
+       shapes::crumpled(shapes::sphere(3), 0.03, 2)}) {
     std::mt19937 generator(4);
-    const RL::Geodesic_solver geodesics = solver(t);
+    const RL::Geodesic_solver geodesics = shapes::geodesics(t);
     std::vector<std::size_t> chosen;
     std::vector<Distances> from;
     for(int i = 0; i < 10; ++i) {
@@ -541,14 +474,14 @@ TEST_CASE("distances_do_not_depend_on_the_triangulation", "[geodesic]") {
       std::swap(f[0], f[1]);
   std::shuffle(turned.faces.begin(), turned.faces.end(), generator);
   const auto source = RL::Geodesic_sources::vertex(40);
-  const RL::Geodesic_distances found = solver(coarse).distances(source),
-                               other = solver(turned).distances(source);
+  const RL::Geodesic_distances found = shapes::geodesics(coarse).distances(source),
+                               other = shapes::geodesics(turned).distances(source);
   const Distances &a = found.distances, b = from_vertex(fine, 40), &c = other.distances;
   std::size_t same_directions = 0;
   for(std::size_t v = 0; v < coarse.points.size(); ++v) {
     CHECK(b[v] == Approx(a[v]).epsilon(3e-3));
     CHECK(c[v] == Approx(a[v]).epsilon(1e-3));
-    same_directions += length(found.directions[v] - other.directions[v]) < 0.05;
+    same_directions += shapes::length(found.directions[v] - other.directions[v]) < 0.05;
   }
   CHECK(same_directions > 0.95 * static_cast<double>(coarse.points.size()));
 }
@@ -569,11 +502,11 @@ TEST_CASE("rays_go_on_in_each_face_of_an_edge", "[geodesic]") {
   const int n = 8;
   for(int wing = 0; wing < 3; ++wing) {
     const double phi = 2 * CGAL_PI * wing / 3 + 0.1;
-    t = wing == 0 ? grid(n,
-                         [&](double x, double y) {
-                           return RL::Point_3(x * std::cos(phi), y, x * std::sin(phi));
-                         })
-                  : shapes::joined(t, grid(n, [&](double x, double y) {
+    t = wing == 0 ? shapes::grid(n,
+                                 [&](double x, double y) {
+                                   return RL::Point_3(x * std::cos(phi), y, x * std::sin(phi));
+                                 })
+                  : shapes::joined(t, shapes::grid(n, [&](double x, double y) {
                                      return RL::Point_3(x * std::cos(phi), y, x * std::sin(phi));
                                    }));
   }
@@ -615,7 +548,7 @@ TEST_CASE("distances_on_hostile_surfaces", "[geodesic]") {
     for(std::size_t source : {std::size_t(0), std::size_t(201)}) {
       const Distances d = from_vertex(t, source);
       for(std::size_t v = 0; v < t.points.size(); ++v)
-        CHECK(d[v] == Approx(length(t.points[v] - t.points[source])).epsilon(1e-8));
+        CHECK(d[v] == Approx(shapes::length(t.points[v] - t.points[source])).epsilon(1e-8));
     }
   }
   SECTION("faces of no area") {
@@ -629,18 +562,19 @@ TEST_CASE("distances_on_hostile_surfaces", "[geodesic]") {
     t.faces.push_back({2, 2, 2});
     const Distances d = from_vertex(t, 0);
     for(std::size_t v = 0; v < t.points.size(); ++v)
-      CHECK(d[v] == Approx(length(t.points[v] - t.points[0])).margin(1e-12));
+      CHECK(d[v] == Approx(shapes::length(t.points[v] - t.points[0])).margin(1e-12));
   }
   SECTION("random soups: no more than along edges, no less than straight through space") {
     for(unsigned seed = 1; seed <= 200; ++seed) {
       CAPTURE(seed);
-      const shapes::Triangles t =
-          seed % 2 ? shared_soup(seed, 12, 30) : crumpled(shapes::box(1, 1, 1, 3, seed), 0.5, seed);
+      const shapes::Triangles t = seed % 2
+                                      ? shapes::shared_soup(seed, 12, 30)
+                                      : shapes::crumpled(shapes::box(1, 1, 1, 3, seed), 0.5, seed);
       const std::size_t source = seed % t.points.size();
-      const Distances d = from_vertex(t, source), edges = along_edges(t, source);
+      const Distances d = from_vertex(t, source), edges = shapes::along_edges(t, source);
       for(std::size_t v = 0; v < t.points.size(); ++v) {
         CHECK((std::isinf(d[v]) == std::isinf(edges[v]) && d[v] <= edges[v] * (1 + 1e-9)));
-        CHECK(d[v] >= length(t.points[v] - t.points[source]) * (1 - 1e-3));
+        CHECK(d[v] >= shapes::length(t.points[v] - t.points[source]) * (1 - 1e-3));
       }
     }
   }
@@ -648,7 +582,7 @@ TEST_CASE("distances_on_hostile_surfaces", "[geodesic]") {
 
 TEST_CASE("bad_sources_of_distances_are_named", "[geodesic]") {
   const shapes::Triangles t = shapes::rectangle(1, 1);
-  const RL::Geodesic_solver geodesics = solver(t);
+  const RL::Geodesic_solver geodesics = shapes::geodesics(t);
   CHECK_THROWS_AS(geodesics.distances(RL::Geodesic_sources()), RL::Parameter_error);
   try {
     geodesics.distances(RL::Geodesic_sources::vertex(77));
@@ -673,10 +607,10 @@ TEST_CASE("bad_sources_of_distances_are_named", "[geodesic]") {
 
 TEST_CASE("farthest_points_are_far", "[geodesic]") {
   const shapes::Triangles t = shapes::sphere(3);
-  const RL::Geodesic_solver geodesics = solver(t);
+  const RL::Geodesic_solver geodesics = shapes::geodesics(t);
   const std::vector<std::size_t> two = geodesics.farthest_points(2);
   REQUIRE(two.size() == 2);
-  CHECK(length(t.points[two[0]] - t.points[two[1]]) == Approx(2).epsilon(1e-3));
+  CHECK(shapes::length(t.points[two[0]] - t.points[two[1]]) == Approx(2).epsilon(1e-3));
   const std::vector<std::size_t> six =
       geodesics.farthest_points(6, RL::Geodesic_sources::vertex(0));
   CHECK(std::set<std::size_t>(six.begin(), six.end()).size() == 6);
@@ -688,7 +622,8 @@ TEST_CASE("farthest_points_are_far", "[geodesic]") {
   const double covered = *std::max_element(d.begin(), d.end());
   for(std::size_t i = 0; i < 6; ++i)
     for(std::size_t j = 0; j < i; ++j)
-      CHECK(2 * std::asin(length(t.points[six[i]] - t.points[six[j]]) / 2) >= covered * 0.99);
+      CHECK(2 * std::asin(shapes::length(t.points[six[i]] - t.points[six[j]]) / 2) >=
+            covered * 0.99);
   CHECK(geodesics.farthest_points(100000).size() == t.points.size());
   CHECK(geodesics.farthest_points(0).empty());
 }

@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_GEODESIC_DISTANCES_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 

@@ -91,6 +91,9 @@ struct Geodesic_distances {
   /// is reached, where the faces of a vertex form no fan, and at the few vertices at which the
   /// direction could not be found.
   std::vector<Vector_3> directions;
+  /// The same as angles around the vertices, over their faces, counted from an edge that only the
+  /// solver knows, for `Geodesic_function`; NaN where the vector is zero.
+  std::vector<double> angles;
   /// labels of the nearest sources: Voronoi regions
   std::vector<std::uint32_t> labels;
   /// number of the vertices with a face that no source reaches
@@ -147,6 +150,8 @@ public:
                                            const Geodesic_sources& sources = {}) const;
 
 private:
+  friend class Geodesic_function;
+
   struct Impl;
   std::shared_ptr<const Impl> m_impl;
 };

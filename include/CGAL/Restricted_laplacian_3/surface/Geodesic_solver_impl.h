@@ -35,12 +35,12 @@ struct Geodesic_solver::Impl {
     double sum = 0;
     for(double& x : l) {
       if(!(x >= -tolerance && x <= 1 + tolerance))
-        throw Location_error("a source is outside of face " + std::to_string(location.face));
+        throw Location_error("a location is outside of face " + std::to_string(location.face));
       x = x < tolerance ? 0 : x;
       sum += x;
     }
     if(!(std::abs(sum - 1) <= 1e-6))
-      throw Location_error("barycentric coordinates of a source in face " +
+      throw Location_error("barycentric coordinates of a location in face " +
                            std::to_string(location.face) + " do not sum to 1");
     for(double& x : l)
       x /= sum;
@@ -56,9 +56,8 @@ struct Geodesic_solver::Impl {
   }
 
   internal::Plane_vector place(std::size_t face, const std::array<double, 3>& l) const {
-    const auto f = static_cast<std::uint32_t>(face);
-    const internal::Plane_vector c = geometry.apex({f, 0});
-    return {l[1] * geometry.length(f, 0) + l[2] * c.x, l[2] * c.y};
+    const auto corners = geometry.corners(static_cast<std::uint32_t>(face));
+    return l[1] * corners[1] + l[2] * corners[2];
   }
 
   void add(const Geodesic_sources::Segment& segment, internal::Ray_propagation& rays) const {
@@ -138,6 +137,7 @@ Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method meth
   Geodesic_distances result;
   result.distances.resize(n);
   result.directions.assign(n, CGAL::NULL_VECTOR);
+  result.angles.assign(n, std::numeric_limits<double>::quiet_NaN());
   result.labels.assign(n, Geodesic_distances::no_label);
   for(std::size_t v = 0; v < n; ++v) {
     result.distances[v] = rays[v].distance * m_impl->surface.extent();
@@ -146,8 +146,10 @@ Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method meth
       continue;
     }
     result.labels[v] = rays[v].origin.label;
-    if(!std::isnan(rays[v].angle) && rays[v].distance > 0)
+    if(!std::isnan(rays[v].angle) && rays[v].distance > 0) {
+      result.angles[v] = rays[v].angle;
       result.directions[v] = geometry.direction(static_cast<std::uint32_t>(v), rays[v].angle);
+    }
   }
   return result;
 }

@@ -106,6 +106,10 @@ public:
     const double x = l > 0 ? (l * l + (a - b) * (a + b)) / (2 * l) : 0;
     return {x, std::sqrt((std::max)(0., (a - x) * (a + x)))};
   }
+  /// the corners of a face in the frame of its side 0
+  std::array<Plane_vector, 3> corners(std::uint32_t face) const {
+    return {Plane_vector{0, 0}, {length(face, 0), 0}, apex({face, 0})};
+  }
   /// calls `visit(side)` for the sides of other faces that run along a side
   template <class Visitor> void for_each_beyond(const Side& side, Visitor&& visit) const {
     for(const Side& other : m_edges.sides(m_edge_of_side[3 * side.face + side.number]))
@@ -151,25 +155,34 @@ public:
     const double d = std::abs(a - b);
     return m_is_on_boundary[v] ? d : (std::min)(d, m_total_angles[v] - d);
   }
+  /// The angle of a direction in a fan from the side that begins at a corner, growing into the
+  /// face, the smaller way around from the middle of the corner.
+  double angle_in_corner(const Corner& c, double phi) const {
+    const std::size_t i = 3 * c.face + c.number;
+    const double total = m_total_angles[m_surface->triangle(c.face)[c.number]],
+                 middle = m_first_angles[i] + m_angles[i] / 2;
+    double t = phi - middle;
+    if(!m_is_on_boundary[m_surface->triangle(c.face)[c.number]])
+      t = t > total / 2 ? t - total : t < -total / 2 ? t + total : t;
+    return m_angles[i] / 2 + (m_starts_at_next[i] ? t : -t);
+  }
   /// a direction in a fan as a unit vector
   Vector_3 direction(std::uint32_t v, double phi) const {
     Corner best = {0, 0};
-    double excess = std::numeric_limits<double>::infinity();
+    double excess = std::numeric_limits<double>::infinity(), angle = 0;
     for_each_corner(v, [&](const Corner& c) {
-      const std::size_t i = 3 * c.face + c.number;
-      const double out = (std::max)(m_first_angles[i] - phi, phi - m_first_angles[i] - m_angles[i]);
+      const double t = angle_in_corner(c, phi),
+                   out = (std::max)(-t, t - m_angles[3 * c.face + c.number]);
       if(out < excess) {
         excess = out;
         best = c;
+        angle = t;
       }
     });
-    const std::size_t i = 3 * best.face + best.number;
-    const double t =
-        m_starts_at_next[i] ? phi - m_first_angles[i] : m_first_angles[i] + m_angles[i] - phi;
     const Point_3& o = m_surface->point(v);
     const Vector_3 a = unit_or_zero(m_surface->point(best.face, (best.number + 1) % 3) - o),
                    b = m_surface->point(best.face, (best.number + 2) % 3) - o;
-    return std::cos(t) * a + std::sin(t) * unit_or_zero(b - (b * a) * a);
+    return std::cos(angle) * a + std::sin(angle) * unit_or_zero(b - (b * a) * a);
   }
 
 private:

@@ -74,7 +74,7 @@ public:
 
   /// a point in a face, in the frame of its side 0; of a point on a side, the part in this face
   void add_point(std::uint32_t face, const Plane_vector& s, std::uint32_t label) {
-    const std::array<Plane_vector, 3> corners = corners_of(face);
+    const std::array<Plane_vector, 3> corners = m_geometry.corners(face);
     for(std::uint32_t k = 0; k < 3; ++k) {
       offer_from(face, k, corners, s, s, label);
       add_beyond({face, k}, s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(face, k),
@@ -90,7 +90,7 @@ public:
     const double length = (b - a).length();
     if(!(length > 0))
       return;
-    const std::array<Plane_vector, 3> corners = corners_of(face);
+    const std::array<Plane_vector, 3> corners = m_geometry.corners(face);
     const Plane_vector t = (1 / length) * (b - a);
     // Rays across the segment are parallel: they come from a source that is very far.
     for(const Plane_vector& n : {Plane_vector{-t.y, t.x}, Plane_vector{t.y, -t.x}}) {
@@ -136,6 +136,9 @@ public:
         propagate(next.number);
       }
     }
+    for(std::uint32_t v = 0; v < m_rays.size(); ++v)
+      if(std::isnan(m_rays[v].angle) && std::isfinite(m_rays[v].distance))
+        look_along_edges(v);
     return m_rays;
   }
 
@@ -177,11 +180,6 @@ private:
       return a.is_window != b.is_window ? a.is_window : a.number > b.number;
     }
   };
-
-  /// the corners of a face in the frame of its side 0
-  std::array<Plane_vector, 3> corners_of(std::uint32_t face) const {
-    return {Plane_vector{0, 0}, {m_geometry.length(face, 0), 0}, m_geometry.apex({face, 0})};
-  }
 
   void offer(std::uint32_t v, const Ray& ray) {
     const double known = m_rays[v].distance;
@@ -241,6 +239,20 @@ private:
                                        begins_here ? m_geometry.corner_angle(side.face, there) : 0);
     }
     offer(m_geometry.vertex(side.face, there), ray);
+  }
+
+  /// The direction of a ray that is known to come along an edge. It is not used before: such rays
+  /// may be a little longer than others that come later, with quite another direction.
+  void look_along_edges(std::uint32_t v) {
+    m_geometry.for_each_corner(v, [&](const Corner& c) {
+      const auto look = [&](std::uint32_t side, std::uint32_t there, double t) {
+        if(m_rays[m_geometry.vertex(c.face, there)].distance + m_geometry.length(c.face, side) <=
+           m_rays[v].distance * (1 + smallest_gain))
+          m_rays[v].angle = m_geometry.fan_angle(c.face, c.number, t);
+      };
+      look(c.number, c.number + 1, 0);
+      look(c.number + 2, c.number + 2, m_geometry.corner_angle(c.face, c.number));
+    });
   }
 
   /// rays from a vertex through the opposite side, into the shadow of its own ray

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_TEST_GEODESIC_SHAPES_H
+#define RESTRICTED_LAPLACIAN_3_TEST_GEODESIC_SHAPES_H
+
+#include "shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <utility>
+#include <vector>
+
+/// \file
+/// What the tests of distances along surfaces share.
+
+namespace shapes {
+
+inline RL::Geodesic_solver geodesics(const Triangles& t) {
+  return RL::Geodesic_solver(RL::Triangulated_surface_3(t.points, t.faces));
+}
+
+inline double length(const RL::Vector_3& v) { return std::sqrt(v.squared_length()); }
+
+/// Dijkstra along the edges, by relaxation
+inline std::vector<double> along_edges(const Triangles& t, std::size_t source) {
+  std::vector<double> d(t.points.size(), std::numeric_limits<double>::infinity());
+  d[source] = 0;
+  for(bool changed = true; changed;) {
+    changed = false;
+    for(const auto& f : t.faces)
+      for(int k = 0; k < 3; ++k)
+        for(const auto& [a, b] :
+            {std::pair(f[k], f[(k + 1) % 3]), std::pair(f[(k + 1) % 3], f[k])}) {
+          const double there = d[a] + length(t.points[a] - t.points[b]);
+          if(there < d[b]) {
+            d[b] = there;
+            changed = true;
+          }
+        }
+  }
+  return d;
+}
+
+inline Triangles crumpled(Triangles t, double amount, unsigned seed) {
+  std::mt19937 generator(seed);
+  const auto random = [&] { return amount * (generator() * std::ldexp(2., -32) - 1); };
+  for(RL::Point_3& p : t.points)
+    p = p + RL::Vector_3(random(), random(), random());
+  return t;
+}
+
+/// triangles between random ones of few points: most edges have three faces or more
+inline Triangles shared_soup(unsigned seed, int points, int faces) {
+  std::mt19937 generator(seed);
+  const auto random = [&] { return generator() * std::ldexp(1., -32); };
+  Triangles t;
+  for(int i = 0; i < points; ++i)
+    t.points.emplace_back(random(), random(), random());
+  while(static_cast<int>(t.faces.size()) < faces) {
+    std::array<std::uint32_t, 3> face;
+    for(std::uint32_t& v : face)
+      v = generator() % static_cast<unsigned>(points);
+    if(face[0] != face[1] && face[1] != face[2] && face[2] != face[0])
+      t.faces.push_back(face);
+  }
+  return t;
+}
+
+} // namespace shapes
+
+#endif // RESTRICTED_LAPLACIAN_3_TEST_GEODESIC_SHAPES_H
