@@ -9,6 +9,8 @@
 #include "support/surface_program.h"
 #include "support/table.h"
 
+#include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 
 #include <Eigen/Core>
@@ -19,6 +21,7 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace examples;
@@ -27,7 +30,8 @@ const Help help = {"geodesic_distance MESH [OPTION]...", std::string(R"(
 Computes the distances of the vertices of a surface from sources, along the surface, and
 which source is the nearest.
 
-Distances are infinite at vertices that no source reaches.
+Distances are infinite at vertices that no source reaches. With --refine they are those of
+a spline between the vertices.
 )") + about_meshes,
                    R"(  geodesic_distance elephant.off --source 0 --output distance.ply
       a mesh colored by the distance from its first vertex; draw_mesh draws isolines
@@ -35,6 +39,8 @@ Distances are infinite at vertices that no source reaches.
       eight vertices far from each other, and the regions that are nearest to each
   geodesic_distance elephant-with-holes.off --boundary --csv distance.csv
       a table of the distances from the boundary
+  geodesic_distance elephant.off --source 0 --path 1000 2000 --isolines 10 --lines lines.obj
+      the shortest paths from two vertices to the first one, and ten isolines, as lines
 )",
                    R"(  0  all went well
   1  an error, which one line on the error stream names
@@ -43,8 +49,9 @@ Distances are infinite at vertices that no source reaches.
 struct Options : Common_options {
   std::vector<std::size_t> sources;
   bool boundary = false, exact = false;
-  std::size_t farthest = 0;
-  std::string show = "distance";
+  std::size_t farthest = 0, isolines = 0;
+  std::vector<std::size_t> paths;
+  std::string show = "distance", lines;
 };
 
 // returns false if there is nothing more to do
@@ -59,21 +66,36 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "first vertex with a face, if there is no other source");
   add("exact", po::bool_switch(&o.exact),
       "exact up to rounding, in more time; by default errors are of the order of 0.01 %");
+  po::options_description lines("Lines", help_width);
+  add = lines.add_options();
+  add("path", po::value(&o.paths)->multitoken()->value_name("V..."),
+      "numbers of vertices from which the shortest paths to a source begin");
+  add("isolines", po::value(&o.isolines)->value_name("N"),
+      "N isolines, at equal distances from each other");
+  add("lines", po::value(&o.lines)->value_name("FILE"), "write these, as lines of OBJ (.obj)");
   po::options_description colors("Colors", help_width);
   add = colors.add_options();
   add("show", po::value(&o.show)->value_name("distance|nearest")->default_value(o.show),
       "what colors show");
   po::options_description all(help_width);
-  all.add(problem)
-      .add(colors)
-      .add(output_options(o, "vertex, distance, nearest", "the properties distance and nearest"))
-      .add(general_options(o));
+  po::options_description output =
+      spline_output_options(o, "vertex, distance, nearest", "the properties distance and nearest");
+  add = output.add_options();
+  add("depth",
+      po::value<int>()->value_name("D")->notifier([&o](int d) { o.space.octree_depth = d; }),
+      "depth of the octree of the spline, for --refine (default: that of the other programs)");
+  all.add(problem).add(lines).add(colors).add(output).add(general_options(o));
   if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   require_choice("show", o.show, {"distance", "nearest"});
   require(!o.sources.empty() || o.boundary || o.farthest > 0,
           "there is no source: give --source, --boundary or --farthest");
   require(!o.boundary || o.farthest == 0, "--farthest begins with vertices, not with --boundary");
+  require(given.count("depth") == 0 || o.refine > 0, "--depth needs --refine");
+  require(o.lines.empty() || !o.paths.empty() || o.isolines > 0,
+          "--lines needs --path or --isolines");
+  require(o.isolines <= 10000, "the argument of --isolines must not be more than 10000");
+  check_output("--lines", o.lines, {".obj"});
   return true;
 }
 
@@ -95,6 +117,68 @@ std::vector<Color> region_colors(const Eigen::VectorXd& nearest) {
     colors.push_back(color);
   }
   return colors;
+}
+
+void write_lines(const std::string& file, const std::vector<RL::Geodesic_path>& lines) {
+  write_file(file, [&](std::ostream& out) {
+    std::size_t number = 0;
+    for(const RL::Geodesic_path& line : lines) {
+      for(const RL::Point_3& p : line.points)
+        out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+      out << 'l';
+      for(std::size_t i = 0; i < line.points.size(); ++i)
+        out << ' ' << ++number;
+      out << '\n';
+    }
+  });
+}
+
+// Adds the lines that the options ask for to what is found.
+void add_lines(const Job& job, const Options& o, const RL::Geodesic_solver& solver,
+               const RL::Geodesic_function& distance, double largest, Outcome& result) {
+  std::vector<RL::Geodesic_path> lines;
+  for(const std::size_t v : o.paths) {
+    job.progress.show("finding shortest paths");
+    lines.push_back(distance.shortest_path(solver.location(v)));
+    job.summary.add("path_length", lines.back().length);
+  }
+  for(std::size_t i = 1; i <= o.isolines; ++i) {
+    job.progress.show("tracing isolines");
+    const double value = largest * static_cast<double>(i) / static_cast<double>(o.isolines + 1);
+    if(!(value > 0))
+      break;
+    for(RL::Geodesic_path& line : distance.isolines(value))
+      lines.push_back(std::move(line));
+  }
+  if(!o.lines.empty())
+    result.write_more = [file = o.lines, lines = std::move(lines)] { write_lines(file, lines); };
+}
+
+// Lets distance and nearest source be evaluated between the vertices.
+void add_spline(Job& job, const Options& o, const RL::Geodesic_function& distance,
+                Outcome& result) {
+  if(o.refine == 0)
+    return;
+  const RL::Spline_space_3 space =
+      job.make_space("distances are infinite on those without a source");
+  const RL::Geodesic_spline spline =
+      RL::Geodesic_fitter(space).fit(distance, job.step("fitting by", space));
+  job.add_solve(spline.report());
+  result.cell_width = space.octree().cell_width(space.depth());
+  result.values_at = [spline](const std::vector<RL::Surface_location>& locations) {
+    Eigen::MatrixXd values(static_cast<Eigen::Index>(locations.size()), 2);
+    const RL::Geodesic_function& d = spline.function();
+    Eigen::Index row = 0;
+    for(const RL::Surface_location& l : locations) {
+      // the label of the corner that is the largest part
+      const auto& b = l.barycentric;
+      const std::uint32_t label = d.distances().labels[d.surface().triangle(
+          l.face)[static_cast<std::size_t>(std::max_element(b.begin(), b.end()) - b.begin())]];
+      values.row(row++) << spline.value(l),
+          label == RL::Geodesic_distances::no_label ? -1 : static_cast<double>(label);
+    }
+    return values;
+  };
 }
 
 Outcome measure(Job& job, const Options& o) {
@@ -119,7 +203,7 @@ Outcome measure(Job& job, const Options& o) {
   const double begin = job.seconds();
   const RL::Geodesic_distances found =
       solver.distances(sources, o.exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast);
-  job.summary.add_detail("setup_seconds", setup_seconds);
+  job.summary.add_detail("rays_seconds", setup_seconds);
   job.summary.add_detail("query_seconds", job.seconds() - begin);
 
   Outcome result;
@@ -138,6 +222,9 @@ Outcome measure(Job& job, const Options& o) {
   result.paint = [show = o.show](const Eigen::MatrixXd& values) {
     return show == "nearest" ? region_colors(values.col(1)) : distance_colors(values.col(0));
   };
+  const RL::Geodesic_function distance(solver, found);
+  add_lines(job, o, solver, distance, largest, result);
+  add_spline(job, o, distance, result);
   if(o.farthest > 0)
     result.print = [all](std::ostream& out) {
       out << "sources\n";

@@ -13,7 +13,8 @@ triangles, or of points with normals: results that do not depend on the triangul
 """
 
 from ._core import __version__
-from ._distances import Distances, Geodesics, farthest_points, geodesic_distance
+from ._distances import (DistanceFunction, Distances, Geodesics, Path, farthest_points,
+                         geodesic_distance, shortest_path)
 from ._errors import Canceled, ConvergenceError, InputError
 from ._files import read_mesh
 from ._input import Corners
@@ -28,11 +29,12 @@ from ._spectra import (Spectrum, biharmonic_embedding, diffusion_map, eigs,
 from ._textures import Scan, stitch_colors
 
 __all__ = [
-    "Canceled", "ConvergenceError", "Corners", "Curvature", "Distances", "Geodesics", "InputError",
-    "Operators", "PoissonSolver", "Report", "Scan", "Space", "Spectrum", "SplineFunction",
-    "__version__", "biharmonic_embedding", "curvature", "diffusion_map", "eigs", "farthest_points",
-    "fit_function", "geodesic_distance", "global_point_signature", "heat_kernel_signature",
-    "heat_kernel_times", "heat_trace", "icosphere", "integrate_gradient", "laplace_spectrum",
-    "number_of_zero_eigenvalues", "read_mesh", "shape_dna", "solve_poisson",
-    "solve_screened_poisson", "stitch_colors", "wave_kernel_signature",
+    "Canceled", "ConvergenceError", "Corners", "Curvature", "DistanceFunction", "Distances",
+    "Geodesics", "InputError", "Operators", "Path", "PoissonSolver", "Report", "Scan", "Space",
+    "Spectrum", "SplineFunction", "__version__", "biharmonic_embedding", "curvature",
+    "diffusion_map", "eigs", "farthest_points", "fit_function", "geodesic_distance",
+    "global_point_signature", "heat_kernel_signature", "heat_kernel_times", "heat_trace",
+    "icosphere", "integrate_gradient", "laplace_spectrum", "number_of_zero_eigenvalues",
+    "read_mesh", "shape_dna", "shortest_path", "solve_poisson", "solve_screened_poisson",
+    "stitch_colors", "wave_kernel_signature",
 ]

@@ -12,6 +12,7 @@ import numpy as np
 from . import _core
 from ._errors import argument_error
 from ._input import make_surface, numbers, rows
+from ._space import Space
 
 
 class Distances(NamedTuple):
@@ -23,6 +24,16 @@ class Distances(NamedTuple):
     """Unit vectors along which the way to the source begins, (n, 3); 0 where that is not known."""
     labels: np.ndarray
     """Label of the nearest source, or -1."""
+
+
+class Path(NamedTuple):
+    """A line on a surface."""
+
+    points: np.ndarray
+    """(n + 1, 3); the last one is the first one again if the line is closed."""
+    length: float
+    segments: tuple[np.ndarray, np.ndarray, np.ndarray]
+    """Faces (n,) and barycentric coordinates (n, 3) of both ends, as `Geodesics.distances` takes."""
 
 
 def _integers(values: Any, name: str) -> np.ndarray:
@@ -41,13 +52,94 @@ def _barycentric(values: Any, name: str) -> np.ndarray:
     return result
 
 
+def _sources(sources: Any, points: Any, segments: Any, boundary: bool, labels: Any
+             ) -> tuple[Any, ...]:
+    """Arguments of the C++ library."""
+    vertices = _integers([] if sources is None else sources, "sources")
+    faces: list[np.ndarray] = []
+    starts: list[np.ndarray] = []
+    ends: list[np.ndarray] = []
+    for given, name in ((points, "points"), (segments, "segments")):
+        if given is None:
+            continue
+        parts = list(given)
+        if len(parts) != (2 if name == "points" else 3):
+            raise argument_error(name, "must be faces, and barycentric coordinates"
+                                 + (" of both ends" if name == "segments" else ""))
+        faces.append(_integers(parts[0], name))
+        starts.append(_barycentric(parts[1], name))
+        ends.append(_barycentric(parts[-1], name))
+    none = np.zeros((0, 3))
+    own_faces = np.concatenate([np.zeros(0, np.int64), *faces])
+    number = len(vertices) + len(own_faces) + bool(boundary)
+    own_labels = np.arange(number) if labels is None else _integers(labels, "labels")
+    return (vertices, own_faces, np.concatenate([none, *starts]), np.concatenate([none, *ends]),
+            bool(boundary), own_labels)
+
+
+class DistanceFunction:
+    """The distance from sources anywhere on a surface, what `Geodesics.function` returns.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> d = rl.Geodesics(V, F).function(0)
+    >>> middle = d([5], [[1/3, 1/3, 1/3]])
+    >>> path = d.shortest_path(100)
+    >>> circle, = d.isolines(1.0)
+    """
+
+    def __init__(self, geodesics: "Geodesics", function: Any) -> None:
+        self._solver = geodesics._solver
+        self._function = function
+
+    def __call__(self, faces: Any, barycentric: Any) -> np.ndarray:
+        """Distances at points of faces: (N,) numbers of faces, (N, 3) barycentric coordinates."""
+        return self._function.values(_integers(faces, "faces"), _barycentric(barycentric,
+                                                                             "barycentric"))
+
+    def gradients(self, faces: Any, barycentric: Any) -> np.ndarray:
+        """Gradients along the surface at points of faces, (N, 3)."""
+        return self._function.gradients(_integers(faces, "faces"),
+                                        _barycentric(barycentric, "barycentric"))
+
+    def shortest_path(self, start: Any) -> Path:
+        """The shortest path to the nearest source.
+
+        Parameters
+        ----------
+        start : int or (face, barycentric)
+            A vertex, or a point of a face.
+        """
+        if isinstance(start, (tuple, list)):
+            if len(start) != 2:
+                raise argument_error("start", "must be a vertex, or a face and its coordinates")
+            face, place = _integers(start[0], "start"), _barycentric(start[1], "start")
+        else:
+            vertex = _integers(start, "start")
+            if len(vertex) != 1:
+                raise argument_error("start", "must be one vertex")
+            number, place = self._solver.location(int(vertex[0]))
+            face = np.array([number])
+        if len(face) != 1:
+            raise argument_error("start", "must be one point")
+        points, length, *segments = self._function.shortest_path(int(face[0]), place)
+        return Path(points, length, tuple(segments))
+
+    def isolines(self, value: float) -> list[Path]:
+        """The lines on which the distance has a value."""
+        return [Path(points, length, tuple(segments))
+                for points, length, *segments in self._function.isolines(float(value))]
+
+
 class Geodesics:
     """Distances along a surface of triangles, set up once for any number of queries.
 
     Parameters
     ----------
     V, F
-        The triangles, as for `Space`; they need not form a manifold.
+        The triangles, as for `Space`; they need not form a manifold. Or a `Space`.
 
     Examples
     --------
@@ -62,7 +154,10 @@ class Geodesics:
     """
 
     def __init__(self, V: Any, F: Any = None) -> None:
-        self._solver = _core.GeodesicSolver.make(make_surface(V, F))
+        self._space: Optional[Space] = V if isinstance(V, Space) else None
+        self._surface = V._surface if isinstance(V, Space) else make_surface(V, F)
+        self._solver = _core.GeodesicSolver.make(self._surface)
+        self._fitter: Any = None
 
     def distances(self, sources: Any = None, *, points: Any = None, segments: Any = None,
                   boundary: bool = False, labels: Any = None, exact: bool = False) -> Distances:
@@ -89,27 +184,38 @@ class Geodesics:
         Distances
             A tuple of ``distances``, ``directions`` and ``labels``.
         """
-        vertices = _integers([] if sources is None else sources, "sources")
-        faces: list[np.ndarray] = []
-        starts: list[np.ndarray] = []
-        ends: list[np.ndarray] = []
-        for given, name in ((points, "points"), (segments, "segments")):
-            if given is None:
-                continue
-            parts = list(given)
-            if len(parts) != (2 if name == "points" else 3):
-                raise argument_error(name, "must be faces, and barycentric coordinates"
-                                     + (" of both ends" if name == "segments" else ""))
-            faces.append(_integers(parts[0], name))
-            starts.append(_barycentric(parts[1], name))
-            ends.append(_barycentric(parts[-1], name))
-        none = np.zeros((0, 3))
-        own_faces = np.concatenate([np.zeros(0, np.int64), *faces])
-        number = len(vertices) + len(own_faces) + bool(boundary)
-        own_labels = np.arange(number) if labels is None else _integers(labels, "labels")
-        return Distances(*self._solver.distances(
-            vertices, own_faces, np.concatenate([none, *starts]), np.concatenate([none, *ends]),
-            bool(boundary), own_labels, bool(exact)))
+        own = _sources(sources, points, segments, boundary, labels)
+        return Distances(*self._solver.distances(*own, bool(exact)))
+
+    def function(self, sources: Any = None, *, points: Any = None, segments: Any = None,
+                 boundary: bool = False, exact: bool = False) -> DistanceFunction:
+        """The distance anywhere on the surface, triangle by triangle, with paths and isolines.
+
+        Parameters
+        ----------
+        sources, points, segments, boundary, exact
+            See `distances`.
+        """
+        own = _sources(sources, points, segments, boundary, None)
+        return DistanceFunction(self, self._solver.function(*own, bool(exact), None))
+
+    def spline(self, sources: Any = None, *, points: Any = None, segments: Any = None,
+               boundary: bool = False, exact: bool = False) -> DistanceFunction:
+        """The same as a spline: smooth over edges, too, but for two cells around ridges.
+
+        Its space is that which the object was made of, or one of the default depth. Paths and
+        isolines are those of `function`.
+
+        Parameters
+        ----------
+        sources, points, segments, boundary, exact
+            See `distances`.
+        """
+        if self._fitter is None:
+            space = self._space or Space(self._surface)
+            self._fitter = _core.GeodesicFitter.make(space._space, space._threads)
+        own = _sources(sources, points, segments, boundary, None)
+        return DistanceFunction(self, self._solver.function(*own, bool(exact), self._fitter))
 
     def farthest_points(self, number: int, sources: Any = None) -> np.ndarray:
         """Vertices far from each other: each is the one farthest from those before.
@@ -183,3 +289,27 @@ def farthest_points(V: Any, F: Any = None, number: int = 1, sources: Optional[An
     5
     """
     return Geodesics(V, F).farthest_points(number, sources)
+
+
+def shortest_path(V: Any, F: Any = None, start: Any = 0, sources: Any = None, *,
+                  boundary: bool = False, exact: bool = False) -> Path:
+    """The shortest path from a point of a surface to the nearest source.
+
+    Parameters
+    ----------
+    V, F
+        The triangles, as for `Space`.
+    start
+        See `DistanceFunction.shortest_path`.
+    sources, boundary, exact
+        See `Geodesics.distances`.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> path = rl.shortest_path(V, F, 7, 0)
+    >>> bool((path.points[0] == V[7]).all() and (path.points[-1] == V[0]).all())
+    True
+    """
+    return Geodesics(V, F).function(sources, boundary=boundary, exact=exact).shortest_path(start)

@@ -5,10 +5,13 @@
 
 #include "module.h"
 
+#include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -83,6 +86,105 @@ nb::tuple distances(const RL::Geodesic_solver& solver, const Integers& vertices,
                         array_of_rows(std::move(nearest), 1));
 }
 
+// Distances with directions, as a function on the surface; `spline` is that of a space, or nothing.
+class Distance_function {
+public:
+  explicit Distance_function(RL::Geodesic_function function) : m_function(std::move(function)) {}
+  explicit Distance_function(RL::Geodesic_spline spline)
+    : m_function(spline.function()), m_spline(std::move(spline)) {}
+
+  nb::object values(const Integers& faces, const Rows& barycentric) const {
+    return evaluate<1>(faces, barycentric, [this](const RL::Surface_location& l, double* value) {
+      *value = m_spline ? m_spline->value(l) : m_function.value(l);
+    });
+  }
+  nb::object gradients(const Integers& faces, const Rows& barycentric) const {
+    return evaluate<3>(faces, barycentric, [this](const RL::Surface_location& l, double* value) {
+      const RL::Vector_3 g = m_spline ? m_spline->gradient(l) : m_function.gradient(l);
+      for(int axis = 0; axis < 3; ++axis)
+        value[axis] = g[axis];
+    });
+  }
+  nb::tuple shortest_path(std::int64_t face, const Rows& barycentric) const {
+    check_width(barycentric, 1, "barycentric");
+    RL::Geodesic_path path;
+    {
+      const nb::gil_scoped_release release;
+      path = m_function.shortest_path(location_of(face, barycentric.data()));
+    }
+    return line(path);
+  }
+  nb::list isolines(double value) const {
+    std::vector<RL::Geodesic_path> lines;
+    {
+      const nb::gil_scoped_release release;
+      lines = m_function.isolines(value);
+    }
+    nb::list result;
+    for(const RL::Geodesic_path& path : lines)
+      result.append(line(path));
+    return result;
+  }
+
+private:
+  template <int K, class Evaluate>
+  nb::object evaluate(const Integers& faces, const Rows& barycentric, Evaluate&& at) const {
+    check_width(barycentric, faces.size(), "barycentric");
+    std::vector<double> result(K * faces.size());
+    {
+      const nb::gil_scoped_release release;
+      for(std::size_t i = 0; i < faces.size(); ++i)
+        at(location_of(faces.data()[i], barycentric.data() + 3 * i), result.data() + K * i);
+    }
+    return array_of_rows(std::move(result), K);
+  }
+
+  // its points, the faces of its segments, and barycentric coordinates of both of their ends
+  static nb::tuple line(const RL::Geodesic_path& path) {
+    std::vector<double> points, from, to;
+    std::vector<std::int64_t> faces;
+    for(const RL::Point_3& p : path.points)
+      for(int axis = 0; axis < 3; ++axis)
+        points.push_back(p[axis]);
+    for(const auto& segment : path.segments) {
+      faces.push_back(static_cast<std::int64_t>(segment.from.face));
+      from.insert(from.end(), segment.from.barycentric.begin(), segment.from.barycentric.end());
+      to.insert(to.end(), segment.to.barycentric.begin(), segment.to.barycentric.end());
+    }
+    return nb::make_tuple(array_of_rows(std::move(points), 3), path.length,
+                          array_of_rows(std::move(faces), 1), array_of_rows(std::move(from), 3),
+                          array_of_rows(std::move(to), 3));
+  }
+
+  RL::Geodesic_function m_function;
+  std::optional<RL::Geodesic_spline> m_spline;
+};
+
+Distance_function distance_function(const RL::Geodesic_solver& solver, const Integers& vertices,
+                                    const Integers& faces, const Rows& from, const Rows& to,
+                                    bool boundary, const Integers& labels, bool exact,
+                                    const RL::Geodesic_fitter* fitter) {
+  const RL::Geodesic_sources sources = sources_of(vertices, faces, from, to, boundary, labels);
+  const nb::gil_scoped_release release;
+  const RL::Geodesic_function function(
+      solver,
+      solver.distances(sources, exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast));
+  return fitter ? Distance_function(fitter->fit(function)) : Distance_function(function);
+}
+
+RL::Geodesic_fitter make_fitter(const RL::Spline_space_3& space, int threads) {
+  RL::Geodesic_fit_options options;
+  options.solver.is_parallel = true;
+  return run(threads, nb::none(), [&](const auto&) { return RL::Geodesic_fitter(space, options); });
+}
+
+nb::tuple location_of_vertex(const RL::Geodesic_solver& solver, std::int64_t v) {
+  const RL::Surface_location location = solver.location(index_of(v));
+  std::vector<double> barycentric(location.barycentric.begin(), location.barycentric.end());
+  return nb::make_tuple(static_cast<std::int64_t>(location.face),
+                        array_of_rows(std::move(barycentric), 3));
+}
+
 nb::object farthest_points(const RL::Geodesic_solver& solver, std::int64_t number,
                            const Integers& vertices) {
   if(number < 0)
@@ -102,10 +204,20 @@ nb::object farthest_points(const RL::Geodesic_solver& solver, std::int64_t numbe
 } // namespace
 
 void add_distances(nb::module_& m) {
+  nb::class_<RL::Geodesic_fitter>(m, "GeodesicFitter")
+      .def_static("make", &make_fitter, "space"_a, "threads"_a);
+  nb::class_<Distance_function>(m, "DistanceFunction")
+      .def("values", &Distance_function::values, "faces"_a, "barycentric"_a)
+      .def("gradients", &Distance_function::gradients, "faces"_a, "barycentric"_a)
+      .def("shortest_path", &Distance_function::shortest_path, "face"_a, "barycentric"_a)
+      .def("isolines", &Distance_function::isolines, "value"_a);
   nb::class_<RL::Geodesic_solver>(m, "GeodesicSolver")
       .def_static("make", &make_solver, "surface"_a)
       .def("distances", &distances, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,
            "labels"_a, "exact"_a)
+      .def("function", &distance_function, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,
+           "labels"_a, "exact"_a, "fitter"_a.none())
+      .def("location", &location_of_vertex, "vertex"_a)
       .def("farthest_points", &farthest_points, "number"_a, "vertices"_a);
 }
 

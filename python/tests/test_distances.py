@@ -88,8 +88,14 @@ def test_program(programs, tmp_path):
     assert printed[0].endswith(f" {geodesics.distances(0).distances.max():.6g}")
     far = geodesics.farthest_points(4)
     counts = np.bincount(geodesics.distances(far).labels)
-    assert [line.split()[1] for line in printed[1:]] == [str(v) for v in far]
-    assert [line.split()[-2] for line in printed[1:]] == [str(n) for n in counts]
+    assert [line.split()[1] for line in printed[1:5]] == [str(v) for v in far]
+    assert [line.split()[-2] for line in printed[1:5]] == [str(n) for n in counts]
+    spline = geodesics.spline(0)
+    face, center = len(F) // 2, np.full((1, 3), 1 / 3)
+    numbers = [float(x) for x in printed[5].replace(",", " ").split() if x[-1].isdigit()]
+    # triangles begin at other corners there, so the nodes of the integrals are others, too
+    assert np.allclose(numbers, [*spline([face], center), *spline.gradients([face], center)[0]],
+                       rtol=1e-3, atol=1e-2)
 
 
 def test_threads(sphere):
@@ -152,3 +158,88 @@ def test_vertex_that_does_not_exist_is_named():
     with pytest.raises(rl.InputError) as e:
         geodesics.distances(-1)
     assert e.value.argument == "sources"
+
+
+def test_functions(sphere):
+    V, F = sphere
+    geodesics = rl.Geodesics(V, F)
+    for d in (geodesics.function(5), geodesics.function(5, exact=True), geodesics.spline(5),
+              rl.Geodesics(rl.Space(V, F, depth=5)).spline(5)):
+        faces = np.arange(len(F))
+        places = np.tile([0.2, 0.3, 0.5], (len(F), 1))
+        p = np.einsum("k,nkd->nd", places[0], V[F])
+        expected = np.arccos(np.clip(p @ V[5] / np.linalg.norm(p, axis=1), -1, 1))
+        far = (expected > 0.2) & (expected < 3)
+        assert abs(d(faces, places)[far] / expected[far] - 1).max() < 1e-2
+        g = d.gradients(faces, places)
+        away = V[5] - (p @ V[5])[:, None] * p / (p * p).sum(axis=1)[:, None]
+        away = -away[far] / np.linalg.norm(away[far], axis=1)[:, None]
+        assert g.shape == (len(F), 3) and abs(g[far] - away).max() < 0.3
+        # the spline is another function
+        assert d([7], [[0.2, 0.3, 0.5]]).shape == (1,)
+    triangles, spline = geodesics.function(5)(faces, places), geodesics.spline(5)(faces, places)
+    assert 0 < abs(triangles - spline).max() < 0.02
+    # a space of its own counts
+    coarse = rl.Geodesics(rl.Space(V, F, depth=3)).spline(5)(faces, places)
+    assert abs(coarse - spline).max() > 0
+
+
+def test_paths_and_isolines(sphere):
+    V, F = sphere
+    geodesics = rl.Geodesics(V, F)
+    d = geodesics.distances(5).distances
+    function = geodesics.function(5)
+    for v in (0, 77, np.int64(200)):
+        path = function.shortest_path(v)
+        assert path.length == pytest.approx(d[v], rel=1e-3)
+        assert np.array_equal(path.points[[0, -1]], V[[v, 5]])
+        faces, start, end = path.segments
+        assert len(path.points) == len(faces) + 1
+        assert np.allclose(np.einsum("nk,nkd->nd", end, V[F[faces]]), path.points[1:])
+        assert np.allclose(np.einsum("nk,nkd->nd", start, V[F[faces]]), path.points[:-1])
+        steps = np.linalg.norm(np.diff(path.points, axis=0), axis=1)
+        assert path.length == pytest.approx(steps.sum(), rel=1e-12)
+        assert np.array_equal(rl.shortest_path(V, F, v, 5).points, path.points)
+        # a path is a source
+        from_path = geodesics.distances(segments=path.segments).distances
+        assert from_path[v] < 1e-9 and from_path[5] < 1e-9
+    inside = function.shortest_path((40, [0.2, 0.3, 0.5]))
+    assert np.allclose(inside.points[0], np.array([0.2, 0.3, 0.5]) @ V[F[40]])
+    assert function.shortest_path(5).length == 0
+    exact = geodesics.function(5, exact=True).shortest_path(77).length
+    assert exact == pytest.approx(geodesics.distances(5, exact=True).distances[77], rel=1e-6)
+    circle, = function.isolines(1.0)
+    assert np.allclose(circle.points[0], circle.points[-1])
+    assert circle.length == pytest.approx(2 * np.pi * np.sin(1.0), rel=0.02)
+    assert function.isolines(4.0) == []
+    W, G = grid(8)
+    to_boundary = rl.Geodesics(W, G).function(boundary=True)
+    assert to_boundary.shortest_path(40).length == pytest.approx(0.5)
+    assert rl.shortest_path(W, G, 40, boundary=True).length == pytest.approx(0.5)
+
+
+def test_bad_functions(sphere):
+    V, F = sphere
+    d = rl.Geodesics(V, F).function(0)
+    for start in (-1, len(V), 0.5, np.nan, [1, 2, 3], (0, [2.0, -1, 0]), (len(F), [1, 0, 0]),
+                  ([0, 1], [[1, 0, 0], [1, 0, 0]]), np.array([1, 2])):
+        with pytest.raises(rl.InputError):
+            d.shortest_path(start)
+    for value in (0, -1, np.nan, np.inf):
+        with pytest.raises(rl.InputError):
+            d.isolines(value)
+    for faces, places in (([0], [[1, 0]]), ([0, 1], [[1, 0, 0]]), ([len(F)], [[1, 0, 0]]),
+                          ([-1], [[1, 0, 0]]), ([0], [[np.nan, 0, 0]])):
+        with pytest.raises(rl.InputError):
+            d(faces, places)
+        with pytest.raises(rl.InputError):
+            d.gradients(faces, places)
+    with pytest.raises(rl.InputError):
+        rl.Geodesics(rl.Space(V, normals=V, depth=3))
+    both = np.concatenate([V, V + 5])
+    two = rl.Geodesics(both, np.concatenate([F, F + len(V)]))
+    for function in (two.function(0), two.spline(0)):
+        assert np.isinf(function([len(F)], [[1, 0, 0]])).all()
+        assert (function.gradients([len(F)], [[0.2, 0.3, 0.5]]) == 0).all()
+        with pytest.raises(rl.InputError, match="no source"):
+            function.shortest_path(len(V))

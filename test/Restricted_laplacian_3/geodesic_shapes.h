@@ -5,8 +5,11 @@
 #define RESTRICTED_LAPLACIAN_3_TEST_GEODESIC_SHAPES_H
 
 #include "shapes.h"
+#include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +56,24 @@ inline Triangles crumpled(Triangles t, double amount, unsigned seed) {
   const auto random = [&] { return amount * (generator() * std::ldexp(2., -32) - 1); };
   for(RL::Point_3& p : t.points)
     p = p + RL::Vector_3(random(), random(), random());
+  return t;
+}
+
+/// three half planes that meet in the y-axis, each a grid of `n` by `n` squares
+inline Triangles three_wings(int n) {
+  Triangles t;
+  for(int wing = 0; wing < 3; ++wing) {
+    const double phi = 2 * CGAL_PI * wing / 3 + 0.1;
+    t = joined(t, grid(n, [&](double x, double y) {
+                 return RL::Point_3(x * std::cos(phi), y, x * std::sin(phi));
+               }));
+  }
+  // one axis for all
+  const auto columns = static_cast<std::uint32_t>(n + 1), size = columns * columns;
+  for(auto& f : t.faces)
+    for(std::uint32_t& v : f)
+      if(v % size % columns == 0)
+        v %= size;
   return t;
 }
 

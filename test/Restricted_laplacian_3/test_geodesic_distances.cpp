@@ -497,25 +497,9 @@ TEST_CASE("distances_do_not_depend_on_position_and_scale", "[geodesic]") {
 }
 
 TEST_CASE("rays_go_on_in_each_face_of_an_edge", "[geodesic]") {
-  // three half planes that meet in the y-axis
-  shapes::Triangles t;
   const int n = 8;
-  for(int wing = 0; wing < 3; ++wing) {
-    const double phi = 2 * CGAL_PI * wing / 3 + 0.1;
-    t = wing == 0 ? shapes::grid(n,
-                                 [&](double x, double y) {
-                                   return RL::Point_3(x * std::cos(phi), y, x * std::sin(phi));
-                                 })
-                  : shapes::joined(t, shapes::grid(n, [&](double x, double y) {
-                                     return RL::Point_3(x * std::cos(phi), y, x * std::sin(phi));
-                                   }));
-  }
-  // one axis for all
+  const shapes::Triangles t = shapes::three_wings(n);
   const std::uint32_t size = (n + 1) * (n + 1);
-  for(auto& f : t.faces)
-    for(std::uint32_t& v : f)
-      if(v % size % (n + 1) == 0)
-        v %= size;
   const std::size_t source = 5 + 2 * (n + 1);
   const Distances found = from_vertex(t, source);
   const double x = 5. / n, y = 2. / n;

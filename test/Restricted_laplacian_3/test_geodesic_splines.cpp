@@ -106,11 +106,29 @@ TEST_CASE("distances_in_triangles_are_exact_for_parallel_rays", "[geodesic_splin
   for(std::size_t f = 0; f < t.faces.size(); ++f) {
     const RL::Surface_location here{f, places[0]};
     const double x = rays.surface().surface_point(here).point.x();
-    if(x > 1. / n) {
-      CHECK(d.value(here) == Approx(x).epsilon(1e-4));
-      CHECK(shapes::length(d.gradient(here) - RL::Vector_3(1, 0, 0)) < 1e-2);
-    }
+    CHECK(d.value(here) == Approx(x).epsilon(1e-4));
+    CHECK(shapes::length(d.gradient(here) - RL::Vector_3(1, 0, 0)) < 1e-2);
   }
+}
+
+TEST_CASE("distances_in_triangles_with_sources_are_those_from_them", "[geodesic_spline]") {
+  const shapes::Triangles t = shapes::rectangle(1, 1);
+  const RL::Geodesic_solver rays = shapes::geodesics(t);
+  const RL::Surface_location middle{0, {0.5, 0.5, 0}};
+  RL::Geodesic_sources sources;
+  // between two vertices that are sources, and on the edge as a source
+  sources.add_vertex(0);
+  sources.add_vertex(1);
+  CHECK(distance_from(rays, sources).value(middle) == Approx(0.5));
+  sources.add_segment({0, {1, 0, 0}}, {0, {0, 1, 0}});
+  CHECK(distance_from(rays, sources).value(middle) < 1e-9);
+  // a segment inside, the other side of which is as near
+  sources = {};
+  sources.add_segment({0, {0.5, 0.3, 0.2}}, {0, {0.2, 0.3, 0.5}});
+  const RL::Geodesic_function d = distance_from(rays, sources);
+  CHECK(d.value({0, {0.35, 0.3, 0.35}}) < 1e-9);
+  CHECK(d.value({0, {0.25, 0.5, 0.25}}) == Approx(0.2 * std::sqrt(0.5)));
+  CHECK(d.value({0, {0.4, 0.2, 0.4}}) == Approx(0.1 * std::sqrt(0.5)));
 }
 
 TEST_CASE("ridges_of_distances_stay_sharp_in_triangles", "[geodesic_spline]") {
@@ -179,6 +197,9 @@ TEST_CASE("what_distances_in_triangles_refuse", "[geodesic_spline]") {
   CHECK_THROWS_AS(d.value({t.faces.size(), places[0]}), RL::Location_error);
   CHECK_THROWS_AS(d.gradient({0, {0.5, 0.6, 0.2}}), RL::Location_error);
   RL::Geodesic_distances other = found;
+  other.sources = RL::Geodesic_sources::vertex(77);
+  CHECK_THROWS_AS(RL::Geodesic_function(rays, other), RL::Invalid_vertex_error);
+  other = found;
   other.distances.pop_back();
   CHECK_THROWS_AS(RL::Geodesic_function(rays, other), RL::Parameter_error);
   other = found;

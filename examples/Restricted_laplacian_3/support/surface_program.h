@@ -76,6 +76,8 @@ struct Outcome {
   double cell_width = 0;
   // writes a table of something else; by default it is that of the values
   std::function<void(const std::string& file, const Summary& summary)> write_table;
+  // writes more files
+  std::function<void()> write_more;
   // prints more than the summary
   std::function<void(std::ostream&)> print;
 
@@ -171,6 +173,8 @@ inline void write_results(const Common_options& o, const Summary& summary,
     write_mesh(o.output, refined.surface, outcome.paint(values), outcome.names, values);
   } else if(!o.output.empty())
     write_mesh(o.output, surface, outcome.paint(outcome.values), outcome.names, outcome.values);
+  if(outcome.write_more)
+    outcome.write_more();
 }
 
 // Reads the surface, lets `work` find what is asked for, and writes it. Returns the exit status.

@@ -72,6 +72,32 @@ Geodesic_distances geodesic_distances(const FaceGraph& tm, const Sources& source
   return result;
 }
 
+/// \ingroup PkgRestrictedLaplacian3Distances
+/// Computes the shortest path between two vertices of a mesh. For many paths to one vertex, or to
+/// other sources, see `Geodesic_function::shortest_path()`.
+/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
+/// triangles
+/// \param tm the surface
+/// \param from where the path begins
+/// \param to where it ends
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_mesh
+/// \cgalNamedParamsEnd
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+/// \throws Location_error if the vertices are not on one component
+template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+          internal::Require_named_parameters<NamedParameters> = 0>
+Geodesic_path shortest_path(const FaceGraph& tm,
+                            typename boost::graph_traits<FaceGraph>::vertex_descriptor from,
+                            typename boost::graph_traits<FaceGraph>::vertex_descriptor to,
+                            const NamedParameters& np = parameters::default_values()) {
+  const Geodesic_solver solver(read_surface(tm, np));
+  const Geodesic_sources start = internal::geodesic_sources(tm, from);
+  return Geodesic_function(solver, solver.distances(internal::geodesic_sources(tm, to)))
+      .shortest_path(solver.location(start.vertices()[0].first));
+}
+
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 

@@ -198,8 +198,8 @@ test_help() {
   explains stitch_colors $common_options \
     poses frame method gradients alpha maximum-distance normal-angle unoriented leave-out \
     keep-exposures linear-light no-details truth tolerance stabilization
-  explains geodesic_distance source boundary farthest exact show csv output threads quiet verbose \
-    progress version
+  explains geodesic_distance source boundary farthest exact path isolines lines show csv output refine \
+    depth threads quiet verbose progress version
   explains bake_scans views resolution field-of-view points noise exposure-range exposures tint \
     light linear-light pattern seed quiet version
   check "bake_scans --help rounds its defaults" eval "! grep -q '[09]\{6\}' out"
@@ -1318,6 +1318,15 @@ test_distances() {
   succeeds geodesic_distance square.off --boundary
   check "the center is farthest from the boundary" \
     is_near "$(sed -n 's/^largest_distance *//p' out)" 2 1e-5
+  succeeds geodesic_distance sphere.off --source 0 --path 1 1 --isolines 3 --lines lines.obj \
+    --refine 2 --depth 4 --output d.ply
+  check "a path that is half of a great circle" is_near "$(sed -n '/^path_length/{s/[^ ]* *//p;q}' out)" 3.1416 0.01
+  check "a line for each path and isoline" [ "$(grep -c '^l ' lines.obj)" = 5 ]
+  check "the mesh is refined" [ "$(sed -n 's/^element vertex //p' d.ply)" -gt 3000 ]
+  fails "no source is reached|--lines needs" geodesic_distance sphere.off --source 0 --lines lines.obj
+  fails "depth" geodesic_distance sphere.off --source 0 --depth 4
+  fails "lines" geodesic_distance sphere.off --source 0 --path 1 --lines lines.txt
+  fails "vertex 100000" geodesic_distance sphere.off --source 0 --path 100000
   fails "no source" geodesic_distance sphere.off
   fails "boundary, but the surface has none" geodesic_distance sphere.off --boundary
   fails "vertex 100000" geodesic_distance sphere.off --source 100000

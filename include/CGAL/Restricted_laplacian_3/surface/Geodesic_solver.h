@@ -84,6 +84,8 @@ struct Geodesic_distances {
   /// the label of a vertex that no source reaches
   static constexpr std::uint32_t no_label = 0xffffffff;
 
+  /// from where they are
+  Geodesic_sources sources;
   /// of the vertices, in units of length; infinite where no source is reached
   std::vector<double> distances;
   /// Unit vectors at the vertices: where the shortest way to the source begins, tangent to a face
@@ -129,6 +131,10 @@ public:
 
   /// the surface
   const Triangulated_surface_3& surface() const;
+
+  /// A vertex as a location: in one of its faces.
+  /// \throws Invalid_vertex_error if it does not exist, or has no face
+  Surface_location location(std::size_t vertex) const;
 
   /// Distances of all vertices from the nearest of the sources.
   /// \param sources at least one

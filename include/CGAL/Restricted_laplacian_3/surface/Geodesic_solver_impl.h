@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Geodesic_triangle.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Ray_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Ray_propagation.h>
 
@@ -47,50 +48,58 @@ struct Geodesic_solver::Impl {
     return l;
   }
 
-  /// the corner that a location is, or 3
-  static std::uint32_t corner_of(const std::array<double, 3>& l) {
-    for(std::uint32_t k = 0; k < 3; ++k)
-      if(l[k] == 1)
-        return k;
-    return 3;
+  /// Sources as rays need them: those that are vertices, with their labels, and parts of faces,
+  /// each in all faces that it belongs to.
+  struct All_sources {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> vertices;
+    std::vector<internal::Source_part> parts;
+  };
+
+  /// \throws as `Geodesic_solver::distances()`
+  All_sources all(const Geodesic_sources& sources) const {
+    All_sources result;
+    for(const auto& [v, label] : sources.vertices()) {
+      if(v >= surface.number_of_vertices())
+        throw Invalid_vertex_error(v, "is a source and does not exist");
+      result.vertices.emplace_back(static_cast<std::uint32_t>(v), label);
+    }
+    for(const Geodesic_sources::Segment& segment : sources.segments())
+      add(segment, result);
+    for(const std::uint32_t label : sources.boundaries())
+      geometry.for_each_boundary_side([&](const internal::Ray_geometry::Side& side) {
+        Geodesic_sources::Segment segment{{side.face, {0, 0, 0}}, {side.face, {0, 0, 0}}, label};
+        segment.from.barycentric[side.number] = 1;
+        segment.to.barycentric[(side.number + 1) % 3] = 1;
+        add(segment, result);
+      });
+    if(result.vertices.empty() && result.parts.empty() && sources.segments().empty())
+      throw Parameter_error("sources", sources.boundaries().empty()
+                                           ? "is empty"
+                                           : "is the boundary, but the surface has none");
+    return result;
   }
 
-  internal::Plane_vector place(std::size_t face, const std::array<double, 3>& l) const {
-    const auto corners = geometry.corners(static_cast<std::uint32_t>(face));
-    return l[1] * corners[1] + l[2] * corners[2];
-  }
-
-  void add(const Geodesic_sources::Segment& segment, internal::Ray_propagation& rays) const {
+  void add(const Geodesic_sources::Segment& segment, All_sources& all) const {
     const std::array<double, 3> from = checked(segment.from), to = checked(segment.to);
     const auto face = static_cast<std::uint32_t>(segment.from.face);
     for(const auto& end : {from, to})
-      if(corner_of(end) < 3)
-        rays.add_vertex(geometry.vertex(face, corner_of(end)), segment.label);
-    if(!geometry.is_used(face) || (from == to && corner_of(from) < 3))
+      if(geometry.corner_of(end) < 3)
+        all.vertices.emplace_back(geometry.vertex(face, geometry.corner_of(end)), segment.label);
+    if(!geometry.is_used(face) || (from == to && geometry.corner_of(from) < 3))
       return;
-    add_part(face, from, to, segment.label, rays);
+    all.parts.push_back({face, from, to, segment.label});
     // On a side they belong to the other faces there, too: the segment, or one of its ends.
     for(std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t opposite = (k + 2) % 3;
       if(from[opposite] == 0 || to[opposite] == 0)
         geometry.for_each_beyond({face, k}, [&](const internal::Ray_geometry::Side& other) {
           const auto there = [&](const std::array<double, 3>& l) {
-            const bool same = geometry.vertex(other.face, other.number) == geometry.vertex(face, k);
-            std::array<double, 3> result = {0, 0, 0};
-            result[other.number] = l[same ? k : (k + 1) % 3];
-            result[(other.number + 1) % 3] = l[same ? (k + 1) % 3 : k];
-            return result;
+            return geometry.beyond({face, k}, other, l);
           };
-          add_part(other.face, there(from[opposite] == 0 ? from : to),
-                   there(to[opposite] == 0 ? to : from), segment.label, rays);
+          all.parts.push_back({other.face, there(from[opposite] == 0 ? from : to),
+                               there(to[opposite] == 0 ? to : from), segment.label});
         });
     }
-  }
-
-  void add_part(std::uint32_t face, const std::array<double, 3>& from,
-                const std::array<double, 3>& to, std::uint32_t label,
-                internal::Ray_propagation& rays) const {
-    rays.add_segment(face, place(face, from), place(face, to), label);
   }
 
   Triangulated_surface_3 surface;
@@ -107,34 +116,37 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Triangulated_surface_3& Geodesic_solver
   return m_impl->surface;
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_location
+Geodesic_solver::location(std::size_t vertex) const {
+  const internal::Ray_geometry& geometry = m_impl->geometry;
+  if(vertex >= m_impl->surface.number_of_vertices())
+    throw Invalid_vertex_error(vertex, "does not exist");
+  const auto v = static_cast<std::uint32_t>(vertex);
+  if(!geometry.has_corner(v))
+    throw Invalid_vertex_error(vertex, "has no face");
+  Surface_location result;
+  geometry.for_each_corner(v, [&](const internal::Ray_geometry::Corner& c) {
+    result = {c.face, {0, 0, 0}};
+    result.barycentric[c.number] = 1;
+  });
+  return result;
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_distances
 Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method method) const {
   const internal::Ray_geometry& geometry = m_impl->geometry;
   const std::size_t n = m_impl->surface.number_of_vertices();
+  const Impl::All_sources all = m_impl->all(sources);
   internal::Ray_propagation propagation(geometry, method == Geodesic_method::exact);
-  bool is_empty = sources.vertices().empty() && sources.segments().empty();
-  for(const auto& [v, label] : sources.vertices()) {
-    if(v >= n)
-      throw Invalid_vertex_error(v, "is a source and does not exist");
-    propagation.add_vertex(static_cast<std::uint32_t>(v), label);
-  }
-  for(const Geodesic_sources::Segment& segment : sources.segments())
-    m_impl->add(segment, propagation);
-  for(const std::uint32_t label : sources.boundaries())
-    geometry.for_each_boundary_side([&](const internal::Ray_geometry::Side& side) {
-      is_empty = false;
-      Geodesic_sources::Segment segment{{side.face, {0, 0, 0}}, {side.face, {0, 0, 0}}, label};
-      segment.from.barycentric[side.number] = 1;
-      segment.to.barycentric[(side.number + 1) % 3] = 1;
-      m_impl->add(segment, propagation);
-    });
-  if(is_empty)
-    throw Parameter_error("sources", sources.boundaries().empty()
-                                         ? "is empty"
-                                         : "is the boundary, but the surface has none");
+  for(const auto& [v, label] : all.vertices)
+    propagation.add_vertex(v, label);
+  for(const auto& part : all.parts)
+    propagation.add_segment(part.face, geometry.place(part.face, part.from),
+                            geometry.place(part.face, part.to), part.label);
 
   const std::vector<internal::Ray_propagation::Ray>& rays = propagation.run();
   Geodesic_distances result;
+  result.sources = sources;
   result.distances.resize(n);
   result.directions.assign(n, CGAL::NULL_VECTOR);
   result.angles.assign(n, std::numeric_limits<double>::quiet_NaN());

@@ -17,9 +17,18 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
+/// a source in a face: a segment, or a point
+struct Source_part {
+  std::uint32_t face;
+  std::array<double, 3> from, to;
+  std::uint32_t label;
+};
+
 /// The distance in a triangle whose corners know theirs, in the frame of its side 0.
 ///
-/// - If the directions of all rays are known, the squared distance is the cubic polynomial that has
+/// - In a face with sources that give the corners their distances, it is that from these.
+/// - Else, if the directions of all rays are known, the squared distance is the cubic polynomial
+/// that has
 ///   the squares and their gradients at the corners, and reproduces all quadratic ones: exact for
 ///   rays from one point, and for parallel ones.
 /// - Where rays from different sides meet, so that the slopes at two corners point to each other,
@@ -39,9 +48,15 @@ public:
 
   /// \param distances of the corners, in the unit of the geometry
   /// \param angles in the fans of the corners; NaN if they are not known
+  /// \param first, last the sources in the face, which are referred to
   Geodesic_triangle(const Ray_geometry& geometry, std::uint32_t face, const Barycentric& distances,
-                    const Barycentric& angles)
-    : m_corners(geometry.corners(face)), m_distances(distances) {
+                    const Barycentric& angles, const Source_part* first, const Source_part* last)
+    : m_corners(geometry.corners(face)), m_distances(distances), m_first_source(first),
+      m_last_source(last) {
+    if(first != last && sees_all_sources()) {
+      m_form = Form::sources;
+      return;
+    }
     for(std::uint32_t k = 0; k < 3; ++k) {
       const Plane_vector side = m_corners[(k + 1) % 3] - m_corners[k];
       const double length = side.length();
@@ -69,7 +84,11 @@ public:
   Value operator()(const Barycentric& l) const {
     if(!std::isfinite(m_distances[0] + m_distances[1] + m_distances[2]))
       return {};
-    return m_form == Form::ridge ? at_ridge(l) : from_square(l);
+    const Value of_sources = from_sources(l);
+    if(m_form == Form::sources)
+      return of_sources;
+    const Value of_corners = m_form == Form::ridge ? at_ridge(l) : from_square(l);
+    return of_sources.distance < of_corners.distance ? of_sources : of_corners;
   }
 
   /// The same, not shorter or longer than the triangle inequality with the corners permits: no
@@ -82,17 +101,35 @@ public:
       const Plane_vector from = p - m_corners[k];
       const double length = from.length(), longest = m_distances[k] + length,
                    shortest = m_distances[k] - length;
-      if(result.distance > longest)
+      if(result.distance > longest + rounding)
         result = {longest, unit_of(from)};
-      else if(result.distance < shortest)
+      else if(result.distance < shortest - rounding)
         result = {shortest, -1 * unit_of(from)};
     }
     return result;
   }
 
-private:
-  enum class Form { cubic, ridge, quadratic };
+  /// what a corner knows
+  double corner_distance(std::size_t k) const { return m_distances[k]; }
+  /// calls `visit(source)` for the sources in the face
+  template <class Visitor> void for_each_source(Visitor&& visit) const {
+    std::for_each(m_first_source, m_last_source, visit);
+  }
+  /// the place of a point of a source that is next to a point of the triangle
+  Barycentric nearest(const Source_part& source, const Barycentric& l) const {
+    const Plane_vector a = place(source.from), way = place(source.to) - a;
+    const double square = dot(way, way),
+                 t = square > 0 ? std::clamp(dot(place(l) - a, way) / square, 0., 1.) : 0;
+    Barycentric result;
+    for(std::size_t k = 0; k < 3; ++k)
+      result[k] = (1 - t) * source.from[k] + t * source.to[k];
+    return result;
+  }
 
+private:
+  enum class Form { sources, cubic, ridge, quadratic };
+
+  static constexpr double rounding = 1e-14;
   /// There is a ridge if the slope along a side, which rises from one corner, falls by so much on
   /// the way to the other one.
   static constexpr double ridge = 0.2;
@@ -122,6 +159,28 @@ private:
     const double length = gradient.length();
     return {distance,
             length > longest_gradient ? (longest_gradient / length) * gradient : gradient};
+  }
+
+  Value from_sources(const Barycentric& l) const {
+    Value result;
+    if(m_first_source == m_last_source)
+      return result;
+    for(const Source_part* source = m_first_source; source != m_last_source; ++source) {
+      const Plane_vector from = place(l) - place(nearest(*source, l));
+      if(const double distance = from.length(); distance < result.distance)
+        result = {distance, unit_of(from)};
+    }
+    // what is nearer has no direction but that of rounding errors
+    return result.distance > rounding ? result : Value{0, {}};
+  }
+  bool sees_all_sources() const {
+    for(std::size_t k = 0; k < 3; ++k) {
+      Barycentric corner = {0, 0, 0};
+      corner[k] = 1;
+      if(!(from_sources(corner).distance <= m_distances[k] * (1 + 1e-9)))
+        return false;
+    }
+    return true;
   }
 
   Value from_square(const Barycentric& l) const {
@@ -187,6 +246,7 @@ private:
   std::array<Plane_vector, 3> m_corners;
   std::array<Plane_vector, 3> m_gradients = {};
   Barycentric m_distances;
+  const Source_part *m_first_source, *m_last_source;
   Form m_form = Form::cubic;
 };
 

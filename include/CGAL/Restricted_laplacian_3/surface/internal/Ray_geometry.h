@@ -110,6 +110,28 @@ public:
   std::array<Plane_vector, 3> corners(std::uint32_t face) const {
     return {Plane_vector{0, 0}, {length(face, 0), 0}, apex({face, 0})};
   }
+  /// a point of a face in that frame
+  Plane_vector place(std::uint32_t face, const std::array<double, 3>& barycentric) const {
+    const std::array<Plane_vector, 3> c = corners(face);
+    return barycentric[1] * c[1] + barycentric[2] * c[2];
+  }
+  /// the corner that barycentric coordinates are those of, or 3
+  static std::uint32_t corner_of(const std::array<double, 3>& barycentric) {
+    for(std::uint32_t k = 0; k < 3; ++k)
+      if(barycentric[k] == 1)
+        return k;
+    return 3;
+  }
+  /// barycentric coordinates of a point on a side, in the face of another side along it
+  std::array<double, 3> beyond(const Side& side, const Side& other,
+                               const std::array<double, 3>& barycentric) const {
+    const std::uint32_t a = side.number, b = (a + 1) % 3, c = other.number, d = (c + 1) % 3;
+    const bool same_way = vertex(other.face, c) == vertex(side.face, a);
+    std::array<double, 3> result = {0, 0, 0};
+    result[c] = barycentric[same_way ? a : b];
+    result[d] = barycentric[same_way ? b : a];
+    return result;
+  }
   /// calls `visit(side)` for the sides of other faces that run along a side
   template <class Visitor> void for_each_beyond(const Side& side, Visitor&& visit) const {
     for(const Side& other : m_edges.sides(m_edge_of_side[3 * side.face + side.number]))
