@@ -1319,11 +1319,12 @@ test_distances() {
   check "the center is farthest from the boundary" \
     is_near "$(sed -n 's/^largest_distance *//p' out)" 2 1e-5
   succeeds geodesic_distance sphere.off --source 0 --path 1 1 --isolines 3 --lines lines.obj \
-    --refine 2 --depth 4 --output d.ply
-  check "a path that is half of a great circle" is_near "$(sed -n '/^path_length/{s/[^ ]* *//p;q}' out)" 3.1416 0.01
+    --refine 2 --depth 4 --output d.ply --csv d.csv
+  check "a path as long as the distance" \
+    is_near "$(sed -n '/^path_length/{s/[^ ]* *//p;q}' out)" "$(sed -n 's/^1,\([^,]*\),.*/\1/p' d.csv)" 0.001
   check "a line for each path and isoline" [ "$(grep -c '^l ' lines.obj)" = 5 ]
   check "the mesh is refined" [ "$(sed -n 's/^element vertex //p' d.ply)" -gt 3000 ]
-  fails "no source is reached|--lines needs" geodesic_distance sphere.off --source 0 --lines lines.obj
+  fails "needs --path" geodesic_distance sphere.off --source 0 --lines lines.obj
   fails "depth" geodesic_distance sphere.off --source 0 --depth 4
   fails "lines" geodesic_distance sphere.off --source 0 --path 1 --lines lines.txt
   fails "vertex 100000" geodesic_distance sphere.off --source 0 --path 100000
