@@ -4,6 +4,8 @@
 // Distances from a vertex along surfaces, one thread:
 // - fast: Geodesic_solver, its default
 // - exact: the same by windows alone, which is the reference of the errors
+// - spline_6, spline_7: splines by Geodesic_fitter at these depths, evaluated at the vertices; the
+//   setup is that of the rays, the space and the fitter, a query that of the distances and the fit
 // - heat, heat_idt: CGAL's heat method, direct and with its intrinsic Delaunay triangulation
 // - cgal_exact: CGAL's Surface_mesh_shortest_path
 //
@@ -11,12 +13,19 @@
 // vertices farther than 2 % of the largest distance, in percent; how many of them are too short and
 // too long by more than 1 %; seconds of the setup and of a query.
 //
+// With --paths instead: shortest paths from many vertices to one by Geodesic_function, with the
+// distances of `fast` and of `exact`; by how much they are longer than the exact distance, in the
+// mean and at worst, in percent; how many by more than 0.1 %; segments, and microseconds, of a
+// path.
+//
 // usage: distance_study [OPTION]...
 
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
 
+#include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
+#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -61,6 +70,26 @@ Result by_rays(const RL::Triangulated_surface_3& surface, std::size_t source,
   begin = seconds_now();
   result.distances = solver.distances(RL::Geodesic_sources::vertex(source), method).distances;
   result.seconds = seconds_now() - begin;
+  return result;
+}
+
+Result by_spline(const RL::Triangulated_surface_3& surface, std::size_t source, int depth) {
+  Result result;
+  double begin = seconds_now();
+  const RL::Geodesic_solver rays(surface);
+  const RL::Spline_space_3 space(surface, RL::parameters::octree_depth(depth));
+  const RL::Geodesic_fitter fitter(space);
+  result.setup_seconds = seconds_now() - begin;
+  begin = seconds_now();
+  const RL::Geodesic_spline u =
+      fitter.fit(RL::Geodesic_function(rays, rays.distances(RL::Geodesic_sources::vertex(source))));
+  result.seconds = seconds_now() - begin;
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    try {
+      result.distances.push_back(u.value(rays.location(v)));
+    } catch(const RL::Input_error&) { // not on the surface: no face, or degenerate ones only
+      result.distances.push_back(u.function().distances().distances[v]);
+    }
   return result;
 }
 
@@ -130,6 +159,38 @@ void print(const std::string& mesh, std::size_t source, const char* method, cons
   std::fflush(stdout);
 }
 
+void study_paths(const std::string& name, const RL::Triangulated_surface_3& surface,
+                 std::size_t source) {
+  const RL::Geodesic_solver rays(surface);
+  const auto sources = RL::Geodesic_sources::vertex(source);
+  const auto exact = rays.distances(sources, RL::Geodesic_method::exact);
+  for(const bool is_exact : {false, true}) {
+    const RL::Geodesic_function d(rays, is_exact ? exact : rays.distances(sources));
+    const std::size_t n = surface.number_of_vertices(), step = (std::max)(n / 1000, std::size_t(1));
+    double sum = 0, worst = 0, seconds = 0;
+    std::size_t number = 0, segments = 0, too_long = 0;
+    for(std::size_t v = 0; v < n; v += step) {
+      if(!std::isfinite(exact.distances[v]) || !(exact.distances[v] > 0))
+        continue;
+      const RL::Surface_location from = rays.location(v);
+      const double begin = seconds_now();
+      const RL::Geodesic_path path = d.shortest_path(from);
+      seconds += seconds_now() - begin;
+      const double error = (std::max)(0., path.length / exact.distances[v] - 1);
+      sum += error;
+      worst = (std::max)(worst, error);
+      too_long += error > 1e-3;
+      segments += path.segments.size();
+      ++number;
+    }
+    const double all = static_cast<double>(number);
+    std::printf("%-20s %7zu %7zu %-10s %6zu %9.5f %9.4f %7zu %8.1f %8.1f\n", name.c_str(), n,
+                source, is_exact ? "exact" : "fast", number, 100 * sum / all, 100 * worst, too_long,
+                static_cast<double>(segments) / all, 1e6 * seconds / all);
+    std::fflush(stdout);
+  }
+}
+
 void study(const std::string& name, const RL::Triangulated_surface_3& surface, std::size_t source,
            const std::vector<std::string>& methods) {
   const Result exact = by_rays(surface, source, RL::Geodesic_method::exact);
@@ -139,6 +200,9 @@ void study(const std::string& name, const RL::Triangulated_surface_3& surface, s
       print(name, source, "exact", exact, exact.distances);
     else if(method == "fast")
       print(name, source, "fast", by_rays(surface, source, RL::Geodesic_method::fast),
+            exact.distances);
+    else if(method == "spline_6" || method == "spline_7")
+      print(name, source, method.c_str(), by_spline(surface, source, method.back() - '0'),
             exact.distances);
     else if(is_empty(mesh))
       std::printf("# %s: CGAL's methods need a manifold\n", name.c_str());
@@ -156,13 +220,16 @@ void study(const std::string& name, const RL::Triangulated_surface_3& surface, s
 } // namespace
 
 int main(int argc, char* argv[]) {
-  std::vector<std::string> meshes, methods = {"fast", "exact", "heat", "heat_idt", "cgal_exact"};
+  std::vector<std::string> meshes,
+      methods = {"fast", "exact", "spline_6", "spline_7", "heat", "heat_idt", "cgal_exact"};
+  bool paths = false;
   std::vector<double> sources = {0};
   po::options_description options("usage: distance_study [OPTION]...");
   auto add = options.add_options();
   add("help", "this text");
   add("mesh", po::value(&meshes)->multitoken()->required(), "files or names of meshes");
   add("method", po::value(&methods)->multitoken(), "all by default");
+  add("paths", po::bool_switch(&paths), "shortest paths in place of distances");
   add("source", po::value(&sources)->multitoken(),
       "numbers of vertices, over that of all vertices; by default 0");
   try {
@@ -178,17 +245,26 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   print_header(argc, argv);
-  std::printf("# %-18s %7s %7s %-10s %9s %9s %7s %7s %8s %8s\n", "mesh", "n", "source", "method",
-              "mean", "worst", "short", "long", "setup_s", "query_s");
+  if(paths)
+    std::printf("# %-18s %7s %7s %-10s %6s %9s %9s %7s %8s %8s\n", "mesh", "n", "source", "method",
+                "paths", "mean", "worst", "long", "segments", "us");
+  else
+    std::printf("# %-18s %7s %7s %-10s %9s %9s %7s %7s %8s %8s\n", "mesh", "n", "source", "method",
+                "mean", "worst", "short", "long", "setup_s", "query_s");
   const auto limit = limit_threads(1);
   int failures = 0;
   for(const std::string& name : meshes)
     try {
       if(const auto surface = find_mesh(name))
-        for(const double part : sources)
-          study(name.substr(name.rfind('/') + 1), *surface,
-                static_cast<std::size_t>(part * static_cast<double>(surface->number_of_vertices())),
-                methods);
+        for(const double part : sources) {
+          const std::string file = name.substr(name.rfind('/') + 1);
+          const auto source =
+              static_cast<std::size_t>(part * static_cast<double>(surface->number_of_vertices()));
+          if(paths)
+            study_paths(file, *surface, source);
+          else
+            study(file, *surface, source, methods);
+        }
     } catch(const std::exception& e) {
       std::printf("# %s: %s\n", name.c_str(), e.what());
       ++failures;

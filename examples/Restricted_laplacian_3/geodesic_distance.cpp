@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -64,6 +65,9 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("farthest", po::value(&o.farthest)->value_name("N"),
       "N more sources: each is the vertex that is farthest from those before; the first one is the "
       "first vertex with a face, if there is no other source");
+  add("join", po::value(&o.space.joining_tolerance)->value_name("T"),
+      "vertices on the boundary are one with those at a distance of T or less, in the unit of the "
+      "coordinates, and faces are divided where such a vertex lies on a side");
   add("exact", po::bool_switch(&o.exact),
       "exact up to rounding, in more time; by default errors are of the order of 0.01 %");
   po::options_description lines("Lines", help_width);
@@ -183,7 +187,10 @@ void add_spline(Job& job, const Options& o, const RL::Geodesic_function& distanc
 
 Outcome measure(Job& job, const Options& o) {
   job.progress.show("setting up rays");
-  const RL::Geodesic_solver solver(job.surface);
+  std::optional<double> joining_tolerance;
+  if(o.space.joining_tolerance >= 0)
+    joining_tolerance = o.space.joining_tolerance;
+  const RL::Geodesic_solver solver(job.surface, joining_tolerance);
   const double setup_seconds = job.seconds();
   RL::Geodesic_sources sources;
   std::vector<std::size_t> all = o.sources;

@@ -140,6 +140,9 @@ class Geodesics:
     ----------
     V, F
         The triangles, as for `Space`; they need not form a manifold. Or a `Space`.
+    joining_tolerance : float, optional
+        Distance up to which vertices on the boundary are one with others, and divide faces on whose
+        sides they lie: for soups with cracks and T-junctions.
 
     Examples
     --------
@@ -153,10 +156,12 @@ class Geodesics:
     >>> regions = geodesics.distances(far).labels  # Voronoi regions
     """
 
-    def __init__(self, V: Any, F: Any = None) -> None:
+    def __init__(self, V: Any, F: Any = None, *, joining_tolerance: Optional[float] = None
+                 ) -> None:
         self._space: Optional[Space] = V if isinstance(V, Space) else None
         self._surface = V._surface if isinstance(V, Space) else make_surface(V, F)
-        self._solver = _core.GeodesicSolver.make(self._surface)
+        self._solver = _core.GeodesicSolver.make(
+            self._surface, None if joining_tolerance is None else float(joining_tolerance))
         self._fitter: Any = None
 
     def distances(self, sources: Any = None, *, points: Any = None, segments: Any = None,

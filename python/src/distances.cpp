@@ -59,9 +59,10 @@ RL::Geodesic_sources sources_of(const Integers& vertices, const Integers& faces,
   return sources;
 }
 
-RL::Geodesic_solver make_solver(const RL::Triangulated_surface_3& surface) {
+RL::Geodesic_solver make_solver(const RL::Triangulated_surface_3& surface,
+                                std::optional<double> joining_tolerance) {
   const nb::gil_scoped_release release;
-  return RL::Geodesic_solver(surface);
+  return RL::Geodesic_solver(surface, joining_tolerance);
 }
 
 nb::tuple distances(const RL::Geodesic_solver& solver, const Integers& vertices,
@@ -212,7 +213,7 @@ void add_distances(nb::module_& m) {
       .def("shortest_path", &Distance_function::shortest_path, "face"_a, "barycentric"_a)
       .def("isolines", &Distance_function::isolines, "value"_a);
   nb::class_<RL::Geodesic_solver>(m, "GeodesicSolver")
-      .def_static("make", &make_solver, "surface"_a)
+      .def_static("make", &make_solver, "surface"_a, "joining_tolerance"_a.none())
       .def("distances", &distances, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,
            "labels"_a, "exact"_a)
       .def("function", &distance_function, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,

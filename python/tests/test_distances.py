@@ -243,3 +243,15 @@ def test_bad_functions(sphere):
         assert (function.gradients([len(F)], [[0.2, 0.3, 0.5]]) == 0).all()
         with pytest.raises(rl.InputError, match="no source"):
             function.shortest_path(len(V))
+
+
+def test_joining(sphere):
+    V, F = sphere
+    soup, faces = V[F].reshape(-1, 3), np.arange(F.size).reshape(-1, 3)
+    d = rl.Geodesics(V, F).distances(F[0, 0]).distances
+    joined = rl.Geodesics(soup, faces, joining_tolerance=1e-9).distances(0).distances
+    assert np.allclose(joined, d[F.ravel()], rtol=1e-6)
+    assert np.isinf(rl.Geodesics(soup, faces).distances(0).distances).sum() == len(soup) - 3
+    for bad in (-1, np.nan, np.inf):
+        with pytest.raises(rl.InputError, match="joining_tolerance"):
+            rl.Geodesics(soup, faces, joining_tolerance=bad)

@@ -624,3 +624,118 @@ TEST_CASE("distances_go_into_property_maps", "[geodesic]") {
   RL::geodesic_distances(mesh, RL::Geodesic_sources::vertex(7), d);
   CHECK(d[a] == Approx(from_a).epsilon(1e-4));
 }
+
+TEST_CASE("distances_go_over_joined_boundaries", "[geodesic]") {
+  const auto distances = [](const shapes::Triangles& t, double tolerance,
+                            const RL::Geodesic_sources& sources) {
+    return RL::Geodesic_solver(RL::Triangulated_surface_3(t.points, t.faces), tolerance)
+        .distances(sources);
+  };
+  const auto from = RL::Geodesic_sources::vertex(0);
+  SECTION("each triangle has vertices of its own") {
+    const shapes::Triangles whole = shapes::crumpled(shapes::sphere(2), 0.02, 3);
+    shapes::Triangles soup;
+    std::vector<std::uint32_t> original;
+    std::mt19937 generator(1);
+    for(auto f : whole.faces) {
+      for(std::uint32_t& v : f) {
+        original.push_back(v);
+        const auto noise = [&] { return 1e-9 * (generator() * std::ldexp(1., -32)); };
+        soup.points.push_back(whole.points[v] + RL::Vector_3(noise(), noise(), noise()));
+        v = static_cast<std::uint32_t>(soup.points.size() - 1);
+      }
+      soup.faces.push_back(f);
+    }
+    const Distances expected = from_vertex(whole, original[0]);
+    const RL::Geodesic_distances found = distances(soup, 1e-8, from),
+                                 apart = distances(soup, 0, from);
+    for(std::size_t v = 0; v < soup.points.size(); ++v)
+      CHECK(found.distances[v] == Approx(expected[original[v]]).margin(1e-7));
+    CHECK(found.number_of_unreached_vertices == 0);
+    CHECK(apart.number_of_unreached_vertices == soup.points.size() - 3);
+  }
+  SECTION("T-junctions: two grids of different widths side by side") {
+    const shapes::Triangles left = shapes::grid(
+                                6, [](double x, double y) { return RL::Point_3(x, y, 0); }),
+                            right = shapes::grid(
+                                7, [](double x, double y) { return RL::Point_3(1 + x, y, 0); });
+    const shapes::Triangles t = shapes::joined(left, right);
+    const RL::Geodesic_solver rays(RL::Triangulated_surface_3(t.points, t.faces), 1e-9);
+    const auto check = [&](const RL::Geodesic_sources& sources, const RL::Point_3& p) {
+      const RL::Geodesic_function d(rays, rays.distances(sources));
+      for(std::size_t v = 0; v < t.points.size(); ++v)
+        CHECK(d.distances().distances[v] == Approx(shapes::length(t.points[v] - p)).margin(1e-7));
+      for(std::size_t f = 0; f < t.faces.size(); ++f)
+        for(const auto& l : {std::array<double, 3>{0.2, 0.3, 0.5}, {0.9, 0.06, 0.04}}) {
+          const RL::Surface_location here{f, l};
+          const RL::Vector_3 away = rays.surface().surface_point(here).point - p;
+          CHECK(d.value(here) == Approx(shapes::length(away)).margin(1e-7));
+          if(shapes::length(away) > 1e-3)
+            CHECK(shapes::length(d.gradient(here) - away / shapes::length(away)) < 1e-5);
+          const RL::Geodesic_path path = d.shortest_path(here);
+          CHECK(path.length == Approx(shapes::length(away)).margin(1e-9));
+          for(std::size_t i = 0; i < path.segments.size(); ++i) {
+            const auto& s = path.segments[i];
+            CHECK(shapes::length(rays.surface().surface_point(s.from).point - path.points[i]) <
+                  1e-9);
+            CHECK(shapes::length(rays.surface().surface_point(s.to).point - path.points[i + 1]) <
+                  1e-9);
+          }
+        }
+      // one arc over both grids
+      const std::vector<RL::Geodesic_path> lines = d.isolines(0.3);
+      CHECK(lines.size() == 1);
+      CHECK((lines[0].points.front().x() < 1) != (lines[0].points.back().x() < 1));
+    };
+    check(RL::Geodesic_sources::vertex(6), t.points[6]);
+    RL::Geodesic_sources inside;
+    // in a face at the seam
+    std::size_t face = 0;
+    for(std::size_t f = 0; f < t.faces.size(); ++f)
+      if(f < left.faces.size() && rays.surface().point(f, 0).x() == 1)
+        face = f;
+    inside.add_location({face, {0.5, 0.2, 0.3}});
+    check(inside, rays.surface().surface_point(inside.segments()[0].from).point);
+    // a segment through the parts of a face
+    RL::Geodesic_sources segment;
+    segment.add_segment({face, {1, 0, 0}}, {face, {0, 0.5, 0.5}});
+    const RL::Geodesic_distances found = rays.distances(segment);
+    const RL::Point_3 a = rays.surface().surface_point(segment.segments()[0].from).point,
+                      b = rays.surface().surface_point(segment.segments()[0].to).point;
+    for(std::size_t v = 0; v < t.points.size(); ++v) {
+      const double s = std::clamp((t.points[v] - a) * (b - a) / (b - a).squared_length(), 0., 1.);
+      CHECK(found.distances[v] ==
+            Approx(shapes::length(t.points[v] - (a + s * (b - a)))).epsilon(5e-3).margin(1e-9));
+    }
+    // what is joined is no boundary
+    RL::Geodesic_sources boundary;
+    boundary.add_boundary();
+    CHECK(rays.distances(boundary).distances[6] == 0);
+    CHECK(rays.distances(boundary).distances[6 + 7 * 3] == Approx(0.5));
+  }
+  SECTION("a third wing along an edge that has two faces") {
+    const shapes::Triangles two =
+        shapes::grid(4, [](double x, double y) { return RL::Point_3(x, y, 0); });
+    const shapes::Triangles t = shapes::joined(
+        two, shapes::grid(4, [](double x, double y) { return RL::Point_3(0.5, y, x); }));
+    const Distances d = distances(t, 0, RL::Geodesic_sources::vertex(10)).distances;
+    CHECK(d[25 + 12] == Approx(1)); // (0, 0.5) to (0.5, 0.5, 0.5)
+  }
+  SECTION("bad tolerances") {
+    const shapes::Triangles t = shapes::rectangle(1, 1);
+    for(double bad : {-1., std::nan(""), infinity})
+      CHECK_THROWS_AS(distances(t, bad, from), RL::Parameter_error);
+  }
+  SECTION("named parameter") {
+    shapes::Mesh mesh = shapes::mesh(
+        shapes::joined(shapes::rectangle(1, 1), shapes::moved(shapes::rectangle(1, 1), {1, 0, 0})));
+    auto d = mesh.add_property_map<shapes::Mesh::Vertex_index, double>("v:d").first;
+    const shapes::Mesh::Vertex_index a(0), b(5);
+    RL::geodesic_distances(mesh, a, d, RL::parameters::joining_tolerance(1e-9));
+    CHECK(d[b] == Approx(2));
+    CHECK(RL::shortest_path(mesh, a, b, RL::parameters::joining_tolerance(1e-9)).length ==
+          Approx(2));
+    RL::geodesic_distances(mesh, a, d);
+    CHECK(std::isinf(d[b]));
+  }
+}

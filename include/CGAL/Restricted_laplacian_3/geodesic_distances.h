@@ -12,6 +12,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL {
@@ -40,6 +41,13 @@ Geodesic_sources geodesic_sources(const FaceGraph& tm, const Sources& sources) {
   }
 }
 
+template <class FaceGraph, class NamedParameters>
+Geodesic_solver geodesic_solver(const FaceGraph& tm, const NamedParameters& np) {
+  std::optional<double> joining_tolerance;
+  read_parameter(np, internal_np::joining_tolerance, joining_tolerance);
+  return Geodesic_solver(read_surface(tm, np), joining_tolerance);
+}
+
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Distances
@@ -54,6 +62,7 @@ Geodesic_sources geodesic_sources(const FaceGraph& tm, const Sources& sources) {
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh
+///   \named_joining_tolerance
 /// \cgalNamedParamsEnd
 /// \return distances again, directions and labels, in the order of `vertices(tm)`
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
@@ -65,7 +74,7 @@ Geodesic_distances geodesic_distances(const FaceGraph& tm, const Sources& source
                                       VertexMap distances,
                                       const NamedParameters& np = parameters::default_values()) {
   Geodesic_distances result =
-      Geodesic_solver(read_surface(tm, np)).distances(internal::geodesic_sources(tm, sources));
+      internal::geodesic_solver(tm, np).distances(internal::geodesic_sources(tm, sources));
   std::size_t i = 0;
   for(auto v : vertices(tm))
     put(distances, v, result.distances[i++]);
@@ -83,6 +92,7 @@ Geodesic_distances geodesic_distances(const FaceGraph& tm, const Sources& source
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh
+///   \named_joining_tolerance
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Location_error if the vertices are not on one component
@@ -92,7 +102,7 @@ Geodesic_path shortest_path(const FaceGraph& tm,
                             typename boost::graph_traits<FaceGraph>::vertex_descriptor from,
                             typename boost::graph_traits<FaceGraph>::vertex_descriptor to,
                             const NamedParameters& np = parameters::default_values()) {
-  const Geodesic_solver solver(read_surface(tm, np));
+  const Geodesic_solver solver = internal::geodesic_solver(tm, np);
   const Geodesic_sources start = internal::geodesic_sources(tm, from);
   return Geodesic_function(solver, solver.distances(internal::geodesic_sources(tm, to)))
       .shortest_path(solver.location(start.vertices()[0].first));

@@ -198,7 +198,7 @@ test_help() {
   explains stitch_colors $common_options \
     poses frame method gradients alpha maximum-distance normal-angle unoriented leave-out \
     keep-exposures linear-light no-details truth tolerance stabilization
-  explains geodesic_distance source boundary farthest exact path isolines lines show csv output refine \
+  explains geodesic_distance source boundary farthest join exact path isolines lines show csv output refine \
     depth threads quiet verbose progress version
   explains bake_scans views resolution field-of-view points noise exposure-range exposures tint \
     light linear-light pattern seed quiet version
@@ -1324,6 +1324,12 @@ test_distances() {
     is_near "$(sed -n '/^path_length/{s/[^ ]* *//p;q}' out)" "$(sed -n 's/^1,\([^,]*\),.*/\1/p' d.csv)" 0.001
   check "a line for each path and isoline" [ "$(grep -c '^l ' lines.obj)" = 5 ]
   check "the mesh is refined" [ "$(sed -n 's/^element vertex //p' d.ply)" -gt 3000 ]
+  printf 'OFF\n6 2 0\n0 0 0\n2 0 0\n2 2 0\n0 0 0\n2 2 0\n0 2 0\n3 0 1 2\n3 3 4 5\n' > cracked.off
+  succeeds geodesic_distance cracked.off --source 1 --join 1e-9
+  check "over a joined crack" is_near "$(sed -n 's/^largest_distance *//p' out)" 2.828427 1e-5
+  succeeds geodesic_distance cracked.off --source 1
+  check "not over a crack" is_near "$(sed -n 's/^unreached_vertices *//p' out)" 3 0
+  fails "join" geodesic_distance cracked.off --source 1 --join -1
   fails "needs --path" geodesic_distance sphere.off --source 0 --lines lines.obj
   fails "depth" geodesic_distance sphere.off --source 0 --depth 4
   fails "lines" geodesic_distance sphere.off --source 0 --path 1 --lines lines.txt

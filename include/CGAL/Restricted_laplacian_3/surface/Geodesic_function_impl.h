@@ -29,7 +29,7 @@ struct Geodesic_function::Impl {
   using Triangle = internal::Geodesic_triangle;
 
   Impl(const Geodesic_solver& s, Geodesic_distances d) : solver(s), distances(std::move(d)) {
-    const std::size_t n = surface().number_of_vertices();
+    const std::size_t n = solver.surface().number_of_vertices();
     if(distances.distances.size() != n || distances.angles.size() != n)
       throw Parameter_error("distances", "are not those of the vertices of the surface");
     auto all = solver.m_impl->all(distances.sources);
@@ -44,14 +44,23 @@ struct Geodesic_function::Impl {
                      [](const auto& a, const auto& b) { return a.face < b.face; });
   }
 
-  const Triangulated_surface_3& surface() const { return solver.surface(); }
+  /// joined
+  const Triangulated_surface_3& surface() const { return solver.m_impl->surface.joined(); }
   const internal::Ray_geometry& geometry() const { return solver.m_impl->geometry; }
+
+  double unit() const { return solver.m_impl->unit(); }
+
+  /// \throws Location_error if it is none
+  internal::Joined_surface::Place place(const Surface_location& location) const {
+    return solver.m_impl->surface.joined(
+        Surface_location{location.face, solver.m_impl->checked(location)});
+  }
 
   Triangle triangle(std::uint32_t face) const {
     Triangle::Barycentric d, angles;
     for(std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t v = geometry().vertex(face, k);
-      d[k] = distances.distances[v] / surface().extent();
+      d[k] = distances.distances[v] / unit();
       angles[k] = distances.angles[v];
     }
     const auto is_before = [](const internal::Source_part& s, std::uint32_t f) {
@@ -71,17 +80,17 @@ struct Geodesic_function::Impl {
   Value in_space(std::size_t face, const Triangle::Value& value) const {
     const Vector_3 u = internal::unit_or_zero(surface().point(face, 1) - surface().point(face, 0)),
                    v = CGAL::cross_product(surface().normal(face), u);
-    return {value.distance * surface().extent(), value.gradient.x * u + value.gradient.y * v};
+    return {value.distance * unit(), value.gradient.x * u + value.gradient.y * v};
   }
 
   void add(std::uint32_t face, const Triangle::Barycentric& from, const Triangle::Barycentric& to,
            Geodesic_path& path) const {
+    const internal::Joined_surface& all = solver.m_impl->surface;
     if(path.points.empty())
       path.points.push_back(surface().surface_point({face, from}).point);
-    path.segments.push_back({{face, from}, {face, to}, 0});
+    path.segments.push_back({all.original({face, from}), all.original({face, to}), 0});
     path.points.push_back(surface().surface_point({face, to}).point);
-    path.length +=
-        (geometry().place(face, to) - geometry().place(face, from)).length() * surface().extent();
+    path.length += (geometry().place(face, to) - geometry().place(face, from)).length() * unit();
   }
 
   /// The point of a side at which the distance has a value, which is between those of its ends;
@@ -119,7 +128,7 @@ Geodesic_function::Geodesic_function(const Geodesic_solver& solver, Geodesic_dis
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Triangulated_surface_3&
 Geodesic_function::surface() const {
-  return m_impl->surface();
+  return m_impl->solver.surface();
 }
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Geodesic_distances& Geodesic_function::distances() const {
   return m_impl->distances;
@@ -127,18 +136,21 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Geodesic_distances& Geodesic_function::
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_function::Value
 Geodesic_function::bounded(const Surface_location& location) const {
-  const auto barycentric = m_impl->solver.m_impl->checked(location);
-  const auto face = static_cast<std::uint32_t>(location.face);
+  const auto [face, barycentric] = m_impl->place(location);
   return m_impl->in_space(face, m_impl->triangle(face).bounded(barycentric));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Geodesic_function::evaluate(const Surface_point* points, std::size_t number, Value* values) const {
   for(std::size_t i = 0; i < number;) {
-    const auto face = static_cast<std::uint32_t>(points[i].face);
+    auto place = m_impl->solver.m_impl->surface.joined(points[i]);
+    const std::uint32_t face = place.face;
     const internal::Geodesic_triangle triangle = m_impl->triangle(face);
-    for(; i < number && points[i].face == face; ++i)
-      values[i] = m_impl->in_space(face, triangle(points[i].barycentric));
+    do {
+      values[i] = m_impl->in_space(face, triangle(place.barycentric));
+      if(++i < number)
+        place = m_impl->solver.m_impl->surface.joined(points[i]);
+    } while(i < number && place.face == face);
   }
 }
 
@@ -146,8 +158,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_path
 Geodesic_function::shortest_path(const Surface_location& from) const {
   if(std::isinf(value(from)))
     throw Location_error("no source is reached from face " + std::to_string(from.face));
-  const internal::Path_search::Point start{static_cast<std::uint32_t>(from.face),
-                                           m_impl->solver.m_impl->checked(from)};
+  const auto [start_face, start_place] = m_impl->place(from);
+  const internal::Path_search::Point start{start_face, start_place};
   internal::Path_search search(m_impl->geometry(),
                                [this](std::uint32_t face) { return m_impl->triangle(face); });
   Geodesic_path path;
@@ -164,7 +176,7 @@ Geodesic_function::isolines(double value) const {
     throw Parameter_error("value", "must be a positive, finite number");
   using Side = internal::Ray_geometry::Side;
   const internal::Ray_geometry& geometry = m_impl->geometry();
-  const double level = value / surface().extent();
+  const double level = value / m_impl->unit();
   const auto is_below = [&](std::uint32_t face, std::uint32_t k) {
     return distances().distances[geometry.vertex(face, k)] < value;
   };
@@ -175,7 +187,7 @@ Geodesic_function::isolines(double value) const {
         return Side{in.face, k % 3};
     return in;
   };
-  std::vector<char> is_done(surface().number_of_faces(), 0);
+  std::vector<char> is_done(m_impl->surface().number_of_faces(), 0);
   // the face beyond a side, if there is just one
   const auto beyond = [&](const Side& out) {
     Side result = out;

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,10 +127,16 @@ enum class Geodesic_method {
 class Geodesic_solver {
 public:
   /// Takes time \f$O(n \log n)\f$ for \f$n\f$ faces.
+  /// \param surface a surface of triangles
+  /// \param joining_tolerance in the unit of the coordinates: vertices on the boundary are one if
+  /// they are not farther apart, and a face is divided where such a vertex lies on its side, as in
+  /// soups with cracks and T-junctions; without a value nothing is joined
   /// \throws Input_error if the surface is given by points
-  explicit Geodesic_solver(Triangulated_surface_3 surface);
+  /// \throws Parameter_error if the tolerance is negative or not finite
+  explicit Geodesic_solver(Triangulated_surface_3 surface,
+                           std::optional<double> joining_tolerance = {});
 
-  /// the surface
+  /// the surface, as given to the constructor
   const Triangulated_surface_3& surface() const;
 
   /// A vertex as a location: in one of its faces.

@@ -8,6 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Geodesic_triangle.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Joined_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Ray_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Ray_propagation.h>
 
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,12 +27,18 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 struct Geodesic_solver::Impl {
-  explicit Impl(Triangulated_surface_3 s) : surface(std::move(s)), geometry(surface) {}
+  using Place = internal::Joined_surface::Place;
+
+  Impl(Triangulated_surface_3 s, std::optional<double> joining_tolerance)
+    : surface(std::move(s), joining_tolerance), geometry(surface.joined()) {}
+
+  /// the unit of length of the geometry
+  double unit() const { return surface.joined().extent(); }
 
   /// A location as barycentric coordinates, of which rounding errors are taken off.
   std::array<double, 3> checked(const Surface_location& location) const {
     constexpr double tolerance = 1e-9;
-    if(location.face >= surface.number_of_faces())
+    if(location.face >= surface.original().number_of_faces())
       throw Location_error("there is no face " + std::to_string(location.face));
     std::array<double, 3> l = location.barycentric;
     double sum = 0;
@@ -59,18 +67,22 @@ struct Geodesic_solver::Impl {
   All_sources all(const Geodesic_sources& sources) const {
     All_sources result;
     for(const auto& [v, label] : sources.vertices()) {
-      if(v >= surface.number_of_vertices())
+      if(v >= surface.original().number_of_vertices())
         throw Invalid_vertex_error(v, "is a source and does not exist");
-      result.vertices.emplace_back(static_cast<std::uint32_t>(v), label);
+      result.vertices.emplace_back(surface.vertex(static_cast<std::uint32_t>(v)), label);
     }
-    for(const Geodesic_sources::Segment& segment : sources.segments())
-      add(segment, result);
+    for(const auto& [from, to, label] : sources.segments()) {
+      const auto a = checked(from), b = checked(to);
+      surface.for_each_part(from.face, a, b, [&, label = label](const Place& p, const Place& q) {
+        add(p, q, label, result);
+      });
+    }
     for(const std::uint32_t label : sources.boundaries())
       geometry.for_each_boundary_side([&](const internal::Ray_geometry::Side& side) {
-        Geodesic_sources::Segment segment{{side.face, {0, 0, 0}}, {side.face, {0, 0, 0}}, label};
-        segment.from.barycentric[side.number] = 1;
-        segment.to.barycentric[(side.number + 1) % 3] = 1;
-        add(segment, result);
+        Place from{side.face, {0, 0, 0}}, to = from;
+        from.barycentric[side.number] = 1;
+        to.barycentric[(side.number + 1) % 3] = 1;
+        add(from, to, label, result);
       });
     if(result.vertices.empty() && result.parts.empty() && sources.segments().empty())
       throw Parameter_error("sources", sources.boundaries().empty()
@@ -79,15 +91,16 @@ struct Geodesic_solver::Impl {
     return result;
   }
 
-  void add(const Geodesic_sources::Segment& segment, All_sources& all) const {
-    const std::array<double, 3> from = checked(segment.from), to = checked(segment.to);
-    const auto face = static_cast<std::uint32_t>(segment.from.face);
+  /// a segment in a face
+  void add(const Place& p, const Place& q, std::uint32_t label, All_sources& all) const {
+    const std::uint32_t face = p.face;
+    const auto &from = p.barycentric, &to = q.barycentric;
     for(const auto& end : {from, to})
       if(geometry.corner_of(end) < 3)
-        all.vertices.emplace_back(geometry.vertex(face, geometry.corner_of(end)), segment.label);
+        all.vertices.emplace_back(geometry.vertex(face, geometry.corner_of(end)), label);
     if(!geometry.is_used(face) || (from == to && geometry.corner_of(from) < 3))
       return;
-    all.parts.push_back({face, from, to, segment.label});
+    all.parts.push_back({face, from, to, label});
     // On a side they belong to the other faces there, too: the segment, or one of its ends.
     for(std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t opposite = (k + 2) % 3;
@@ -97,45 +110,46 @@ struct Geodesic_solver::Impl {
             return geometry.beyond({face, k}, other, l);
           };
           all.parts.push_back({other.face, there(from[opposite] == 0 ? from : to),
-                               there(to[opposite] == 0 ? to : from), segment.label});
+                               there(to[opposite] == 0 ? to : from), label});
         });
     }
   }
 
-  Triangulated_surface_3 surface;
-  internal::Ray_geometry geometry;
+  internal::Joined_surface surface;
+  internal::Ray_geometry geometry; // of the joined surface, to which it refers
 };
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Geodesic_solver::Geodesic_solver(Triangulated_surface_3 surface) {
+Geodesic_solver::Geodesic_solver(Triangulated_surface_3 surface,
+                                 std::optional<double> joining_tolerance) {
   surface.require_triangles("the distance along a surface");
-  m_impl = std::make_shared<const Impl>(std::move(surface));
+  m_impl = std::make_shared<const Impl>(std::move(surface), joining_tolerance);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Triangulated_surface_3& Geodesic_solver::surface() const {
-  return m_impl->surface;
+  return m_impl->surface.original();
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_location
 Geodesic_solver::location(std::size_t vertex) const {
   const internal::Ray_geometry& geometry = m_impl->geometry;
-  if(vertex >= m_impl->surface.number_of_vertices())
+  if(vertex >= surface().number_of_vertices())
     throw Invalid_vertex_error(vertex, "does not exist");
-  const auto v = static_cast<std::uint32_t>(vertex);
+  const std::uint32_t v = m_impl->surface.vertex(static_cast<std::uint32_t>(vertex));
   if(!geometry.has_corner(v))
     throw Invalid_vertex_error(vertex, "has no face");
-  Surface_location result;
+  Impl::Place result;
   geometry.for_each_corner(v, [&](const internal::Ray_geometry::Corner& c) {
     result = {c.face, {0, 0, 0}};
     result.barycentric[c.number] = 1;
   });
-  return result;
+  return m_impl->surface.original(result);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_distances
 Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method method) const {
   const internal::Ray_geometry& geometry = m_impl->geometry;
-  const std::size_t n = m_impl->surface.number_of_vertices();
+  const std::size_t n = surface().number_of_vertices();
   const Impl::All_sources all = m_impl->all(sources);
   internal::Ray_propagation propagation(geometry, method == Geodesic_method::exact);
   for(const auto& [v, label] : all.vertices)
@@ -151,16 +165,17 @@ Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method meth
   result.directions.assign(n, CGAL::NULL_VECTOR);
   result.angles.assign(n, std::numeric_limits<double>::quiet_NaN());
   result.labels.assign(n, Geodesic_distances::no_label);
-  for(std::size_t v = 0; v < n; ++v) {
-    result.distances[v] = rays[v].distance * m_impl->surface.extent();
+  for(std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t v = m_impl->surface.vertex(i);
+    result.distances[i] = rays[v].distance * m_impl->unit();
     if(std::isinf(rays[v].distance)) {
-      result.number_of_unreached_vertices += geometry.has_corner(static_cast<std::uint32_t>(v));
+      result.number_of_unreached_vertices += geometry.has_corner(v);
       continue;
     }
-    result.labels[v] = rays[v].origin.label;
+    result.labels[i] = rays[v].origin.label;
     if(!std::isnan(rays[v].angle) && rays[v].distance > 0) {
-      result.angles[v] = rays[v].angle;
-      result.directions[v] = geometry.direction(static_cast<std::uint32_t>(v), rays[v].angle);
+      result.angles[i] = rays[v].angle;
+      result.directions[i] = geometry.direction(v, rays[v].angle);
     }
   }
   return result;
@@ -168,7 +183,7 @@ Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method meth
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<std::size_t>
 Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sources) const {
-  const std::size_t n = m_impl->surface.number_of_vertices();
+  const std::size_t n = surface().number_of_vertices();
   std::vector<std::size_t> result;
   if(number == 0)
     return result;
@@ -177,7 +192,7 @@ Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sou
     nearest = distances(sources).distances;
   else {
     std::uint32_t first = 0;
-    while(!m_impl->geometry.has_corner(first))
+    while(!m_impl->geometry.has_corner(m_impl->surface.vertex(first)))
       ++first;
     result.push_back(first);
     nearest = distances(Geodesic_sources::vertex(result[0])).distances;
