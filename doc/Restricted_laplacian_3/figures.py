@@ -570,6 +570,8 @@ for name, value, text, methods in [
 DISTANCES = {
     "fast": "`fast`",
     "exact": "`exact`",
+    "spline_6": "spline, depth 6",
+    "spline_7": "spline, depth 7",
     "heat": "heat",
     "heat_idt": "heat, intrinsic Delaunay",
     "cgal_exact": "CGAL, exact",
@@ -579,6 +581,11 @@ for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent)
     add_table("distances_" + name, "distance_study", ["mesh", "n", "source", "method", "mean"],
               {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"]), "From vertex": lambda r: whole(r["source"])},
               of(DISTANCES), value, text, 1)
+
+for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent), ("us", "us", short)]:
+    add_table("paths_" + name, "distance_study_paths", ["mesh", "n", "method", "paths", "mean"],
+              {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"])},
+              of({"fast": "by `fast`", "exact": "by `exact`"}), value, text, 1)
 
 PYTHON_DISTANCES = {"fast": "here, `fast`", "exact": "here, `exact`", "pygeodesic": "pygeodesic",
                     "potpourri3d": "potpourri3d"}

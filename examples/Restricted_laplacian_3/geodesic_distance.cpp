@@ -5,6 +5,7 @@
 
 #include "support/color_map.h"
 #include "support/command_line.h"
+#include "support/point_input.h"
 #include "support/program.h"
 #include "support/surface_program.h"
 #include "support/table.h"
@@ -27,13 +28,19 @@
 
 using namespace examples;
 
-const Help help = {"geodesic_distance MESH [OPTION]...", std::string(R"(
+const Help help = {"geodesic_distance MESH [OPTION]...",
+                   std::string(R"(
 Computes the distances of the vertices of a surface from sources, along the surface, and
 which source is the nearest.
 
 Distances are infinite at vertices that no source reaches. With --refine they are those of
 a spline between the vertices.
-)") + about_meshes,
+)") + about_meshes +
+                       R"(
+In place of a mesh, a file .xyz with lines of six numbers, x y z nx ny nz, or a PLY file
+without faces but with the properties nx, ny, nz of its vertices, is a set of points with
+normals, oriented alike. Triangles are made of them by CGAL's advancing front.
+)",
                    R"(  geodesic_distance elephant.off --source 0 --output distance.ply
       a mesh colored by the distance from its first vertex; draw_mesh draws isolines
   geodesic_distance elephant.off --farthest 8 --show nearest --output regions.ply
@@ -47,7 +54,7 @@ a spline between the vertices.
   1  an error, which one line on the error stream names
 )"};
 
-struct Options : Common_options {
+struct Options : Common_options, Point_options {
   std::vector<std::size_t> sources;
   bool boundary = false, exact = false;
   std::size_t farthest = 0, isolines = 0;
@@ -88,7 +95,12 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("depth",
       po::value<int>()->value_name("D")->notifier([&o](int d) { o.space.octree_depth = d; }),
       "depth of the octree of the spline, for --refine (default: that of the other programs)");
-  all.add(problem).add(lines).add(colors).add(output).add(general_options(o));
+  all.add(problem)
+      .add(point_options(o, o))
+      .add(lines)
+      .add(colors)
+      .add(output)
+      .add(general_options(o));
   if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   require_choice("show", o.show, {"distance", "nearest"});

@@ -134,12 +134,14 @@ class DistanceFunction:
 
 
 class Geodesics:
-    """Distances along a surface of triangles, set up once for any number of queries.
+    """Distances along a surface, set up once for any number of queries.
 
     Parameters
     ----------
     V, F
         The triangles, as for `Space`; they need not form a manifold. Or a `Space`.
+    normals : array_like, (n, 3), optional
+        For points without faces, oriented alike: triangles are made of them.
     joining_tolerance : float, optional
         Distance up to which vertices on the boundary are one with others, and divide faces on whose
         sides they lie: for soups with cracks and T-junctions.
@@ -156,10 +158,11 @@ class Geodesics:
     >>> regions = geodesics.distances(far).labels  # Voronoi regions
     """
 
-    def __init__(self, V: Any, F: Any = None, *, joining_tolerance: Optional[float] = None
-                 ) -> None:
+    def __init__(self, V: Any, F: Any = None, *, normals: Any = None,
+                 joining_tolerance: Optional[float] = None) -> None:
         self._space: Optional[Space] = V if isinstance(V, Space) else None
-        self._surface = V._surface if isinstance(V, Space) else make_surface(V, F)
+        self._surface = V._surface if isinstance(V, Space) else make_surface(
+            V, F, normals=normals)
         self._solver = _core.GeodesicSolver.make(
             self._surface, None if joining_tolerance is None else float(joining_tolerance))
         self._fitter: Any = None

@@ -234,8 +234,6 @@ def test_bad_functions(sphere):
             d(faces, places)
         with pytest.raises(rl.InputError):
             d.gradients(faces, places)
-    with pytest.raises(rl.InputError):
-        rl.Geodesics(rl.Space(V, normals=V, depth=3))
     both = np.concatenate([V, V + 5])
     two = rl.Geodesics(both, np.concatenate([F, F + len(V)]))
     for function in (two.function(0), two.spline(0)):
@@ -255,3 +253,18 @@ def test_joining(sphere):
     for bad in (-1, np.nan, np.inf):
         with pytest.raises(rl.InputError, match="joining_tolerance"):
             rl.Geodesics(soup, faces, joining_tolerance=bad)
+
+
+def test_points(sphere):
+    V, F = sphere
+    expected = np.arccos(np.clip(V @ V[5], -1, 1))
+    for geodesics in (rl.Geodesics(V, normals=V), rl.Geodesics(rl.Space(V, normals=V, depth=4))):
+        d = geodesics.distances(5).distances
+        assert np.allclose(d, expected, rtol=4e-3, atol=1e-9)
+        points = np.tile([1.0, 0, 0], (len(V), 1))
+        assert np.array_equal(geodesics.function(5)(np.arange(len(V)), points), d)
+        assert np.allclose(geodesics.spline(5)(np.arange(len(V)), points), expected, atol=0.03)
+        path = geodesics.function(5).shortest_path(77)
+        assert len(path.segments[0]) == 0 and path.length == pytest.approx(d[77], rel=1e-3)
+    with pytest.raises(rl.InputError, match="no triangle"):
+        rl.Geodesics(V[:2], normals=V[:2])

@@ -327,11 +327,6 @@ TEST_CASE("what_fits_of_distances_refuse_and_tell", "[geodesic_spline]") {
                           RL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()))
           .fit(d);
   CHECK(again.spline().coefficients() == u.spline().coefficients());
-  CHECK_THROWS_AS(RL::Geodesic_fitter(RL::Spline_space_3(
-                      RL::Triangulated_surface_3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                                                 {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {1, 1, 1}),
-                      RL::parameters::octree_depth(2))),
-                  RL::Input_error);
 }
 
 TEST_CASE("distances_on_meshes_as_splines", "[geodesic_spline][shared]") {
@@ -361,4 +356,81 @@ TEST_CASE("distances_on_meshes_as_splines", "[geodesic_spline][shared]") {
     }
   CHECK(sum / number < 5e-4);
   CHECK(worst < 0.012);
+}
+
+TEST_CASE("distances_of_points_without_faces", "[geodesic_spline]") {
+  const auto points = [](const shapes::Triangles& t, const std::vector<RL::Vector_3>& normals) {
+    return RL::Triangulated_surface_3(t.points, normals, std::vector<double>(t.points.size(), 1.));
+  };
+  SECTION("on a sphere, as a spline, too") {
+    const shapes::Triangles t = shapes::sphere(4);
+    std::vector<RL::Vector_3> normals;
+    for(const RL::Point_3& p : t.points)
+      normals.push_back(p - CGAL::ORIGIN);
+    const RL::Triangulated_surface_3 surface(
+        t.points, normals,
+        std::vector<double>(t.points.size(), 4 * CGAL_PI / static_cast<double>(t.points.size())));
+    const RL::Geodesic_solver rays(surface);
+    const RL::Geodesic_function d = distance_from(rays, RL::Geodesic_sources::vertex(3));
+    const RL::Spline_space_3 space(surface, RL::parameters::octree_depth(4));
+    const RL::Geodesic_spline u = RL::Geodesic_fitter(space).fit(d);
+    for(std::size_t i = 0; i < t.points.size(); ++i) {
+      const RL::Surface_location here = rays.location(i);
+      CHECK((here.face == i && d.value(here) == d.distances().distances[i]));
+      const double expected = on_sphere(t.points[i], t.points[3]);
+      CHECK(d.value(here) == Approx(expected).epsilon(4e-3).margin(1e-9));
+      CHECK(u.value(here) == Approx(expected).epsilon(2e-2).margin(1e-9));
+      if(expected > 0.8 && expected < 2.8)
+        CHECK(shapes::length(u.gradient(here) - d.gradient(here)) < 0.2);
+    }
+    const RL::Geodesic_path path = d.shortest_path(rays.location(100));
+    CHECK(path.length == Approx(d.value(rays.location(100))).epsilon(1e-3));
+    CHECK((path.segments.empty() && path.points.front() == t.points[100] &&
+           path.points.back() == t.points[3]));
+    // points as locations are sources
+    RL::Geodesic_sources location;
+    location.add_location({3, {1, 0, 0}});
+    CHECK(rays.distances(location).distances == d.distances().distances);
+    CHECK_THROWS_AS(d.value({t.points.size(), {1, 0, 0}}), RL::Location_error);
+  }
+  SECTION("both sides of a thin plate: around its rim") {
+    const double thickness = 0.02;
+    shapes::Triangles t =
+        shapes::grid(30, [&](double x, double y) { return RL::Point_3(x, y, thickness); });
+    std::vector<RL::Vector_3> normals(t.points.size(), RL::Vector_3(0, 0, 1));
+    for(const RL::Point_3& p :
+        shapes::grid(30, [](double x, double y) { return RL::Point_3(x, y, 0); }).points) {
+      t.points.push_back(p);
+      normals.emplace_back(0, 0, -1);
+    }
+    const RL::Geodesic_solver rays(points(t, normals));
+    const std::size_t middle = 15 + 31 * 15;
+    const std::vector<double> d = rays.distances(RL::Geodesic_sources::vertex(middle)).distances;
+    CHECK(d[middle + 15] == Approx(0.5));
+    // over the rim, or not at all
+    CHECK(d[961 + middle] > 0.99);
+  }
+  SECTION("in a plane, some twice, at any scale") {
+    for(const double scale : {1e-80, 1., 1e80}) {
+      shapes::Triangles t = shapes::grid(8, [&](double x, double y) {
+        return RL::Point_3(scale * x, scale * y, scale * 0.3 * x);
+      });
+      t.points.insert(t.points.end(), t.points.begin(), t.points.begin() + 20);
+      const RL::Geodesic_solver rays(
+          points(t, std::vector<RL::Vector_3>(t.points.size(), RL::Vector_3(-0.3, 0, 1))));
+      const std::vector<double> d = rays.distances(RL::Geodesic_sources::vertex(85)).distances;
+      for(std::size_t i = 0; i < t.points.size(); ++i)
+        CHECK(d[i] / scale ==
+              Approx(shapes::length((t.points[i] - t.points[85]) / scale)).margin(1e-9));
+    }
+  }
+  SECTION("too few") {
+    for(const auto& p : {std::vector<RL::Point_3>{{0, 0, 0}, {1, 0, 0}},
+                         std::vector<RL::Point_3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}}}) {
+      const shapes::Triangles t{p, {}};
+      CHECK_THROWS_AS(RL::Geodesic_solver(
+                          points(t, std::vector<RL::Vector_3>(p.size(), RL::Vector_3(0, 0, 1)))),
+                      RL::Input_error);
+    }
+  }
 }

@@ -198,7 +198,7 @@ test_help() {
   explains stitch_colors $common_options \
     poses frame method gradients alpha maximum-distance normal-angle unoriented leave-out \
     keep-exposures linear-light no-details truth tolerance stabilization
-  explains geodesic_distance source boundary farthest join exact path isolines lines show csv output refine \
+  explains geodesic_distance source boundary farthest join exact neighbors split-points path isolines lines show csv output refine \
     depth threads quiet verbose progress version
   explains bake_scans views resolution field-of-view points noise exposure-range exposures tint \
     light linear-light pattern seed quiet version
@@ -1330,6 +1330,10 @@ test_distances() {
   succeeds geodesic_distance cracked.off --source 1
   check "not over a crack" is_near "$(sed -n 's/^unreached_vertices *//p' out)" 3 0
   fails "join" geodesic_distance cracked.off --source 1 --join -1
+  awk 'NR > 2 && NF == 3 && n++ < 1026 { print $0, $0 }' sphere.off > sphere.xyz
+  succeeds geodesic_distance sphere.xyz --source 0 --output d.ply
+  check "half of a great circle on points" \
+    is_near "$(sed -n 's/^largest_distance *//p' out)" 3.1416 0.03
   fails "needs --path" geodesic_distance sphere.off --source 0 --lines lines.obj
   fails "depth" geodesic_distance sphere.off --source 0 --depth 4
   fails "lines" geodesic_distance sphere.off --source 0 --path 1 --lines lines.txt

@@ -100,7 +100,6 @@ public:
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
   /// \throws Parameter_error if an option is outside its domain
-  /// \throws Input_error if the surface is given by points
   explicit Geodesic_fitter(const Spline_space_3& space, const Geodesic_fit_options& np = {});
 
   /// the space, as given to the constructor

@@ -36,7 +36,6 @@ inline double weight_of_distances(const Spline_space_3& space) {
 
 inline Poisson_solver geodesic_fit_solver(const Spline_space_3& space,
                                           Geodesic_fit_options options) {
-  space.surface().require_triangles("the distance along a surface");
   if(!options.solver.relative_tolerance)
     options.solver.relative_tolerance = Geodesic_fitter::default_tolerance;
   Elliptic_operator elliptic;

@@ -20,7 +20,8 @@ namespace Restricted_laplacian_3 {
 /// \ingroup PkgRestrictedLaplacian3Distances
 /// A line on a surface.
 struct Geodesic_path {
-  /// its parts, each in one face, from the first point to the last; sources may be made of them
+  /// its parts, each in one face, from the first point to the last; sources may be made of them.
+  /// None on a surface given by points, whose triangles only the solver knows.
   std::vector<Geodesic_sources::Segment> segments;
   /// its points, one more than segments; the last one is the first one again if it is closed
   std::vector<Point_3> points;

@@ -50,10 +50,24 @@ struct Geodesic_function::Impl {
 
   double unit() const { return solver.m_impl->unit(); }
 
+  bool is_point_set() const { return solver.surface().is_point_set(); }
+  /// at a point of a surface given by points
+  Value at_point(std::size_t i) const {
+    return {distances.distances[i], -1. * distances.directions[i]};
+  }
+
   /// \throws Location_error if it is none
   internal::Joined_surface::Place place(const Surface_location& location) const {
-    return solver.m_impl->surface.joined(
-        Surface_location{location.face, solver.m_impl->checked(location)});
+    const auto checked = solver.m_impl->checked(location);
+    if(!is_point_set())
+      return solver.m_impl->surface.joined(Surface_location{location.face, checked});
+    internal::Joined_surface::Place result;
+    const auto v = solver.m_impl->surface.vertex(static_cast<std::uint32_t>(location.face));
+    geometry().for_each_corner(v, [&](const Corner& c) {
+      result = {c.face, {0, 0, 0}};
+      result.barycentric[c.number] = 1;
+    });
+    return result;
   }
 
   Triangle triangle(std::uint32_t face) const {
@@ -88,7 +102,8 @@ struct Geodesic_function::Impl {
     const internal::Joined_surface& all = solver.m_impl->surface;
     if(path.points.empty())
       path.points.push_back(surface().surface_point({face, from}).point);
-    path.segments.push_back({all.original({face, from}), all.original({face, to}), 0});
+    if(!all.original().is_point_set())
+      path.segments.push_back({all.original({face, from}), all.original({face, to}), 0});
     path.points.push_back(surface().surface_point({face, to}).point);
     path.length += (geometry().place(face, to) - geometry().place(face, from)).length() * unit();
   }
@@ -136,12 +151,21 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Geodesic_distances& Geodesic_function::
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_function::Value
 Geodesic_function::bounded(const Surface_location& location) const {
+  if(m_impl->is_point_set()) {
+    m_impl->solver.m_impl->checked(location);
+    return m_impl->at_point(location.face);
+  }
   const auto [face, barycentric] = m_impl->place(location);
   return m_impl->in_space(face, m_impl->triangle(face).bounded(barycentric));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Geodesic_function::evaluate(const Surface_point* points, std::size_t number, Value* values) const {
+  if(m_impl->is_point_set()) {
+    for(std::size_t i = 0; i < number; ++i)
+      values[i] = m_impl->at_point(points[i].face);
+    return;
+  }
   for(std::size_t i = 0; i < number;) {
     auto place = m_impl->solver.m_impl->surface.joined(points[i]);
     const std::uint32_t face = place.face;

@@ -113,7 +113,7 @@ enum class Geodesic_method {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Distances
-/// Distances along a surface of triangles, set up once for any number of queries.
+/// Distances along a surface, set up once for any number of queries.
 ///
 /// Distances are those on the triangles as they are, lengths of shortest ways over their faces.
 /// They are propagated from the sources together with the directions of their rays, exactly near
@@ -127,11 +127,12 @@ enum class Geodesic_method {
 class Geodesic_solver {
 public:
   /// Takes time \f$O(n \log n)\f$ for \f$n\f$ faces.
-  /// \param surface a surface of triangles
+  /// \param surface triangles, or points: then triangles are made of these by CGAL's advancing
+  /// front, and distances are those on them
   /// \param joining_tolerance in the unit of the coordinates: vertices on the boundary are one if
   /// they are not farther apart, and a face is divided where such a vertex lies on its side, as in
   /// soups with cracks and T-junctions; without a value nothing is joined
-  /// \throws Input_error if the surface is given by points
+  /// \throws Input_error if no triangle can be made of the points
   /// \throws Parameter_error if the tolerance is negative or not finite
   explicit Geodesic_solver(Triangulated_surface_3 surface,
                            std::optional<double> joining_tolerance = {});

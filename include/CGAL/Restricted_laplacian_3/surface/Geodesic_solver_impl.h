@@ -73,6 +73,10 @@ struct Geodesic_solver::Impl {
     }
     for(const auto& [from, to, label] : sources.segments()) {
       const auto a = checked(from), b = checked(to);
+      if(surface.original().is_point_set()) {
+        result.vertices.emplace_back(surface.vertex(static_cast<std::uint32_t>(from.face)), label);
+        continue;
+      }
       surface.for_each_part(from.face, a, b, [&, label = label](const Place& p, const Place& q) {
         add(p, q, label, result);
       });
@@ -122,7 +126,6 @@ struct Geodesic_solver::Impl {
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Geodesic_solver::Geodesic_solver(Triangulated_surface_3 surface,
                                  std::optional<double> joining_tolerance) {
-  surface.require_triangles("the distance along a surface");
   m_impl = std::make_shared<const Impl>(std::move(surface), joining_tolerance);
 }
 
@@ -143,6 +146,8 @@ Geodesic_solver::location(std::size_t vertex) const {
     result = {c.face, {0, 0, 0}};
     result.barycentric[c.number] = 1;
   });
+  if(surface().is_point_set())
+    return {vertex, {1, 0, 0}};
   return m_impl->surface.original(result);
 }
 

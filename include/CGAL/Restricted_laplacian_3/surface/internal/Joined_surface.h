@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/triangulate_points.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 
 #include <CGAL/Bbox_3.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -27,10 +29,10 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// A surface whose boundaries are joined to what is near: a vertex of a side that has no other face
-/// is one with those that are not farther than a tolerance, and where such a vertex lies on a side,
-/// or any vertex on such a side, the face is divided there. Faces keep their numbers; what else a
-/// divided face becomes has numbers behind them.
+/// A surface without cracks: one whose boundaries are joined to what is near: a vertex of a side
+/// that has no other face is one with those that are not farther than a tolerance, and where such a
+/// vertex lies on a side, or any vertex on such a side, the face is divided there. Faces keep their
+/// numbers; what else a divided face becomes has numbers behind them.
 class Joined_surface {
 public:
   using Barycentric = std::array<double, 3>;
@@ -44,11 +46,14 @@ public:
   /// \throws Parameter_error if it is not a number that is at least 0
   Joined_surface(Triangulated_surface_3 surface, std::optional<double> tolerance)
     : m_surface(std::move(surface)) {
+    if(m_surface.is_point_set())
+      join_points();
     if(!tolerance)
       return;
     if(!(*tolerance >= 0 && std::isfinite(*tolerance)))
       throw Parameter_error("joining_tolerance", "must be a finite number that is not negative");
-    join(*tolerance);
+    if(!m_surface.is_point_set())
+      join(*tolerance);
   }
 
   /// as it was given
@@ -168,6 +173,32 @@ private:
   template <class Visitor> static void for_each_pair(Boxes a, Boxes b, Visitor&& visit) {
     CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(),
                              [&](const Box& i, const Box& j) { visit(i.info(), j.info()); });
+  }
+
+  /// makes triangles of points; those that are the same are one
+  void join_points() {
+    const std::size_t n = m_surface.number_of_vertices();
+    std::vector<std::uint32_t> order(n);
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+      const Point_3 &p = m_surface.point(i), &q = m_surface.point(j);
+      return p != q ? p < q : i < j;
+    });
+    m_vertices.resize(n);
+    std::vector<Point_3> points;
+    for(std::size_t i = 0; i < n; ++i) {
+      const bool is_same = i > 0 && m_surface.point(order[i]) == m_surface.point(order[i - 1]);
+      m_vertices[order[i]] = is_same ? m_vertices[order[i - 1]] : order[i];
+      points.push_back(m_surface.point(i));
+    }
+    std::vector<Triangulated_surface_3::Triangle> triangles = triangulate_points(m_surface);
+    if(triangles.empty())
+      throw Input_error("no triangle can be made of the points, so there are no distances along "
+                        "their surface");
+    for(auto& t : triangles)
+      for(std::uint32_t& v : t)
+        v = m_vertices[v];
+    m_joined.emplace(std::move(points), std::move(triangles));
   }
 
   void join(double tolerance) {
