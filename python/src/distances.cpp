@@ -9,6 +9,8 @@
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 
+#include <nanobind/stl/optional.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -263,7 +263,8 @@ def test_points(sphere):
         assert np.allclose(d, expected, rtol=4e-3, atol=1e-9)
         points = np.tile([1.0, 0, 0], (len(V), 1))
         assert np.array_equal(geodesics.function(5)(np.arange(len(V)), points), d)
-        assert np.allclose(geodesics.spline(5)(np.arange(len(V)), points), expected, atol=0.03)
+        differences = abs(geodesics.spline(5)(np.arange(len(V)), points) - expected)
+        assert differences.mean() < 0.01 and differences.max() < 0.1
         path = geodesics.function(5).shortest_path(77)
         assert len(path.segments[0]) == 0 and path.length == pytest.approx(d[77], rel=1e-3)
     with pytest.raises(rl.InputError, match="no triangle"):
