@@ -587,6 +587,14 @@ for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent)
               {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"])},
               of({"fast": "by `fast`", "exact": "by `exact`"}), value, text, 1)
 
+for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent)]:
+    add_table("points_distances_" + name, "distance_study_points", ["mesh", "n", "source", "method", "mean"],
+              {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"])},
+              of({"points": "points"}), value, text, 1)
+add_table("points_distances_wrong", "distance_study_points", ["mesh", "n", "source", "method", "mean"],
+          {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"])},
+          lambda r: "points", lambda r: r["short"] + r["long"], whole, 1)
+
 PYTHON_DISTANCES = {"fast": "here, `fast`", "exact": "here, `exact`", "pygeodesic": "pygeodesic",
                     "potpourri3d": "potpourri3d"}
 for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent), ("setup", "setup_s", short),
