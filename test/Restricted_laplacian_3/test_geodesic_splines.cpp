@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/tags.h>
 
@@ -332,7 +333,7 @@ TEST_CASE("what_fits_of_distances_refuse_and_tell", "[geodesic_spline]") {
 TEST_CASE("distances_on_meshes_as_splines", "[geodesic_spline][shared]") {
   const std::string path = shared_mesh("bimba_5k.ply");
   if(path.empty())
-    return;
+    SKIP_TEST("bimba_5k.ply");
   const shapes::Triangles t = shapes::triangles(shapes::read(path));
   const RL::Geodesic_solver rays = shapes::geodesics(t);
   const auto source = RL::Geodesic_sources::vertex(0);
@@ -433,4 +434,23 @@ TEST_CASE("distances_of_points_without_faces", "[geodesic_spline]") {
                       RL::Input_error);
     }
   }
+}
+
+TEST_CASE("distances_on_meshes_as_points", "[geodesic_spline][shared]") {
+  const std::string path = shared_mesh("anchor_8k.ply");
+  if(path.empty())
+    SKIP_TEST("anchor_8k.ply");
+  const RL::Triangulated_surface_3 mesh = RL::read_surface(shapes::read(path));
+  std::vector<RL::Point_3> points;
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    points.push_back(mesh.point(v));
+  const RL::Triangulated_surface_3 of_points(points, RL::vertex_normals(mesh),
+                                             std::vector<double>(points.size(), 1.));
+  const auto source = RL::Geodesic_sources::vertex(0);
+  const std::vector<double> expected = RL::Geodesic_solver(mesh).distances(source).distances,
+                            found = RL::Geodesic_solver(of_points).distances(source).distances;
+  const double largest = *std::max_element(expected.begin(), expected.end());
+  for(std::size_t v = 0; v < points.size(); ++v)
+    if(expected[v] > 0.02 * largest)
+      CHECK(found[v] == Approx(expected[v]).epsilon(0.1));
 }

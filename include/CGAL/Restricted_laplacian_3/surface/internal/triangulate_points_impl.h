@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -45,13 +46,16 @@ public:
       low = (std::min)(low, normal * m_points->normal(i));
       high = (std::max)(high, normal * m_points->normal(i));
     }
-    bool is_opposite = low < 0 && high > 0;
+    const double side = least_cosine * std::sqrt(normal.squared_length());
+    bool is_opposite = low < -side && high > side;
     for(int k = 0; k < 3; ++k)
       is_opposite |= m_points->normal(v[k]) * m_points->normal(v[(k + 1) % 3]) < opposite;
     return is_opposite ? front.infinity() : front.smallest_radius_delaunay_sphere(cell, index);
   }
 
 private:
+  /// the cosine from which on a normal is on a side of a triangle
+  static constexpr double least_cosine = 0.2;
   /// the cosine of the angle from which on normals are opposite
   static constexpr double opposite = -0.5;
 
