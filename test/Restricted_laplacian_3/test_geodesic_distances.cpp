@@ -718,9 +718,17 @@ TEST_CASE("distances_go_over_joined_boundaries", "[geodesic]") {
     const Distances d = distances(t, 0, RL::Geodesic_sources::vertex(10)).distances;
     CHECK(d[25 + 12] == Approx(1)); // (0, 0.5) to (0.5, 0.5, 0.5)
   }
+  SECTION("a tolerance longer than most edges") {
+    const shapes::Triangles t = shapes::bumpy_square(128, 0.3, 3, 5);
+    const Distances joined = distances(t, 0.01, from).distances, apart = from_vertex(t, 0);
+    for(std::size_t v = 0; v < t.points.size(); ++v) {
+      CHECK(std::isfinite(joined[v]));
+      CHECK(joined[v] <= apart[v] + 0.1); // vertices move by the tolerance
+    }
+  }
   SECTION("bad tolerances") {
     const shapes::Triangles t = shapes::rectangle(1, 1);
-    for(double bad : {-1., std::nan(""), infinity})
+    for(double bad : {-1., 0.02, std::nan(""), infinity})
       CHECK_THROWS_AS(distances(t, bad, from), RL::Parameter_error);
   }
   SECTION("named parameter") {

@@ -133,7 +133,7 @@ public:
   /// they are not farther apart, and a face is divided where such a vertex lies on its side, as in
   /// soups with cracks and T-junctions; without a value nothing is joined
   /// \throws Input_error if no triangle can be made of the points
-  /// \throws Parameter_error if the tolerance is negative or not finite
+  /// \throws Parameter_error if the tolerance is negative, or more than a hundredth of the extent
   explicit Geodesic_solver(Triangulated_surface_3 surface,
                            std::optional<double> joining_tolerance = {});
 

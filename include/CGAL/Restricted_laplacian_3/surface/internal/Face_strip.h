@@ -74,7 +74,7 @@ private:
     Plane_vector place;
   };
 
-  /// removes what goes forth and back, and sides on which the first or the last point is
+  /// removes what goes forth and back, and sides on which the first point is
   void clean() {
     std::vector<Crossing> kept;
     for(const Crossing& c : m_crossings)
@@ -82,15 +82,12 @@ private:
         kept.pop_back();
       else
         kept.push_back(c);
-    std::size_t first = 0, last = kept.size();
-    for(; first < last && is_on(m_start, kept[first].out); ++first) {
+    std::size_t first = 0;
+    for(; first < kept.size() && is_on(m_start, kept[first].out); ++first) {
       m_start = m_geometry->beyond(kept[first].out, kept[first].in, m_start);
       m_first_face = kept[first].in.face;
     }
-    for(; first < last && is_on(m_end, kept[last - 1].in); --last)
-      m_end = m_geometry->beyond(kept[last - 1].in, kept[last - 1].out, m_end);
-    m_crossings.assign(kept.begin() + static_cast<std::ptrdiff_t>(first),
-                       kept.begin() + static_cast<std::ptrdiff_t>(last));
+    m_crossings.assign(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
   }
   static bool same(const Side& a, const Side& b) {
     return a.face == b.face && a.number == b.number;

@@ -43,15 +43,16 @@ public:
   };
 
   /// \param tolerance in the unit of the coordinates; nothing is joined without one
-  /// \throws Parameter_error if it is not a number that is at least 0
+  /// \throws Parameter_error if it is negative, or large beside the surface
   Joined_surface(Triangulated_surface_3 surface, std::optional<double> tolerance)
     : m_surface(std::move(surface)) {
     if(m_surface.is_point_set())
       join_points();
     if(!tolerance)
       return;
-    if(!(*tolerance >= 0 && std::isfinite(*tolerance)))
-      throw Parameter_error("joining_tolerance", "must be a finite number that is not negative");
+    if(!(*tolerance >= 0 && *tolerance <= largest_tolerance * m_surface.extent()))
+      throw Parameter_error("joining_tolerance",
+                            "must be from 0 to a hundredth of the size of the surface");
     if(!m_surface.is_point_set())
       join(*tolerance);
   }
@@ -126,6 +127,12 @@ public:
   }
 
 private:
+  /// Over the extent of the surface: with more, boundaries are joined to what is not near.
+  static constexpr double largest_tolerance = 0.01;
+  /// Sides are divided that are so many tolerances long; vertices on shorter ones are near their
+  /// ends.
+  static constexpr double shortest_side = 4;
+
   /// what a face of the joined surface is in the one that was given
   struct Part {
     std::uint32_t face;
@@ -245,7 +252,8 @@ private:
       const Point_3 &p = m_surface.point(t[k]), &q = m_surface.point(t[(k + 1) % 3]);
       const Vector_3 d = q - p, to_v = m_surface.point(v) - p;
       const double along = d.squared_length() > 0 ? to_v * d / d.squared_length() : 0;
-      if(along > 0 && along < 1 && (to_v - along * d).squared_length() <= square)
+      if(d.squared_length() > shortest_side * shortest_side * square && along > 0 && along < 1 &&
+         (to_v - along * d).squared_length() <= square)
         on_sides.emplace_back(side, along, v);
     };
     Boxes lone_sides, sides;
