@@ -710,13 +710,19 @@ TEST_CASE("distances_go_over_joined_boundaries", "[geodesic]") {
     CHECK(rays.distances(boundary).distances[6] == 0);
     CHECK(rays.distances(boundary).distances[6 + 7 * 3] == Approx(0.5));
   }
-  SECTION("a third wing along an edge that has two faces") {
+  SECTION("a third wing along edges that have two faces, as wide, wider, or narrower") {
     const shapes::Triangles two =
         shapes::grid(4, [](double x, double y) { return RL::Point_3(x, y, 0); });
-    const shapes::Triangles t = shapes::joined(
-        two, shapes::grid(4, [](double x, double y) { return RL::Point_3(0.5, y, x); }));
-    const Distances d = distances(t, 0, RL::Geodesic_sources::vertex(10)).distances;
-    CHECK(d[25 + 12] == Approx(1)); // (0, 0.5) to (0.5, 0.5, 0.5)
+    for(const int n : {2, 4, 6}) {
+      const shapes::Triangles wing =
+          shapes::grid(n, [](double x, double y) { return RL::Point_3(0.5, y, x); });
+      const Distances d =
+          distances(shapes::joined(two, wing), 0, RL::Geodesic_sources::vertex(10)).distances;
+      for(std::size_t v = 0; v < wing.points.size(); ++v) { // unfolded, from (0, 0.5)
+        const RL::Point_3& p = wing.points[v];
+        CHECK(d[25 + v] == Approx(std::hypot(0.5 + p.z(), p.y() - 0.5)).epsilon(1e-6));
+      }
+    }
   }
   SECTION("a tolerance longer than most edges") {
     const shapes::Triangles t = shapes::bumpy_square(128, 0.3, 3, 5);
