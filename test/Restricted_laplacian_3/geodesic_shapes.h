@@ -59,6 +59,31 @@ inline Triangles crumpled(Triangles t, double amount, unsigned seed) {
   return t;
 }
 
+/// a strip of `n` pairs of needles of the aspect 1e4, [0, n * 1e-4] x [0, 1]
+inline Triangles needles(std::uint32_t n) {
+  Triangles t;
+  for(std::uint32_t i = 0; i <= n; ++i) {
+    t.points.emplace_back(i * 1e-4, 0, 0);
+    t.points.emplace_back(i * 1e-4, 1, 0);
+  }
+  for(std::uint32_t i = 0; i < n; ++i) {
+    t.faces.push_back({2 * i, 2 * i + 2, 2 * i + 1});
+    t.faces.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  return t;
+}
+
+/// the unit square with faces of no area: a vertex on a side, one at the place of another one, and
+/// faces with the same vertex twice
+inline Triangles square_with_flat_faces() {
+  Triangles t = rectangle(1, 1);
+  const auto n = static_cast<std::uint32_t>(t.points.size());
+  t.points.push_back(CGAL::midpoint(t.points[0], t.points[1]));
+  t.points.push_back(t.points[2]);
+  t.faces.insert(t.faces.end(), {{0, 1, n}, {2, n + 1, 0}, {0, 0, 1}, {2, 2, 2}});
+  return t;
+}
+
 /// three half planes that meet in the y-axis, each a grid of `n` by `n` squares
 inline Triangles three_wings(int n) {
   Triangles t;

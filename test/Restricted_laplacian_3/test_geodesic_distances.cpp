@@ -519,16 +519,7 @@ TEST_CASE("distances_on_hostile_surfaces", "[geodesic]") {
     CHECK(d == Distances{1, 0, std::sqrt(5.)});
   }
   SECTION("a strip of needles of the aspect 1e4") {
-    shapes::Triangles t;
-    const int n = 200;
-    for(int i = 0; i <= n; ++i) {
-      t.points.emplace_back(i * 1e-4, 0, 0);
-      t.points.emplace_back(i * 1e-4, 1, 0);
-    }
-    for(std::uint32_t i = 0; i < n; ++i) {
-      t.faces.push_back({2 * i, 2 * i + 2, 2 * i + 1});
-      t.faces.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
-    }
+    const shapes::Triangles t = shapes::needles(200);
     for(std::size_t source : {std::size_t(0), std::size_t(201)}) {
       const Distances d = from_vertex(t, source);
       for(std::size_t v = 0; v < t.points.size(); ++v)
@@ -536,14 +527,7 @@ TEST_CASE("distances_on_hostile_surfaces", "[geodesic]") {
     }
   }
   SECTION("faces of no area") {
-    shapes::Triangles t = shapes::rectangle(1, 1);
-    const auto n = static_cast<std::uint32_t>(t.points.size());
-    t.points.push_back(CGAL::midpoint(t.points[0], t.points[1]));
-    t.points.push_back(t.points[2]);
-    t.faces.push_back({0, 1, n});
-    t.faces.push_back({2, n + 1, 0});
-    t.faces.push_back({0, 0, 1});
-    t.faces.push_back({2, 2, 2});
+    const shapes::Triangles t = shapes::square_with_flat_faces();
     const Distances d = from_vertex(t, 0);
     for(std::size_t v = 0; v < t.points.size(); ++v)
       CHECK(d[v] == Approx(shapes::length(t.points[v] - t.points[0])).margin(1e-12));

@@ -185,27 +185,9 @@ TEST_CASE("shortest_paths_on_hostile_surfaces", "[geodesic_path]") {
     CHECK(too_long < 0.002 * number);
   }
   SECTION("needles, faces of no area, vertices at the same place") {
-    shapes::Triangles t;
-    const int n = 100;
-    for(int i = 0; i <= n; ++i) {
-      t.points.emplace_back(i * 1e-4, 0, 0);
-      t.points.emplace_back(i * 1e-4, 1, 0);
-    }
-    for(std::uint32_t i = 0; i < n; ++i) {
-      t.faces.push_back({2 * i, 2 * i + 2, 2 * i + 1});
-      t.faces.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
-    }
-    CHECK(Paths(t, 3).worst < 1e-8);
-    t = shapes::rectangle(1, 1);
-    const auto size = static_cast<std::uint32_t>(t.points.size());
-    t.points.push_back(CGAL::midpoint(t.points[0], t.points[1]));
-    t.points.push_back(t.points[2]);
-    t.faces.push_back({0, 1, size});
-    t.faces.push_back({2, size + 1, 0});
-    t.faces.push_back({0, 0, 1});
-    t.faces.push_back({2, 2, 2});
+    CHECK(Paths(shapes::needles(100), 3).worst < 1e-8);
     for(const std::size_t to : {0, 1, 3})
-      CHECK(Paths(t, to).worst < 1e-8);
+      CHECK(Paths(shapes::square_with_flat_faces(), to).worst < 1e-8);
   }
   SECTION("of any scale") {
     for(double scale : {1e-80, 1e80})

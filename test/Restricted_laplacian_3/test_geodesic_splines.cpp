@@ -145,7 +145,7 @@ TEST_CASE("ridges_of_distances_stay_sharp_in_triangles", "[geodesic_spline]") {
   const auto distance = [&](const RL::Point_3& p) {
     return (std::min)(shapes::length(p - a), shapes::length(p - b));
   };
-  // without a form of their own, ridges would be too low by 0.1 of an edge
+  // what is smooth across the ridge would round it off
   CHECK(Errors_between(rays.surface(), d, distance, 0).worst < 0.01);
 }
 

@@ -88,8 +88,7 @@ struct Geodesic_fit_options {
 /// that.
 class Geodesic_fitter {
 public:
-  /// of the residual, relative to the right-hand side: errors of the solver are a tenth of those
-  /// of the space
+  /// of the residual, relative to the right-hand side
   static constexpr double default_tolerance = 1e-4;
 
   /// \param space is copied, which costs nothing

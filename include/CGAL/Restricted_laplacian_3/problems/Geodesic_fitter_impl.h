@@ -28,7 +28,8 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// \f$\alpha\f$ of a `Geodesic_fitter`: what fits best is between 0.02 and 0.1 of 1 / h^2
+/// \f$\alpha\f$ of a `Geodesic_fitter`: a wave of 28 cells weighs as much by its values as by its
+/// gradients, \f$2 \pi / \sqrt{0.05} = 28\f$; longer ones by their values
 inline double weight_of_distances(const Spline_space_3& space) {
   const double h = space.octree().cell_width(space.depth());
   return 0.05 / (h * h);

@@ -61,13 +61,8 @@ struct Geodesic_function::Impl {
     const auto checked = solver.m_impl->checked(location);
     if(!is_point_set())
       return solver.m_impl->surface.joined(Surface_location{location.face, checked});
-    internal::Joined_surface::Place result;
-    const auto v = solver.m_impl->surface.vertex(static_cast<std::uint32_t>(location.face));
-    geometry().for_each_corner(v, [&](const Corner& c) {
-      result = {c.face, {0, 0, 0}};
-      result.barycentric[c.number] = 1;
-    });
-    return result;
+    return solver.m_impl->place_of_vertex(
+        solver.m_impl->surface.vertex(static_cast<std::uint32_t>(location.face)));
   }
 
   Triangle triangle(std::uint32_t face) const {

@@ -56,6 +56,16 @@ struct Geodesic_solver::Impl {
     return l;
   }
 
+  /// a vertex that has a face as a place in one of its faces
+  Place place_of_vertex(std::uint32_t v) const {
+    Place result;
+    geometry.for_each_corner(v, [&](const internal::Ray_geometry::Corner& c) {
+      result = {c.face, {0, 0, 0}};
+      result.barycentric[c.number] = 1;
+    });
+    return result;
+  }
+
   /// Sources as rays need them: those that are vertices, with their labels, and parts of faces,
   /// each in all faces that it belongs to.
   struct All_sources {
@@ -141,14 +151,9 @@ Geodesic_solver::location(std::size_t vertex) const {
   const std::uint32_t v = m_impl->surface.vertex(static_cast<std::uint32_t>(vertex));
   if(!geometry.has_corner(v))
     throw Invalid_vertex_error(vertex, "has no face");
-  Impl::Place result;
-  geometry.for_each_corner(v, [&](const internal::Ray_geometry::Corner& c) {
-    result = {c.face, {0, 0, 0}};
-    result.barycentric[c.number] = 1;
-  });
   if(surface().is_point_set())
     return {vertex, {1, 0, 0}};
-  return m_impl->surface.original(result);
+  return m_impl->surface.original(m_impl->place_of_vertex(v));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_distances

@@ -85,9 +85,8 @@ private:
   };
   /// rays through a part of a side into its face, from the first point
   struct Window {
-    Side out, side; // of the face before, and of this one
-    Plane_vector source;
-    double first, last;
+    Ray_window rays;
+    Side out;             // of the face before
     std::uint32_t before; // window, or `none`
     Point from;
   };
@@ -171,7 +170,7 @@ private:
     way.distance = end.distance;
     way.from = end.from;
     for(std::uint32_t w = end.window; w != none; w = m_windows[w].before)
-      way.crossings.emplace_back(m_windows[w].out, m_windows[w].side);
+      way.crossings.emplace_back(m_windows[w].out, m_windows[w].rays.side);
     std::reverse(way.crossings.begin(), way.crossings.end());
     return way;
   }
@@ -217,25 +216,11 @@ private:
                   const Plane_vector& q, double first, double last, std::uint32_t before,
                   const Point& from) {
     const double l = m_geometry.length(out.face, out.number);
-    if(!(last > first))
-      return;
-    const Plane_vector u = (1 / l) * (q - p);
-    const double x = dot(s - p, u), along_the_side = 1e-14 * l;
-    double height = std::abs(internal::cross(u, s - p));
-    if(before == none && x > 0 && x < l) // the start, in a face of no height
-      height = (std::max)(height, 2 * along_the_side);
-    if(!(height > along_the_side))
-      return;
-    m_geometry.for_each_beyond(out, [&](const Side& in) {
-      const bool same =
-          m_geometry.vertex(in.face, in.number) == m_geometry.vertex(out.face, out.number);
-      Window w{out,
-               in,
-               {same ? x : l - x, -height},
-               same ? first : l - last,
-               same ? last : l - first,
-               before,
-               from};
+    // The start may be in a face of no height.
+    const double least_height =
+        before == none && dot(s - p, q - p) > 0 && dot(q - s, q - p) > 0 ? 2e-14 : 0;
+    const auto add = [&](const Ray_window& w) {
+      const Side& in = w.side;
       const Geodesic_triangle triangle = m_triangle_of(in.face);
       const double d0 = triangle.corner_distance(in.number),
                    d1 = triangle.corner_distance((in.number + 1) % 3);
@@ -256,46 +241,42 @@ private:
           (std::max)({0., d0 - w.last, d1 - (l - w.first)});
       if(!(least < m_best.key))
         return;
-      m_windows.push_back(w);
+      m_windows.push_back({w, out, before, from});
       Entry entry;
       entry.key = key;
       entry.window = static_cast<std::uint32_t>(m_windows.size() - 1);
       m_heap.push(entry);
-    });
+    };
+    for_each_window_beyond(m_geometry, out, s, p, q, first, last, {}, add, least_height);
   }
 
   void cross(std::uint32_t number, double distance) {
-    const Window w = m_windows[number];
+    const Ray_window w = m_windows[number].rays;
+    const Point from = m_windows[number].from;
     const std::uint32_t face = w.side.face, k = w.side.number;
-    const Plane_vector &s = w.source, a{0, 0}, b{m_geometry.length(face, k), 0},
-                       c = m_geometry.apex(w.side);
-    const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y}, to_apex = c - s;
-    const double rounding = 1e-12 * b.x * to_apex.length(),
-                 right_of_first = internal::cross(to_apex, first),
-                 left_of_last = internal::cross(last, to_apex);
-    const bool goes_left = right_of_first > -rounding, goes_right = left_of_last > -rounding;
+    const Plane_vector& s = w.source;
     const Geodesic_triangle triangle = m_triangle_of(face);
-    const double there = triangle.corner_distance((k + 2) % 3);
-    if(goes_left && goes_right && there < distance)
-      offer_end(end_at(to_apex.length(), number, {face, corner(k + 2)}, there, w.from));
     // the frame of side 0
     const auto corners = m_geometry.corners(face);
-    const Plane_vector x = (1 / b.x) * (corners[(k + 1) % 3] - corners[k]), y{-x.y, x.x};
-    offer_sources(triangle, w.from, corners[k] + s.x * x + s.y * y, number,
+    const double l = m_geometry.length(face, k);
+    const Plane_vector x = (1 / l) * (corners[(k + 1) % 3] - corners[k]), y{-x.y, x.x};
+    offer_sources(triangle, from, corners[k] + s.x * x + s.y * y, number,
                   [&](const Plane_vector& q) {
                     const Plane_vector here = q - corners[k],
                                        way = Plane_vector{dot(here, x), dot(here, y)} - s;
-                    return internal::cross(way, first) >= -rounding &&
-                           internal::cross(last, way) >= -rounding;
+                    const double rounding = 1e-12 * l * way.length();
+                    return internal::cross(way, {w.first - s.x, -s.y}) >= -rounding &&
+                           internal::cross({w.last - s.x, -s.y}, way) >= -rounding;
                   });
-    const Side left{face, (k + 2) % 3}, right{face, (k + 1) % 3};
-    if(goes_left)
-      add_beyond(left, s, c, a, goes_right ? 0 : passing_point(s, last, c, a),
-                 passing_point(s, first, c, a), number, w.from);
-    if(goes_right)
-      add_beyond(right, s, b, c, passing_point(s, last, b, c),
-                 goes_left ? m_geometry.length(face, right.number) : passing_point(s, first, b, c),
-                 number, w.from);
+    cross_face(
+        m_geometry, w,
+        [&](const Plane_vector& c) {
+          const double there = triangle.corner_distance((k + 2) % 3);
+          if(there < distance)
+            offer_end(end_at((c - s).length(), number, {face, corner(k + 2)}, there, from));
+        },
+        [&](const Side& side, const Plane_vector& p, const Plane_vector& q, double first,
+            double last) { add_beyond(side, s, p, q, first, last, number, from); });
   }
 
   /// leads the strip from a point of a face to the same point of another face

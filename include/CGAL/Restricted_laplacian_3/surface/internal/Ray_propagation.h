@@ -298,25 +298,8 @@ private:
   /// \param first, last the part of the side
   void add_beyond(const Side& side, const Plane_vector& s, const Plane_vector& p,
                   const Plane_vector& q, double first, double last, const Ray_origin& origin) {
-    const double l = m_geometry.length(side.face, side.number);
-    if(!(last > first))
-      return;
-    const Plane_vector u = (1 / l) * (q - p);
-    const double x = dot(s - p, u), height = std::abs(internal::cross(u, s - p));
-    constexpr double along_the_side = 1e-14;
-    if(!(height > along_the_side * l))
-      return;
-    m_geometry.for_each_beyond(side, [&](const Side& other) {
-      const bool same =
-          m_geometry.vertex(other.face, other.number) == m_geometry.vertex(side.face, side.number);
-      Ray_window w;
-      w.side = other;
-      w.source = {same ? x : l - x, -height};
-      w.first = same ? first : l - last;
-      w.last = same ? last : l - first;
-      w.origin = origin;
-      add(w);
-    });
+    for_each_window_beyond(m_geometry, side, s, p, q, first, last, origin,
+                           [&](const Ray_window& w) { add(w); });
   }
 
   void add(const Ray_window& w) {
@@ -355,31 +338,24 @@ private:
   /// takes a window through its face: to the third corner, and through the other sides
   /// \param target the number of a side, to go through that one only, or `all_ways`
   void cross(const Ray_window& w, std::uint32_t target) {
-    const Side side = w.side;
-    const Plane_vector &s = w.source, a{0, 0}, b{m_geometry.length(w.side.face, w.side.number), 0},
-                       c = m_geometry.apex(side);
-    const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y}, to_apex = c - s;
-    const double rounding = 1e-12 * b.x * to_apex.length(),
-                 right_of_first = internal::cross(to_apex, first),
-                 left_of_last = internal::cross(last, to_apex);
-    const bool goes_left = right_of_first > -rounding, goes_right = left_of_last > -rounding;
-    const std::uint32_t k = w.side.number;
-    if(goes_left && goes_right && target == all_ways) {
-      Ray ray;
-      ray.distance = w.origin.offset + to_apex.length();
-      ray.angle = m_geometry.fan_angle(w.side.face, k + 2, angle(a - c, s - c));
-      ray.origin = w.origin;
-      offer(m_geometry.vertex(w.side.face, k + 2), ray);
-    }
-    const Side left{w.side.face, (k + 2) % 3}, right{w.side.face, (k + 1) % 3};
-    if(goes_left && (target == all_ways || target == left.number)) // from c to a
-      add_beyond(left, s, c, a, goes_right ? 0 : passing_point(s, last, c, a),
-                 passing_point(s, first, c, a), w.origin);
-    if(goes_right && (target == all_ways || target == right.number)) // from b to c
-      add_beyond(right, s, b, c, passing_point(s, last, b, c),
-                 goes_left ? m_geometry.length(w.side.face, right.number)
-                           : passing_point(s, first, b, c),
-                 w.origin);
+    const Plane_vector& s = w.source;
+    cross_face(
+        m_geometry, w,
+        [&](const Plane_vector& c) {
+          if(target != all_ways)
+            return;
+          Ray ray;
+          ray.distance = w.origin.offset + (c - s).length();
+          ray.angle = m_geometry.fan_angle(w.side.face, w.side.number + 2,
+                                           angle(Plane_vector{0, 0} - c, s - c));
+          ray.origin = w.origin;
+          offer(m_geometry.vertex(w.side.face, w.side.number + 2), ray);
+        },
+        [&](const Side& side, const Plane_vector& p, const Plane_vector& q, double first,
+            double last) {
+          if(target == all_ways || target == side.number)
+            add_beyond(side, s, p, q, first, last, w.origin);
+        });
   }
 
   // Sides whose ends have distances

@@ -57,6 +57,63 @@ struct Ray_window {
   }
 };
 
+/// Calls `visit(window)` for the windows in the faces beyond a side through which rays pass; none
+/// if they come along the side.
+/// \param s the point that they come from
+/// \param p, q the ends of the side, in the order of its face
+/// \param first, last the part of the side that they pass through
+/// \param least_height what the point is taken to be off the side, at least
+template <class Visitor>
+void for_each_window_beyond(const Ray_geometry& geometry, const Ray_geometry::Side& side,
+                            const Plane_vector& s, const Plane_vector& p, const Plane_vector& q,
+                            double first, double last, const Ray_origin& origin, Visitor&& visit,
+                            double least_height = 0) {
+  constexpr double along_the_side = 1e-14;
+  const double l = geometry.length(side.face, side.number);
+  if(!(last > first))
+    return;
+  const Plane_vector u = (1 / l) * (q - p);
+  const double x = dot(s - p, u),
+               height = (std::max)(std::abs(internal::cross(u, s - p)), least_height * l);
+  if(!(height > along_the_side * l))
+    return;
+  geometry.for_each_beyond(side, [&](const Ray_geometry::Side& other) {
+    const bool same =
+        geometry.vertex(other.face, other.number) == geometry.vertex(side.face, side.number);
+    Ray_window w;
+    w.side = other;
+    w.source = {same ? x : l - x, -height};
+    w.first = same ? first : l - last;
+    w.last = same ? last : l - first;
+    w.origin = origin;
+    visit(w);
+  });
+}
+
+/// Where a window goes in its face: calls `at_apex(c)` with the third corner if that is seen, and
+/// `through(side, p, q, first, last)` for the other sides that rays pass through, with their ends
+/// in the order of the face and the part; all in the frame of the window's side.
+template <class At_apex, class Through>
+void cross_face(const Ray_geometry& geometry, const Ray_window& w, At_apex&& at_apex,
+                Through&& through) {
+  const std::uint32_t face = w.side.face, k = w.side.number;
+  const Plane_vector &s = w.source, a{0, 0}, b{geometry.length(face, k), 0},
+                     c = geometry.apex(w.side);
+  const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y}, to_apex = c - s;
+  const double rounding = 1e-12 * b.x * to_apex.length();
+  const bool goes_left = internal::cross(to_apex, first) > -rounding,
+             goes_right = internal::cross(last, to_apex) > -rounding;
+  if(goes_left && goes_right)
+    at_apex(c);
+  const Ray_geometry::Side left{face, (k + 2) % 3}, right{face, (k + 1) % 3};
+  if(goes_left) // from c to a
+    through(left, c, a, goes_right ? 0 : passing_point(s, last, c, a),
+            passing_point(s, first, c, a));
+  if(goes_right) // from b to c
+    through(right, b, c, passing_point(s, last, b, c),
+            goes_left ? geometry.length(face, right.number) : passing_point(s, first, b, c));
+}
+
 /// Squared distances along a side of the length `length`, less the offset before squaring: a cubic
 /// in t from 0 to 1.
 struct Ray_cubic {
