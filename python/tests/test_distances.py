@@ -179,6 +179,8 @@ def test_functions(sphere):
         assert d([7], [[0.2, 0.3, 0.5]]).shape == (1,)
     triangles, spline = geodesics.function(5)(faces, places), geodesics.spline(5)(faces, places)
     assert 0 < abs(triangles - spline).max() < 0.02
+    exact = geodesics.function(5, exact=True)(faces, places)
+    assert 0 < abs(triangles - exact).max() < 0.01
     # a space of its own counts
     coarse = rl.Geodesics(rl.Space(V, F, depth=3)).spline(5)(faces, places)
     assert abs(coarse - spline).max() > 0
@@ -223,7 +225,7 @@ def test_bad_functions(sphere):
     d = rl.Geodesics(V, F).function(0)
     for start in (-1, len(V), 0.5, np.nan, [1, 2, 3], (0, [2.0, -1, 0]), (len(F), [1, 0, 0]),
                   ([0, 1], [[1, 0, 0], [1, 0, 0]]), np.array([1, 2])):
-        with pytest.raises(rl.InputError):
+        with pytest.raises(rl.InputError, match="start|vertex|face"):
             d.shortest_path(start)
     for value in (0, -1, np.nan, np.inf):
         with pytest.raises(rl.InputError):
