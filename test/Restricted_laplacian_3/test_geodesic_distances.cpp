@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Distances along surfaces: against exact ones on spheres, planes, cylinders and cones, and on
+// Distances along surfaces: against exact ones on spheres, planes, folded strips and cones, and on
 // small surfaces against all straight ways from vertex to vertex.
 
 #include "catch.h"
