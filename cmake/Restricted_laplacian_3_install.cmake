@@ -13,9 +13,10 @@ install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCH
 
 # find_package()
 set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/Restricted_laplacian_3")
+set(viewer_in_package "${CMAKE_INSTALL_DATADIR}/Restricted_laplacian_3/viewer.html")
 configure_package_config_file(cmake/Restricted_laplacian_3Config.cmake.in
   "${PROJECT_BINARY_DIR}/Restricted_laplacian_3Config.cmake" INSTALL_DESTINATION "${package_dir}"
-  NO_SET_AND_CHECK_MACRO)
+  PATH_VARS viewer_in_package NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/Restricted_laplacian_3ConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(TARGETS Restricted_laplacian_3 EXPORT Restricted_laplacian_3Targets
@@ -71,6 +72,12 @@ if(TARGET Restricted_laplacian_3_compiled)
     "${PROJECT_BINARY_DIR}/restricted_laplacian_3_compiled.pc" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/restricted_laplacian_3_compiled.pc"
     DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT compiled)
+endif()
+
+# the viewer for HTML pages, which programs and examples of users put their surfaces into
+if(TARGET viewer)
+  get_property(viewer GLOBAL PROPERTY RESTRICTED_LAPLACIAN_3_VIEWER)
+  install(FILES "${viewer}" DESTINATION "${CMAKE_INSTALL_DATADIR}/Restricted_laplacian_3" OPTIONAL)
 endif()
 
 # documentation

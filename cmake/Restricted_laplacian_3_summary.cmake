@@ -55,6 +55,15 @@ summarize_package("OpenMesh" "${OpenMesh_FOUND}" "found"
   "examples and tests on OpenMesh meshes are off")
 summarize_package("libpng" "${PNG_FOUND}" "${PNG_VERSION_STRING}"
   "the tool draw_mesh, which draws pictures, is off")
+find_package(ZLIB QUIET)
+set(npm_program "")
+if(NODE_PROGRAM AND NPM_PROGRAM)
+  set(npm_program "${NPM_PROGRAM}")
+endif()
+summarize_package("Node.js and npm" "${npm_program}" "${npm_program}"
+  "HTML pages (--html) are off")
+summarize_package("zlib" "${ZLIB_FOUND}" "${ZLIB_VERSION_STRING}"
+  "examples with a command line are off")
 summarize_package("program_options" "${Boost_PROGRAM_OPTIONS_FOUND}" "Boost ${Boost_VERSION}"
   "examples with a command line are off")
 summarize_package("Catch2" "${Catch2_FOUND}" "${Catch2_VERSION}" "unit tests are off")
@@ -69,7 +78,7 @@ if(builds_programs)
   summarize_package("shared meshes" "${RESTRICTED_LAPLACIAN_3_SHARED_MESHES}"
     "${RESTRICTED_LAPLACIAN_3_SHARED_MESHES}" "tests on them are skipped")
 endif()
-foreach(part TESTS EXAMPLES BENCHMARKS DOC)
+foreach(part TESTS EXAMPLES BENCHMARKS VIEWER DOC)
   string(TOLOWER "${part}" name)
   summarize("${name}" "${RESTRICTED_LAPLACIAN_3_BUILD_${part}}")
 endforeach()

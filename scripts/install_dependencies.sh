@@ -14,13 +14,18 @@ packages=(
   g++ make cmake
   libcgal-dev libcgal-demo libeigen3-dev libboost-program-options-dev
   libsuitesparse-dev libopenblas-dev libspectra-dev libtbb-dev
-  libopenmesh-dev libpng-dev
+  libopenmesh-dev libpng-dev zlib1g-dev
 )
 others=(
   pkg-config ccache clang libclang-rt-14-dev llvm clang-format catch2
   libbenchmark-dev libhypre-dev
   doxygen libjs-mathjax python3 python3-dev python3-venv hunspell hunspell-en-us
+  chromium
 )
+# Node.js bundles the viewer for HTML pages. Whoever has it from elsewhere keeps it.
+if ! command -v npm >/dev/null; then
+  packages+=(nodejs npm)
+fi
 case "$*" in
   '') packages+=("${others[@]}") ;;
   --programs) ;;

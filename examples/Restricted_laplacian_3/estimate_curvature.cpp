@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace examples;
@@ -121,6 +122,11 @@ Outcome estimate(Job& job, const Options& o) {
       job.summary.add(name + "_maximum", range.high);
     }
   }
+  for(const auto column : result.values.colwise()) {
+    const Color_scale clipped = clipped_scale({column.begin(), column.end()}, o.clip / 100);
+    result.page.ranges.emplace_back(std::pair(clipped.low(), clipped.high()));
+  }
+  result.page.first = o.show == "mean" ? 0 : 1;
   const Eigen::Index shown = o.show == "mean" ? 0 : 1;
   const auto column = result.values.col(shown);
   const Color_scale scale = clipped_scale({column.begin(), column.end()}, o.clip / 100);

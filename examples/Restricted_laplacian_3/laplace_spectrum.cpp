@@ -23,7 +23,9 @@
 #include <cstdint>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace examples;
@@ -62,7 +64,9 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("mass", po::value(&o.mass)->value_name("lumped|full")->default_value(o.mass),
       "mass matrix of --operator cotangent");
   add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
-      "index, from 0, of the eigenfunction for --output");
+      "index, from 0, of the eigenfunction for --output, and the first one that --html shows, "
+      "which has "
+      "all of them");
   po::options_description all(help_width);
   all.add(problem)
       .add(eigensolver_options(o))
@@ -88,6 +92,18 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   return true;
 }
 
+// lets --html show all eigenfunctions
+void show_eigenfunctions(const Eigen::VectorXd& eigenvalues, Eigen::MatrixXd at_vertices,
+                         const Options& o, Outcome& result) {
+  for(Eigen::Index i = 0; i < eigenvalues.size(); ++i) {
+    std::ostringstream name;
+    name << "eigenfunction " << i << ", eigenvalue " << std::setprecision(6) << eigenvalues[i];
+    result.page.names.push_back(name.str());
+  }
+  result.page.values = std::move(at_vertices);
+  result.page.first = static_cast<std::size_t>(o.eigenfunction);
+}
+
 // Each of these two returns the eigenvalues that were found, and sets `result` to the eigenfunction
 // that the options ask for.
 RL::Eigenpairs solve_restricted(Job& job, const Options& o, Outcome& result) {
@@ -97,6 +113,13 @@ RL::Eigenpairs solve_restricted(Job& job, const Options& o, Outcome& result) {
     const Eigen::VectorXd u = pairs.vectors.col(o.eigenfunction);
     result = outcome(RL::Spline_function_3(space, u).values_at_vertices());
     result.set_splines(space, u);
+  }
+  if(!o.html.empty()) {
+    RL::Spline_functions_3 functions(space, pairs.vectors);
+    show_eigenfunctions(pairs.values, functions.values_at_vertices(), o, result);
+    result.page.values_at = [functions = std::move(functions)](const auto& locations) {
+      return functions.values_at_locations(locations);
+    };
   }
   return pairs;
 }
@@ -119,13 +142,19 @@ RL::Eigenpairs solve_cotangent(Job& job, const Options& o, Outcome& result) {
   job.summary.add_detail("iterations", pairs.iterations);
   job.summary.add_detail("relative_residual",
                          pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
-  std::vector<double> u(surface.number_of_vertices(), std::nan(""));
-  if(o.eigenfunction < pairs.values.size())
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      if(!surface.is_degenerate(f))
-        for(const std::uint32_t vertex : surface.triangle(f))
-          u[vertex] = pairs.vectors(vertex, o.eigenfunction);
-  result = outcome(u);
+  // nothing at vertices without a face
+  Eigen::MatrixXd u = Eigen::MatrixXd::Constant(
+      static_cast<Eigen::Index>(surface.number_of_vertices()), pairs.values.size(), std::nan(""));
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    if(!surface.is_degenerate(f))
+      for(const std::uint32_t vertex : surface.triangle(f))
+        u.row(vertex) = pairs.vectors.row(vertex);
+  if(o.eigenfunction < pairs.values.size()) {
+    const auto column = u.col(o.eigenfunction);
+    result = outcome({column.begin(), column.end()});
+  }
+  if(!o.html.empty())
+    show_eigenfunctions(pairs.values, std::move(u), o, result);
   return pairs;
 }
 

@@ -171,6 +171,7 @@ Outcome solve(Job& job, const Options& o) {
   job.summary.add("maximum", range.high);
   job.summary.add("mean", surface_mean(surface, u));
   Outcome result = outcome(u);
+  result.page.isolines = 20;
   result.set_splines(space, solution.coefficients);
   return result;
 }

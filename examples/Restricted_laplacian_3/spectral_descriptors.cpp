@@ -140,8 +140,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(std::isfinite(o.energy), "the argument of --energy must be a finite number");
   require(!o.is_column_given || o.is_of_vertices(), "shape-dna has no --column");
   require(o.column >= 0, "the argument of --column must not be negative");
-  require(o.is_of_vertices() || o.output.empty(),
-          "--output needs a descriptor of vertices, and shape-dna is none");
+  require(o.is_of_vertices() || (o.output.empty() && o.html.empty()),
+          "--output and --html need a descriptor of vertices, and shape-dna is none");
   return true;
 }
 
@@ -223,19 +223,19 @@ Descriptor descriptor_of(const RL::Laplace_spectrum& spectrum, const Options& o)
                                  : embedding(spectrum, o);
 }
 
-// a column of the descriptor at locations, some at a time
-Eigen::MatrixXd column_at(Spectrum spectrum, const std::vector<RL::Surface_location>& locations,
-                          const Options& o, Eigen::Index column) {
+// some columns of the descriptor at locations, some at a time
+Eigen::MatrixXd columns_at(Spectrum spectrum, const std::vector<RL::Surface_location>& locations,
+                           const Options& o, Eigen::Index first_column, Eigen::Index columns) {
   constexpr std::size_t block = 4096;
   const RL::Spline_functions_3 functions(*spectrum.space, spectrum.pairs.vectors);
-  Eigen::MatrixXd values(static_cast<Eigen::Index>(locations.size()), 1);
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(locations.size()), columns);
   for(std::size_t first = 0; first < locations.size(); first += block) {
     const std::size_t number = std::min(block, locations.size() - first);
     const auto begin = locations.begin() + static_cast<std::ptrdiff_t>(first);
     spectrum.vertex_values = functions.values_at_locations(
         std::vector<RL::Surface_location>(begin, begin + static_cast<std::ptrdiff_t>(number)));
     values.middleRows(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(number)) =
-        descriptor_of(spectrum, o).values.col(column);
+        descriptor_of(spectrum, o).values.middleCols(first_column, columns);
   }
   return values;
 }
@@ -260,8 +260,14 @@ Outcome describe_vertices(const Spectrum& spectrum, const Options& o, Job& job) 
   Outcome result = outcome(values);
   result.cell_width = spectrum.space->octree().cell_width(spectrum.space->depth());
   result.values_at = [spectrum, &o, column](const std::vector<RL::Surface_location>& locations) {
-    return column_at(spectrum, locations, o, column);
+    return columns_at(spectrum, locations, o, column, 1);
   };
+  result.page.names = d.columns;
+  result.page.values = d.values;
+  result.page.values_at = [spectrum, &o, n = d.values.cols()](const auto& locations) {
+    return columns_at(spectrum, locations, o, 0, n);
+  };
+  result.page.first = static_cast<std::size_t>(column);
   result.write_table = [d](const std::string& file, const Summary& lines) {
     write_csv(file, lines, "vertex", d.columns, d.values);
   };

@@ -244,6 +244,7 @@ Outcome stitch(Job& job, const Options& o) {
   for(std::size_t v = 0; v < found.colors.size(); ++v)
     for(std::size_t k = 0; k < 3; ++k)
       table(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(k)) = found.colors[v][k];
+  result.page.colors = found.colors;
   result.paint = [colors = std::move(found.colors)](const Eigen::MatrixXd&) { return colors; };
   result.write_table = [table](const std::string& file, const Summary& lines) {
     write_csv(file, lines, "vertex", {"red", "green", "blue"}, table);

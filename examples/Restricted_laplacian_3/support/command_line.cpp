@@ -3,6 +3,8 @@
 
 #include "command_line.h"
 
+#include "viewer_page.h"
+
 #include <CGAL/Restricted_laplacian_3/version.h>
 
 #include <CGAL/version.h>
@@ -57,6 +59,8 @@ po::options_description integration_options(Common_options& o) {
   return description;
 }
 
+std::string viewer_file() { return RESTRICTED_LAPLACIAN_3_VIEWER; }
+
 po::options_description output_options(Common_options& o, const std::string& table,
                                        const std::string& properties) {
   po::options_description description("Output", help_width);
@@ -67,6 +71,10 @@ po::options_description output_options(Common_options& o, const std::string& tab
       ("write the mesh with colors: as binary PLY (.ply) with, at its vertices, " + properties +
        "; or as OBJ (.obj), without these")
           .c_str());
+  add("html", po::value(&o.html)->value_name("FILE"),
+      "write a page (.html) that shows the mesh and its values in a browser, to be turned around: "
+      "one "
+      "file, which needs no network");
   return description;
 }
 
@@ -75,7 +83,8 @@ po::options_description spline_output_options(Common_options& o, const std::stri
   po::options_description description = output_options(o, table, properties);
   auto add = description.add_options();
   add("refine", po::value(&o.refine)->value_name("N"),
-      "divide the faces of the mesh of --output until no side is longer than 1/N of the width of a "
+      "divide the faces of the mesh of --output and --html until no side is longer than 1/N of the "
+      "width of a "
       "cell of the octree, and evaluate the splines at all of its vertices: what it shows does not "
       "depend on the faces of MESH then");
   return description;
@@ -191,9 +200,13 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
   require_positive(given, "threads", o.threads);
   require(given.count("refine") == 0 || (o.refine >= 1 && o.refine <= 64),
           "the argument of --refine must lie between 1 and 64");
-  require(given.count("refine") == 0 || !o.output.empty(), "--refine needs --output");
+  require(given.count("refine") == 0 || !o.output.empty() || !o.html.empty(),
+          "--refine needs --output or --html");
   check_output("--csv", o.csv);
   check_output("--output", o.output, {".ply", ".obj"});
+  check_output("--html", o.html, {".html", ".htm"});
+  if(!o.html.empty())
+    check_viewer(viewer_file());
   require(o.csv.empty() || o.csv != o.output, "--csv and --output name the same file");
   return true;
 }

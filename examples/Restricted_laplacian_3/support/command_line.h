@@ -38,7 +38,7 @@ struct Common_options {
   long long samples = 1000000;
   long long seed = 0;
   int threads = 0; // all
-  std::string csv, output;
+  std::string csv, output, html;
   int refine = 0; // the mesh of output as it is
   bool quiet = false, verbose = false, progress = false;
 };
@@ -60,6 +60,9 @@ struct Help {
 po::options_description space_options(Common_options& o);
 
 po::options_description integration_options(Common_options& o);
+
+// the viewer for --html, see viewer_page.h
+std::string viewer_file();
 
 // `table` says what --csv writes, and `properties` which properties of vertices --output writes.
 po::options_description output_options(Common_options& o, const std::string& table,

@@ -16,6 +16,7 @@
 #include "refined_surface.h"
 #include "space.h"
 #include "table.h"
+#include "viewer_page.h"
 
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -33,9 +34,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -64,6 +67,23 @@ private:
 #endif
 };
 
+// What --html shows, if it is more than what --output writes.
+struct Page_contents {
+  // at the vertices: a column for each name; those of `Outcome` if there is none
+  std::vector<std::string> names;
+  Eigen::MatrixXd values;
+  // such values anywhere on the surface, for --refine
+  Values_at values_at;
+  // for each column, the values that have the first and the last color, if these are not the
+  // smallest and the largest value; may be shorter
+  std::vector<std::optional<std::pair<double, double>>> ranges;
+  // the column that is shown first, and about how many isolines
+  std::size_t first = 0;
+  int isolines = 0;
+  // colors at the vertices, to be shown before all columns
+  std::vector<Color> colors;
+};
+
 // What a program found.
 struct Outcome {
   // at the vertices: a column for each name
@@ -74,6 +94,7 @@ struct Outcome {
   // such values anywhere on the surface, and the width of the cells, for --refine
   Values_at values_at;
   double cell_width = 0;
+  Page_contents page;
   // writes a table of something else; by default it is that of the values
   std::function<void(const std::string& file, const Summary& summary)> write_table;
   // writes more files
@@ -161,18 +182,58 @@ private:
   std::string m_failure;
 };
 
-inline void write_results(const Common_options& o, const Summary& summary,
-                          const RL::Triangulated_surface_3& surface, const Outcome& outcome) {
+// Writes the page of --html. `refined` is the surface to show in place of the other, if there is
+// one.
+inline void write_html(const std::string& program, const Common_options& o,
+                       const RL::Triangulated_surface_3& surface, const Outcome& outcome,
+                       const Refined_surface* refined) {
+  const Page_contents& contents = outcome.page;
+  const bool is_own = !contents.names.empty();
+  const std::vector<std::string>& names = is_own ? contents.names : outcome.names;
+  const Eigen::MatrixXd values =
+      refined  ? values_at_vertices(*refined, is_own ? contents.values_at : outcome.values_at)
+      : is_own ? contents.values
+               : outcome.values;
+  Viewer_page page;
+  const std::string mesh = std::filesystem::path(o.mesh).filename().string();
+  page.title = program + ' ' + mesh;
+  page.first_field = contents.first;
+  page.isolines = contents.isolines;
+  Viewer_surface shown(mesh, refined ? refined->surface : surface);
+  if(!contents.colors.empty() && !refined) {
+    shown.fields.push_back({"color", {}, true, {}});
+    for(const Color& color : contents.colors)
+      shown.fields.back().values.insert(shown.fields.back().values.end(), color.begin(),
+                                        color.end());
+  }
+  for(std::size_t k = 0; k < names.size(); ++k) {
+    const auto column = values.col(static_cast<Eigen::Index>(k));
+    shown.fields.push_back({names[k], {column.begin(), column.end()}, false, {}});
+    if(k < contents.ranges.size())
+      shown.fields.back().range = contents.ranges[k];
+  }
+  page.surfaces.push_back(std::move(shown));
+  const std::string viewer = read_viewer(viewer_file());
+  write_file(o.html, [&](std::ostream& out) { write_viewer_page(out, viewer, page); });
+}
+
+inline void write_results(const std::string& program, const Common_options& o,
+                          const Summary& summary, const RL::Triangulated_surface_3& surface,
+                          const Outcome& outcome) {
   if(!o.csv.empty() && outcome.write_table)
     outcome.write_table(o.csv, summary);
   else if(!o.csv.empty())
     write_csv(o.csv, summary, "vertex", outcome.names, outcome.values);
-  if(o.refine > 0 && outcome.values_at) {
-    const Refined_surface refined = refine(surface, outcome.cell_width / o.refine);
-    const Eigen::MatrixXd values = values_at_vertices(refined, outcome.values_at);
-    write_mesh(o.output, refined.surface, outcome.paint(values), outcome.names, values);
+  std::optional<Refined_surface> refined;
+  if(o.refine > 0 && outcome.values_at)
+    refined = refine(surface, outcome.cell_width / o.refine);
+  if(!o.output.empty() && refined) {
+    const Eigen::MatrixXd values = values_at_vertices(*refined, outcome.values_at);
+    write_mesh(o.output, refined->surface, outcome.paint(values), outcome.names, values);
   } else if(!o.output.empty())
     write_mesh(o.output, surface, outcome.paint(outcome.values), outcome.names, outcome.values);
+  if(!o.html.empty())
+    write_html(program, o, surface, outcome, refined ? &*refined : nullptr);
   if(outcome.write_more)
     outcome.write_more();
 }
@@ -200,7 +261,7 @@ int run_on_surface(const std::string& program, const Options& o, const po::varia
   summary.add("seconds", job.seconds());
 
   progress.show("writing the results");
-  write_results(o, summary, input.surface, outcome);
+  write_results(program, o, summary, input.surface, outcome);
   progress.show("");
   if(!o.quiet) {
     summary.print(std::cout, o.verbose);

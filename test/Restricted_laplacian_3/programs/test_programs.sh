@@ -152,7 +152,7 @@ awk 'NR > 2 && NF == 3 { print 9 * $1, 9 * $2, 9 * $3; next } { print }' OFMT=%.
 
 # The tests.
 
-common_options="depth cube-scale unsplit join paper csv output threads quiet verbose progress help
+common_options="depth cube-scale unsplit join paper csv output html threads quiet verbose progress help
   version"
 integration_options="assembly samples sampling seed"
 point_options="neighbors split-points"
