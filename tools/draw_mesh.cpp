@@ -8,13 +8,17 @@
 #include "../examples/Restricted_laplacian_3/support/point_input.h"
 #include "../examples/Restricted_laplacian_3/support/program.h"
 #include "../examples/Restricted_laplacian_3/support/vertex_data.h"
+#include "../examples/Restricted_laplacian_3/support/viewer_page.h"
 #include "picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace examples;
@@ -23,8 +27,10 @@ const Help help = {"draw_mesh MESH PICTURE [OPTION]...", R"(
 Draws a mesh in the colors of its vertices, or in gray if it has none.
 
 MESH is a file of one of the formats off, obj, ply, stl and ts, or points with normals, as
-the programs read them. PICTURE is a PNG file (.png). The mesh is seen from the front,
-somewhat from above and from the right, in parallel projection.
+the programs read them. PICTURE is a PNG file (.png): the mesh is seen from the front,
+somewhat from above and from the right, in parallel projection. Or it is a page (.html)
+that shows the mesh in a browser, to be turned around, with all vertex properties of a PLY
+file; and other meshes beside it.
 
 Values are linear in each face. Level lines are those of a spline if the program that wrote
 MESH was given --refine, which divides large faces.
@@ -35,6 +41,8 @@ MESH was given --refine, which divides large faces.
       values in colors of a given range, with a legend, seen from below
   draw_mesh gaussian.ply gaussian.png --property gaussian
       a property, in colors of its own
+  draw_mesh u.ply pair.html --beside gaussian.ply
+      two meshes side by side, to be turned around in a browser
 )",
                    R"(  0  all went well
   1  an error, which one line on the error stream names
@@ -42,10 +50,13 @@ MESH was given --refine, which divides large faces.
 
 struct Options {
   std::string mesh, picture, property, up = "y";
+  std::vector<std::string> beside;
   std::vector<double> view, range; // empty if they are not given
   int isolines = 0, size = 1000;
   bool no_legend = false;
 };
+
+bool is_page(const Options& o) { return extension(o.picture) != ".png"; }
 
 // `number` numbers between commas
 std::vector<double> numbers(const std::string& option, const std::string& text,
@@ -84,6 +95,8 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("view", po::value(&view)->value_name("X,Y,Z"),
       "see the mesh from this direction, for example 0,0,1");
   add("up", po::value(&o.up)->value_name("y|z")->default_value(o.up), "the axis that points up");
+  add("beside", po::value(&o.beside)->multitoken()->value_name("MESH..."),
+      "meshes that a page shows beside the first one, with the same camera and colors");
   add("size", po::value(&o.size)->value_name("N")->default_value(o.size),
       "pixels of the longer side, without the legend");
   add_help_options(options);
@@ -110,8 +123,49 @@ bool read_options(int argc, char* argv[], Options& o) {
     o.range = numbers("range", range, 2);
     require(o.range[0] < o.range[1], "the argument of --range must be LOW,HIGH with LOW < HIGH");
   }
-  check_output("PICTURE", o.picture, {".png"});
+  check_output("PICTURE", o.picture, {".png", ".html", ".htm"});
+  if(is_page(o)) {
+    check_viewer(viewer_file());
+    for(const char* option : {"view", "no-legend", "size"})
+      require(given.count(option) == 0 || given[option].defaulted(),
+              "--" + std::string(option) + " needs a PNG file, not a page");
+  } else
+    require(o.beside.empty(), "--beside needs a page (.html), not a PNG file");
   return true;
+}
+
+// a surface in a file with all that is known at its vertices, the property of the options first
+Viewer_surface viewer_surface(const std::string& mesh, const Options& o) {
+  Viewer_surface result(std::filesystem::path(mesh).filename().string(),
+                        read_mesh_or_points(mesh).surface);
+  for(auto& [name, values] : read_ply_properties(mesh)) {
+    const bool is_first = name == o.property;
+    Viewer_field field = {name, std::move(values), false, {}};
+    if(is_first && !o.range.empty())
+      field.range = std::pair(o.range[0], o.range[1]);
+    result.fields.insert(is_first ? result.fields.begin() : result.fields.end(), std::move(field));
+  }
+  require(o.property.empty() || (!result.fields.empty() && result.fields[0].name == o.property),
+          "'" + mesh + "' is not a PLY file with a vertex property '" + o.property + "'");
+  if(has_colors(mesh)) {
+    Viewer_field field = {"color", {}, true, {}};
+    for(const Color& color : read_colors(mesh))
+      field.values.insert(field.values.end(), color.begin(), color.end());
+    result.fields.push_back(std::move(field));
+  }
+  return result;
+}
+
+void write_page(const Options& o) {
+  Viewer_page page;
+  page.title = std::filesystem::path(o.mesh).filename().string();
+  page.isolines = o.isolines;
+  page.up = o.up[0];
+  page.surfaces.push_back(viewer_surface(o.mesh, o));
+  for(const std::string& mesh : o.beside)
+    page.surfaces.push_back(viewer_surface(mesh, o));
+  const std::string viewer = read_viewer(viewer_file());
+  write_file(o.picture, [&](std::ostream& out) { write_viewer_page(out, viewer, page); });
 }
 
 int main(int argc, char* argv[]) {
@@ -119,6 +173,10 @@ int main(int argc, char* argv[]) {
     Options o;
     if(!read_options(argc, argv, o))
       return success;
+    if(is_page(o)) {
+      write_page(o);
+      return success;
+    }
     const RL::Triangulated_surface_3 surface = read_mesh_or_points(o.mesh).surface;
     const std::size_t number = surface.number_of_vertices();
     std::vector<double> values(number, 0.);

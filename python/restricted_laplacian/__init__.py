@@ -27,14 +27,15 @@ from ._spectra import (Spectrum, biharmonic_embedding, diffusion_map, eigs,
                        heat_trace, laplace_spectrum, number_of_zero_eigenvalues, shape_dna,
                        wave_kernel_signature)
 from ._textures import Scan, stitch_colors
+from ._view import View, to_polyscope
 
 __all__ = [
     "Canceled", "ConvergenceError", "Corners", "Curvature", "DistanceFunction", "Distances",
     "Geodesics", "InputError", "Operators", "Path", "PoissonSolver", "Report", "Scan", "Space",
-    "Spectrum", "SplineFunction", "__version__", "biharmonic_embedding", "curvature",
+    "Spectrum", "SplineFunction", "View", "__version__", "biharmonic_embedding", "curvature",
     "diffusion_map", "eigs", "farthest_points", "fit_function", "geodesic_distance",
     "global_point_signature", "heat_kernel_signature", "heat_kernel_times", "heat_trace",
     "icosphere", "integrate_gradient", "laplace_spectrum", "number_of_zero_eigenvalues",
     "read_mesh", "shape_dna", "shortest_path", "solve_poisson", "solve_screened_poisson",
-    "stitch_colors", "wave_kernel_signature",
+    "stitch_colors", "to_polyscope", "wave_kernel_signature",
 ]

@@ -13,6 +13,7 @@ from . import _core
 from ._errors import argument_error
 from ._input import make_surface, numbers, rows
 from ._space import Space
+from ._view import View, Viewable, view_of_surface
 
 
 class Distances(NamedTuple):
@@ -77,7 +78,7 @@ def _sources(sources: Any, points: Any, segments: Any, boundary: bool, labels: A
             bool(boundary), own_labels)
 
 
-class DistanceFunction:
+class DistanceFunction(Viewable):
     """The distance from sources anywhere on a surface, what `Geodesics.function` returns.
 
     Examples
@@ -91,6 +92,7 @@ class DistanceFunction:
     """
 
     def __init__(self, geodesics: "Geodesics", function: Any) -> None:
+        self._surface = geodesics._surface
         self._solver = geodesics._solver
         self._function = function
 
@@ -126,6 +128,24 @@ class DistanceFunction:
             raise argument_error("start", "must be one point")
         points, length, *segments = self._function.shortest_path(int(face[0]), place)
         return Path(points, length, tuple(segments))
+
+    def view(self, *, longest_side: float = 0, **options: Any) -> View:
+        """A `View` of the distance.
+
+        Parameters
+        ----------
+        longest_side : float
+            Divides faces until no side is longer, with distances at all vertices; 0 leaves the faces
+            as they are.
+        options
+            Of `View`.
+        """
+        if not longest_side >= 0:
+            raise argument_error("longest_side", "must not be negative")
+        surface = self._surface
+        values = self._function.vertex_values()[:, np.newaxis]
+        return view_of_surface(surface, ["distance"], values, self, longest_side,
+                               {"title": "Distance", "isolines": 20, **options})
 
     def isolines(self, value: float) -> list[Path]:
         """The lines on which the distance has a value."""

@@ -13,6 +13,7 @@ import scipy.sparse
 from . import _core
 from ._errors import ConvergenceError, InputError, argument_error
 from ._input import Progress, as_function, listener, make_surface, number_of_threads, numbers, rows
+from ._view import View, Viewable, view_of_surface
 
 
 class Report(dict):
@@ -255,7 +256,7 @@ class Space:
         return SplineFunction(self, coefficients)
 
 
-class SplineFunction:
+class SplineFunction(Viewable):
     """One function of a space, or several: it can be evaluated anywhere on the surface.
 
     Parameters
@@ -298,6 +299,30 @@ class SplineFunction:
         g = np.stack(d, axis=1)  # (N, 3, K)
         g = g - normals[:, :, np.newaxis] * np.einsum("nik,ni->nk", g, normals)[:, np.newaxis, :]
         return g[:, :, 0] if self.coefficients.ndim == 1 else g
+
+    def view(self, *, refine: int = 0, names: Any = None, **options: Any) -> View:
+        """A `View` of the functions.
+
+        Parameters
+        ----------
+        refine : int
+            N divides faces until no side is longer than 1/N of the width of a cell, with values of the
+            spline at all vertices; 0 leaves the faces as they are.
+        names : list of str, optional
+            Of the functions.
+        options
+            Of `View`.
+        """
+        number = self._rows.shape[1]
+        if names is None:
+            names = ["value"] if number == 1 else [f"value {k}" for k in range(number)]
+        elif len(names) != number:
+            raise argument_error("names", f"has {len(names)} names of {number} functions")
+        if not 0 <= refine <= 64:
+            raise argument_error("refine", "must lie between 0 and 64")
+        values = self.at_vertices().reshape(-1, number)
+        side = self.space.cell_width / refine if refine else 0.0
+        return view_of_surface(self.space._surface, list(names), values, self, side, options)
 
     def gradients(self, faces: Any, barycentric: Any = None) -> np.ndarray:
         """Gradients along the surface at points of faces: (N, 3), or (N, 3, K)."""

@@ -14,10 +14,11 @@ from . import _core
 from ._errors import argument_error
 from ._input import Progress, listener, number_of_threads, numbers
 from ._space import Report, SplineFunction, Space, checked, solver_options, space_of
+from ._view import View, Viewable
 
 
 @dataclass(frozen=True)
-class Spectrum:
+class Spectrum(Viewable):
     """The low end of the spectrum of minus the Laplacian.
 
     Attributes
@@ -43,6 +44,13 @@ class Spectrum:
     def functions(self) -> SplineFunction:
         """The eigenfunctions, to be evaluated anywhere."""
         return self.space.function(self.coefficients)
+
+    def view(self, *, refine: int = 0, **options: Any) -> View:
+        """A `View` of the eigenfunctions, see `SplineFunction.view`."""
+        names = [f"eigenfunction {i}, eigenvalue {x:.6g}" for i, x in enumerate(self.eigenvalues)]
+        return self.functions().view(refine=refine, names=names,
+                                     **{"title": "Eigenfunctions",
+                                        "first": min(1, len(names) - 1), **options})
 
 
 def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",

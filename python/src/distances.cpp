@@ -93,6 +93,10 @@ nb::tuple distances(const RL::Geodesic_solver& solver, const Integers& vertices,
 class Distance_function {
 public:
   explicit Distance_function(RL::Geodesic_function function) : m_function(std::move(function)) {}
+
+  nb::object vertex_values() const {
+    return array_of_rows(std::vector<double>(m_function.distances().distances), 1);
+  }
   explicit Distance_function(RL::Geodesic_spline spline)
     : m_function(spline.function()), m_spline(std::move(spline)) {}
 
@@ -210,6 +214,7 @@ void add_distances(nb::module_& m) {
   nb::class_<RL::Geodesic_fitter>(m, "GeodesicFitter")
       .def_static("make", &make_fitter, "space"_a, "threads"_a);
   nb::class_<Distance_function>(m, "DistanceFunction")
+      .def("vertex_values", &Distance_function::vertex_values)
       .def("values", &Distance_function::values, "faces"_a, "barycentric"_a)
       .def("gradients", &Distance_function::gradients, "faces"_a, "barycentric"_a)
       .def("shortest_path", &Distance_function::shortest_path, "face"_a, "barycentric"_a)

@@ -82,4 +82,5 @@ NB_MODULE(_core, m) {
   python::add_problems(m);
   python::add_spectra(m);
   python::add_textures(m);
+  python::add_views(m);
 }

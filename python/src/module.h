@@ -159,6 +159,7 @@ void add_surfaces(nb::module_& m);
 void add_problems(nb::module_& m);
 void add_spectra(nb::module_& m);
 void add_textures(nb::module_& m);
+void add_views(nb::module_& m);
 
 } // namespace python
 

@@ -61,6 +61,8 @@ def test_code_of_the_manual(tmp_path, monkeypatch):
     (tmp_path / "elephant.off").write_bytes(data_file("elephant.off").read_bytes())
     monkeypatch.chdir(tmp_path)
     names: dict = {}
+    if not pathlib.Path(rl.__file__).with_name("viewer.html").exists():
+        blocks = [block for block in blocks if "save_html" not in block]
     for block in blocks:
         exec(compile(block, "Python.txt", "exec"), names)
     assert names["values"].shape == names["V"].shape

@@ -39,8 +39,15 @@ export function shownRange(range, mapName) {
     low = -high;
   }
   // a difference this small, relative to the values, is rounding: a constant is painted evenly
-  const width = Math.max(high - low, 1e-9 * Math.max(Math.abs(low), Math.abs(high)));
-  return [low, low + (width > 0 ? width : 1)];
+  const largest = Math.max(Math.abs(low), Math.abs(high));
+  const smallest = 1e-290; // differences below lose digits
+  if (high / 2 - low / 2 > Math.max(0.5e-9 * largest, smallest)) return [low, high];
+  return [low, low + (largest > 1e9 * smallest ? 1e-9 * largest : 1)];
+}
+
+// where a value lies in a range, from 0 to 1; the halves do not overflow
+export function fractionOf(value, [low, high]) {
+  return (value / 2 - low / 2) / (high / 2 - low / 2);
 }
 
 export function defaultMap(range) {
@@ -50,11 +57,11 @@ export function defaultMap(range) {
 
 // about `number` levels at round numbers in a range, and the distance between them
 export function roundLevels([low, high], number) {
-  const raw = (high - low) / number;
+  const raw = high / number - low / number;
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = power * [1, 2, 5, 10].find((factor) => factor * power >= 0.999 * raw);
   const levels = [];
-  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * (high - low); ++k) levels.push(k * step);
+  for (let k = Math.ceil(low / step - 1e-9); (k - 1e-9) * step <= high; ++k) levels.push(k * step);
   return { step, levels };
 }
 

@@ -3,7 +3,7 @@
 
 // Reads the scene that a program has put into the page, see viewer_page.h for how it is written.
 
-const codeOfNaN = 0, codeOfInfinity = 1, codeOfMinusInfinity = 2, firstCode = 3;
+const codeOfInfinity = 1, codeOfMinusInfinity = 2, firstCode = 3, steps = 2 ** 24 - 1 - firstCode;
 
 async function inflated(base64) {
   const text = atob(base64);
@@ -35,8 +35,11 @@ class Integers {
   }
 }
 
-function numberOf(code, low, step) {
-  if (code >= firstCode) return low + step * (code - firstCode);
+function numberOf(code, low, high) {
+  if (code >= firstCode) {
+    const t = (code - firstCode) / steps;
+    return low === high ? low : low * (1 - t) + high * t; // whose difference may overflow
+  }
   return code === codeOfInfinity ? Infinity : code === codeOfMinusInfinity ? -Infinity : NaN;
 }
 
@@ -44,7 +47,7 @@ function decodedField(field, integers, vertices) {
   if (field.kind === 'colors')
     return { ...field, colors: Uint8Array.from(integers.take(3 * vertices, 3, field.planes)) };
   const codes = integers.take(vertices, 1, field.planes);
-  return { ...field, valueOf: (vertex) => numberOf(codes[vertex], field.low, field.step), codes };
+  return { ...field, valueOf: (vertex) => numberOf(codes[vertex], field.low, field.high) };
 }
 
 // The surfaces of a page: positions in coordinates of the file less `center`, for which single

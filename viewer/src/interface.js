@@ -3,7 +3,7 @@
 
 // What lies around the canvas: title, color bar, slider, options, keys, and the reading under the pointer.
 
-import { colorAt, formatted, roundLevels } from './colors.js';
+import { colorAt, formatted, fractionOf, roundLevels } from './colors.js';
 
 function element(tag, properties = {}, ...children) {
   const result = Object.assign(document.createElement(tag), properties);
@@ -224,7 +224,7 @@ export class Interface {
     const { step, levels } = roundLevels(view.range, room);
     // digits that tell one number from the next
     const digits = Math.min(12, Math.max(1, 1 + Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / step))));
-    const inner = levels.map((level) => [level, (level - low) / (high - low)])
+    const inner = levels.map((level) => [level, fractionOf(level, view.range)])
       .filter(([, t]) => Math.min(t, 1 - t) * this.bar.clientWidth > 60);
     this.ticks.replaceChildren(...[[low, 0], ...inner, [high, 1]].map(([level, t]) => {
       const isEnd = t === 0 || t === 1;

@@ -8,7 +8,7 @@ import {
   LineSegments, LinearFilter, Matrix4, Mesh, Points, RGBAFormat, ShaderMaterial, UnsignedByteType,
   Vector2, Vector3,
 } from 'three';
-import { colorOfNothing, colorTable, defaultMap, shownRange } from './colors.js';
+import { colorOfNothing, colorTable, defaultMap, fractionOf, shownRange } from './colors.js';
 import { edgesOf, firstHit, firstPoint, shadedCorners } from './geometry.js';
 
 const nothing = -1e30; // the value of a vertex without one
@@ -150,11 +150,10 @@ export class SurfaceView {
     const range = options.range ?? field.range;
     this.mapName = options.map === 'auto' ? defaultMap(range) : options.map;
     this.range = shownRange(range, this.mapName);
-    const [low, high] = this.range;
     const values = this.geometry.getAttribute('value').array;
     for (let v = 0; v < values.length; ++v) {
       const value = field.valueOf(this.origin ? this.origin[v] : v);
-      values[v] = Number.isFinite(value) ? (value - low) / (high - low) : nothing;
+      values[v] = Number.isFinite(value) ? fractionOf(value, this.range) : nothing;
     }
     this.geometry.getAttribute('value').needsUpdate = true;
     this.table.image.data.set(colorTable(this.mapName, 256));
@@ -164,10 +163,10 @@ export class SurfaceView {
   // Draws lines at multiples of a step; none if it is 0.
   setLevels(step) {
     const isOn = step > 0 && this.field && !this.field.colors;
-    const [low, high] = this.range ?? [0, 1];
-    const width = high - low;
-    this.uniforms.levels.value.set(isOn ? (Math.ceil(low / step) * step - low) / width : 0, isOn ? step / width : 0);
-    this.uniforms.middle.value = isOn && low < 0 && high > 0 ? -low / width : -1;
+    const range = this.range ?? [0, 1];
+    const first = isOn ? fractionOf(Math.ceil(range[0] / step) * step, range) : 0;
+    this.uniforms.levels.value.set(first, isOn ? fractionOf(range[0] + step, range) : 0);
+    this.uniforms.middle.value = isOn && range[0] < 0 && range[1] > 0 ? fractionOf(0, range) : -1;
   }
 
   setLit(isLit) {

@@ -64,11 +64,10 @@ export function handmadePage(name, surfaces, description = {}) {
     if (colors) return { name: fieldName, kind: 'colors', planes: add(colors, 3) };
     const finite = values.filter(Number.isFinite);
     const low = Math.min(...finite, Infinity), high = Math.max(...finite, -Infinity);
-    const step = finite.length > 0 ? (high - low) / 1000 : 0;
     const codes = values.map((x) => (Number.isNaN(x) ? 0 : x === Infinity ? 1 : x === -Infinity ? 2
-      : 3 + (step > 0 ? Math.round((x - low) / step) : 0)));
+      : 3 + (high > low ? Math.round((2 ** 24 - 4) * ((x / 2 - low / 2) / (high / 2 - low / 2))) : 0)));
     const range = finite.length > 0 ? [low, high] : [0, 0];
-    return { name: fieldName, kind: 'numbers', low: range[0], step, range, planes: add(codes, 1) };
+    return { name: fieldName, kind: 'numbers', low: range[0], high: range[1], range, planes: add(codes, 1) };
   };
   const scene = {
     title: name, first: 0, isolines: 0, up: 'y', ...description,

@@ -134,7 +134,8 @@ test('values that are no numbers', async () => {
   const points = [[0, 0, 0], [64, 0, 0], [64, 64, 0], [0, 64, 0]];
   const file = handmadePage('nan', [{
     points, triangles: [[0, 1, 2], [0, 2, 3]],
-    fields: [{ name: 'part', values: [0, 1, 2, NaN] }, { name: 'all', values: [NaN, NaN, NaN, NaN] }, { name: 'constant', values: [3, 3, 3, 3] }],
+    fields: [{ name: 'part', values: [0, 1, 2, NaN] }, { name: 'all', values: [NaN, NaN, NaN, NaN] }, { name: 'constant', values: [3, 3, 3, 3] },
+      { name: 'largest', values: [-1.7e308, 0, 1.7e308, -1.7e308] }, { name: 'smallest', values: [0, 5e-324, 0, 0] }],
   }]);
   const page = await open(browser, file);
   await set(page, plain);
@@ -154,6 +155,10 @@ test('values that are no numbers', async () => {
   await page.keyboard.press('ArrowRight');
   colors = await colorsAt(page, places);
   for (const color of colors) assertColor(color, colorOf(sequential, 0), 1, 'a constant');
+  await set(page, { isolines: 0, field: 3 });
+  const large = await page.evaluate(([x, y]) => globalThis.viewer.stage.pick(x, y).value, places[0]);
+  assertColor((await colorsAt(page, places))[0], colorOf(diverging, 0.5 + large / 2 / 1.7e308), 4, 'huge values');
+  await set(page, { isolines: 20, field: 4 });
   assert.deepEqual(page.complaints, []);
 });
 

@@ -16,16 +16,19 @@
 #include <set>
 #include <sstream>
 #include <streambuf>
+#include <utility>
 
 namespace examples {
 
 namespace internal {
 
-std::map<std::string, std::string> coordinate_types(const std::string& file) {
-  std::map<std::string, std::string> types;
-  if(extension(file) != ".ply")
-    return types;
-  const std::set<std::string> coordinates = {"x", "y", "z", "nx", "ny", "nz"};
+namespace {
+
+const std::set<std::string> coordinates = {"x", "y", "z", "nx", "ny", "nz"};
+
+// names and types of the properties of the vertices of a PLY file; lists are left out
+std::vector<std::pair<std::string, std::string>> vertex_properties(const std::string& file) {
+  std::vector<std::pair<std::string, std::string>> properties;
   std::ifstream in(file, std::ios::binary);
   bool is_in_vertices = false;
   for(std::string line, keyword, type, name; std::getline(in, line) && keyword != "end_header";) {
@@ -33,9 +36,21 @@ std::map<std::string, std::string> coordinate_types(const std::string& file) {
     words >> keyword >> type >> name;
     if(keyword == "element")
       is_in_vertices = type == "vertex" || type == "vertices";
-    else if(keyword == "property" && is_in_vertices && coordinates.count(name) > 0)
-      types[name] = type == "float32" ? "float" : type == "float64" ? "double" : type;
+    else if(keyword == "property" && is_in_vertices && type != "list")
+      properties.emplace_back(name, type);
   }
+  return properties;
+}
+
+} // namespace
+
+std::map<std::string, std::string> coordinate_types(const std::string& file) {
+  std::map<std::string, std::string> types;
+  if(extension(file) != ".ply")
+    return types;
+  for(const auto& [name, type] : vertex_properties(file))
+    if(coordinates.count(name) > 0)
+      types[name] = type == "float32" ? "float" : type == "float64" ? "double" : type;
   for(const char* name : {"x", "y", "z"})
     require(types.count(name) > 0, "'" + file + "' has no vertex property '" + name + "'");
   for(const auto& [name, type] : types)
@@ -110,6 +125,24 @@ Point_set read_points(const std::string& file) {
   const bool is_read = CGAL::IO::read_point_set(file, points);
   require(is_read, "cannot read the points of '" + file + "'. " + catcher.text());
   return points;
+}
+
+std::vector<std::pair<std::string, std::vector<double>>>
+read_ply_properties(const std::string& file) {
+  std::vector<std::pair<std::string, std::vector<double>>> result;
+  if(extension(file) != ".ply")
+    return result;
+  Point_set points = read_points(file);
+  const std::set<std::string> colors = {"red", "green", "blue", "alpha"};
+  for(const auto& property : internal::vertex_properties(file)) {
+    const std::string& name = property.first;
+    if(internal::coordinates.count(name) > 0 || colors.count(name) > 0)
+      continue;
+    std::vector<double> values = internal::property(points, name);
+    if(!values.empty())
+      result.emplace_back(name, std::move(values));
+  }
+  return result;
 }
 
 std::vector<double> read_ply_property(const std::string& file, const std::string& name) {

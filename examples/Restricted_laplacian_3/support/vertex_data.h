@@ -10,6 +10,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace examples {
@@ -21,6 +22,11 @@ namespace internal {
 std::map<std::string, std::string> coordinate_types(const std::string& file);
 
 } // namespace internal
+
+// What a file holds at its vertices beside coordinates, normals and colors: names and values, in
+// the order of the file; nothing, unless it is a PLY file.
+std::vector<std::pair<std::string, std::vector<double>>>
+read_ply_properties(const std::string& file);
 
 // The values of a vertex property of a PLY file, in its order.
 std::vector<double> read_ply_property(const std::string& file, const std::string& name);

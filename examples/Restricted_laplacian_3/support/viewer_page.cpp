@@ -206,8 +206,9 @@ private:
                       : std::isinf(x) ? (x > 0 ? code_of_infinity : code_of_minus_infinity)
                                       : first_code + step_number(x, range.low, step, value_steps));
     const auto shown = field.range.value_or(std::pair(range.low, range.high));
-    m_out << ",\"kind\":\"numbers\",\"low\":" << range.low << ",\"step\":" << step << ",\"range\":["
-          << shown.first << ',' << shown.second << "],\"planes\":" << m_coder.add(codes, 1);
+    m_out << ",\"kind\":\"numbers\",\"low\":" << range.low << ",\"high\":" << range.high
+          << ",\"range\":[" << shown.first << ',' << shown.second
+          << "],\"planes\":" << m_coder.add(codes, 1);
   }
 
   void write_colors(const Viewer_field& field) {

@@ -203,7 +203,7 @@ test_help() {
   explains bake_scans views resolution field-of-view points noise exposure-range exposures tint \
     light linear-light pattern seed quiet version
   check "bake_scans --help rounds its defaults" eval "! grep -q '[09]\{6\}' out"
-  ! has_draw_mesh || explains draw_mesh property range no-legend isolines view up size version
+  ! has_draw_mesh || explains draw_mesh property range no-legend isolines view up beside size version
   for program in solve_poisson bake_scans; do
     succeeds $program --version
     check "$program --version" \
@@ -640,6 +640,55 @@ has_sphere_spectrum() {
       if(NR > 1 && $1 < last) { print "not ascending"; bad = 1 }
       last = $1 }
     END { exit bad || !NR }'
+}
+
+# fields_of PAGE: how many fields its surfaces have
+fields_of() { grep -o '"kind":"[a-z]*"' "$1" | wc -l; }
+
+# What pages look like is tested in a browser, see viewer/tests.
+test_pages() {
+  local program
+  run solve_poisson small.off --depth 3 --html page.html
+  if grep -q 'no viewer' err; then
+    echo "SKIPPED: test_pages: this build has no viewer"
+    return
+  fi
+  check "a page is written" [ "$status" -eq 0 ]
+  check "it is one file without a network" eval "! grep -q -e ' src=' -e '@import' page.html"
+  check "it names program and mesh" grep -q '"title":"solve_poisson small.off"' page.html
+  check "with one field" [ "$(fields_of page.html)" -eq 1 ]
+  succeeds solve_poisson small.off --depth 3 --html again.html --threads 1
+  check "the page does not depend on the number of threads" cmp page.html again.html
+  succeeds solve_poisson small.off --depth 3 --refine 2 --html fine.html
+  check "faces are divided" eval "grep -q '\"faces\":[0-9]\{4\}' fine.html"
+  succeeds laplace_spectrum small.off --depth 3 --count 7 --html page.html
+  check "all eigenfunctions" [ "$(fields_of page.html)" -eq 7 ]
+  succeeds laplace_spectrum small.off --operator cotangent --count 7 --html page.html
+  check "also of the cotangent Laplacian" [ "$(fields_of page.html)" -eq 7 ]
+  succeeds spectral_descriptors small.off --depth 3 --count 9 --columns 5 --refine 1 --html page.html
+  check "all times" [ "$(fields_of page.html)" -eq 5 ]
+  succeeds estimate_curvature small.off --depth 3 --html page.html
+  check "both curvatures" [ "$(fields_of page.html)" -eq 2 ]
+  succeeds geodesic_distance small.off --source 0 --html page.html
+  check "distance and nearest source" [ "$(fields_of page.html)" -eq 2 ]
+  succeeds fit_function small.off --property x,y --depth 3 --html page.html --output xy.ply
+  check "both fits" [ "$(fields_of page.html)" -eq 2 ]
+  cp small.off '<b>&"small".off'
+  succeeds solve_poisson '<b>&"small".off' --depth 3 --html page.html
+  check "a name is no markup" eval "! grep -q '<b>' page.html"
+  if has_draw_mesh; then
+    succeeds draw_mesh xy.ply page.html
+    check "all properties and the colors of a file" [ "$(fields_of page.html)" -eq 3 ]
+    succeeds draw_mesh xy.ply pair.html --property fit_y --range -1,1 --beside xy.ply
+    check "two surfaces" [ "$(fields_of pair.html)" -eq 6 ]
+    fails "fit_y" draw_mesh xy.ply pair.html --property fit_y --beside small.off
+    fails "beside needs a page" draw_mesh xy.ply x.png --beside small.off
+    fails "size needs a PNG" draw_mesh xy.ply x.html --size 200
+  fi
+  fails "html.*no format" solve_poisson small.off --depth 3 --html page.png
+  fails "nowhere/x.html" solve_poisson small.off --depth 3 --html nowhere/x.html
+  check "a page that cannot be written is an error before the work" [ ! -e nowhere ]
+  fails "html need a descriptor" spectral_descriptors small.off --descriptor shape-dna --html x.html
 }
 
 test_spectrum() {

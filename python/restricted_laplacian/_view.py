@@ -1,0 +1,297 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Surfaces to turn around, in a browser or in a cell of a notebook."""
+
+from __future__ import annotations
+
+import html
+import os
+import pathlib
+import tempfile
+import webbrowser
+from typing import Any, Callable, NamedTuple, Optional, Union
+
+import numpy as np
+
+from . import _core
+from ._errors import InputError, argument_error
+from ._input import _mesh_arrays, numbers
+
+_VIEWER = pathlib.Path(__file__).with_name("viewer.html")
+
+# values at the vertices: of one function, of several, or by name
+Fields = Any
+
+
+class _Field(NamedTuple):
+    name: str
+    values: np.ndarray  # (n,), or (n, 3) of a color
+    is_color: bool
+    range: Optional[tuple[float, float]]
+
+
+class _Shown(NamedTuple):
+    name: str
+    points: np.ndarray
+    faces: Optional[np.ndarray]
+    normals: Optional[np.ndarray]
+    fields: list[_Field]
+
+
+def _three_columns(values: Any, name: str) -> np.ndarray:
+    array = numbers(values, name, np.float64)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise argument_error(name, f"has the shape {array.shape}, but must have (n, 3)")
+    return array
+
+
+def _faces(values: Any, number: int) -> np.ndarray:
+    array = numbers(values, "F")
+    if array.size == 0:
+        return np.empty((0, 3), np.uint32)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise argument_error("F", f"has the shape {array.shape}, but must have (m, 3)")
+    outside = (array < 0) | (array >= number)
+    if outside.any():
+        face = int(np.argwhere(outside)[0, 0])
+        error = InputError(f"face {face} names a vertex that does not exist")
+        error.face = face
+        raise error
+    return np.ascontiguousarray(array, np.uint32)
+
+
+def _named(values: Fields) -> list[tuple[str, np.ndarray]]:
+    """Names and values of the columns."""
+    if values is None:
+        return []
+    if isinstance(values, dict):
+        return [(f"{name} {k}" if array.shape[1] > 1 else str(name), array[:, k])
+                for name, v in values.items() for array in [_columns(v, str(name))]
+                for k in range(array.shape[1])]
+    array = _columns(values, "values")
+    return [("value" if array.shape[1] == 1 else f"value {k}", array[:, k])
+            for k in range(array.shape[1])]
+
+
+def _columns(values: Any, name: str) -> np.ndarray:
+    array = numbers(values, name, np.float64)
+    if array.ndim == 1:
+        return array[:, np.newaxis]
+    if array.ndim != 2:
+        raise argument_error(name, f"has {array.ndim} dimensions, but must have one or two")
+    return array
+
+
+def _color_array(colors: Any, number: int) -> np.ndarray:
+    array = numbers(colors, "colors")
+    scale = float(np.iinfo(array.dtype).max) if array.dtype.kind in "iu" else 1.0
+    if array.dtype.kind == "i":  # a type that has no sign is what such numbers come from
+        scale = 255.0
+    if array.shape not in ((number, 3), (number, 4)):
+        raise argument_error("colors", f"has the shape {array.shape}, but must have ({number}, 3)")
+    return np.ascontiguousarray(array[:, :3] / scale, np.float64)
+
+
+class View:
+    """A surface with values at its vertices, to be turned around.
+
+    The last line of a cell of a notebook shows it. There and in files it needs no network.
+
+    Parameters
+    ----------
+    V, F : array_like
+        Points (n, 3) and triangles (m, 3); None for `F` shows points. Or a mesh object as `V`.
+    values : array_like or dict, optional
+        (n,) at the vertices; (n, K) for K functions, which a slider shows one by one; or such arrays
+        by their names. NaN is no value.
+    colors : array_like, optional
+        (n, 3): red, green and blue, whole numbers up to 255 or others up to 1.
+    normals : array_like, optional
+        (n, 3), of points without faces.
+    range : (float, float) or dict, optional
+        Which values have the first and the last color; for each name if it is a dict. By default the
+        smallest and the largest value.
+    name : str
+        Of the surface, where several are shown.
+    title : str
+    isolines : int
+        About so many at first.
+    up : {"y", "z"}
+        The axis that points up.
+    first : int
+        Number of the function that is shown first.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> view = rl.View(V, F, {"z": V[:, 2]}, title="a sphere", isolines=10)
+    >>> both = view.beside(rl.View(V, F, {"x": V[:, 0]}))
+    """
+
+    def __init__(self, V: Any, F: Any = None, values: Fields = None, *, colors: Any = None,
+                 normals: Any = None, range: Any = None, name: str = "", title: str = "Surface",
+                 isolines: int = 0, up: str = "y", first: int = 0) -> None:
+        if F is None and normals is None:
+            V, F = _mesh_arrays(V) or (V, None)
+        points = _three_columns(V, "V")
+        n = len(points)
+        faces = None if F is None else _faces(F, n)
+        if normals is not None:
+            normals = _three_columns(normals, "normals")
+            if len(normals) != n:
+                raise argument_error("normals", f"has {len(normals)} rows, but must have {n}")
+        if up not in ("y", "z"):
+            raise argument_error("up", f"must be y or z, and is {up!r}")
+        fields = []
+        for key, array in _named(values):
+            if len(array) != n:
+                raise argument_error("values", f"has {len(array)} rows, but there are {n} vertices")
+            own = range.get(key) if isinstance(range, dict) else range
+            if own is not None:
+                own = float(own[0]), float(own[1])
+                if not own[0] < own[1]:
+                    raise argument_error("range", "must be two numbers, the smaller one first")
+            fields.append(_Field(key, np.ascontiguousarray(array), False, own))
+        if colors is not None:
+            fields.append(_Field("color", _color_array(colors, n), True, None))
+        self._shown = [_Shown(name, points, faces, normals, fields)]
+        self._title, self._isolines, self._up, self._first = title, int(isolines), up, int(first)
+
+    def beside(self, other: "View") -> "View":
+        """Both, side by side under one camera; a slider takes them to the same number of function."""
+        result = View.__new__(View)
+        result.__dict__.update(self.__dict__)
+        result._shown = self._shown + other._shown
+        return result
+
+    def html(self) -> str:
+        """The page.
+
+        Raises
+        ------
+        InputError
+            The package was built without Node.js, and has no viewer.
+        """
+        page = _core.Page(self._title, self._isolines, self._up, max(0, self._first))
+        for s in self._shown:
+            page.add_surface(s.name, s.points, s.faces, s.normals)
+            for f in s.fields:
+                page.add_field(f.name, f.values.ravel(), f.is_color, f.range)
+        return page.html(os.fspath(_VIEWER))
+
+    def save_html(self, file: Union[str, "os.PathLike[str]"]) -> None:
+        """Write the page: one file, which opens by double click."""
+        text = self.html()
+        pathlib.Path(file).write_text(text, encoding="utf-8")
+
+    def show(self, height: int = 520) -> None:
+        """Show it in the cell of a notebook; elsewhere in the browser, by a file that stays.
+
+        Parameters
+        ----------
+        height : int
+            Of the cell, in pixels.
+        """
+        if _is_notebook():
+            from IPython.display import HTML, display  # type: ignore[import-not-found,unused-ignore]
+            display(HTML(self._frame(height)))
+            return
+        text = self.html()
+        with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as f:
+            f.write(text)
+        webbrowser.open(pathlib.Path(f.name).as_uri())
+
+    def _frame(self, height: int) -> str:
+        return (f'<iframe srcdoc="{html.escape(self.html())}" width="100%" height="{int(height)}" '
+                'style="border: 0"></iframe>')
+
+    def _repr_html_(self) -> str:
+        return self._frame(520)
+
+
+def _is_notebook() -> bool:
+    try:
+        shell = get_ipython()  # type: ignore[name-defined]
+    except NameError:
+        return False
+    return shell.__class__.__name__ == "ZMQInteractiveShell"
+
+
+class Viewable:
+    """What can be seen: its `view`, saved or shown."""
+
+    def view(self, **options: Any) -> View:
+        """A `View`, which takes the options."""
+        raise NotImplementedError
+
+    def save_html(self, file: Union[str, "os.PathLike[str]"], **options: Any) -> None:
+        """Write a page that shows it in a browser; with the options of `view`."""
+        self.view(**options).save_html(file)
+
+    def show(self, **options: Any) -> None:
+        """Show it in the cell of a notebook, or in the browser; with the options of `view`."""
+        self.view(**options).show()
+
+
+def view_of_surface(surface: Any, names: list[str], values: np.ndarray,
+                    at: Callable[[np.ndarray, np.ndarray], np.ndarray], longest_side: float,
+                    options: dict[str, Any]) -> View:
+    """A view of functions: at the vertices, or at those of the surface with its faces divided.
+
+    `values` has a column for each name, and `at(faces, barycentric)` returns such rows anywhere. The
+    faces stay if `longest_side` is 0.
+    """
+    normals = surface.face_normals() if surface.is_point_set else None
+    points, faces = surface.points(), None if surface.is_point_set else surface.faces()
+    if longest_side > 0:
+        points, faces, face, barycentric = _core.refined(surface, float(longest_side))
+        values = np.full((len(points), len(names)), np.nan)
+        is_located = face >= 0
+        found = at(face[is_located], barycentric[is_located])
+        values[is_located] = found.reshape(len(found), -1)
+    fields = {name: values[:, k] for k, name in enumerate(names)}
+    return View(points, faces, fields, normals=normals, **options)
+
+
+def to_polyscope(V: Any, F: Any = None, values: Fields = None, *, colors: Any = None,
+                 normals: Any = None, name: str = "surface") -> Any:
+    """Register a surface and its values in Polyscope, which is imported here.
+
+    Parameters
+    ----------
+    V, F, values, colors, normals
+        See `View`; or a `View` as `V`.
+    name : str
+        In Polyscope's lists.
+
+    Returns
+    -------
+    polyscope.SurfaceMesh or polyscope.PointCloud
+        A list of them for a `View` of several surfaces.
+    """
+    import polyscope  # type: ignore[import-not-found,unused-ignore]
+    view = V if isinstance(V, View) else View(V, F, values, colors=colors, normals=normals)
+    if not polyscope.is_initialized():
+        polyscope.init()
+    registered = []
+    for i, s in enumerate(view._shown):
+        label = s.name or (name if len(view._shown) == 1 else f"{name} {i}")
+        if s.faces is not None and len(s.faces) > 0:
+            structure = polyscope.register_surface_mesh(label, s.points, s.faces)
+        else:
+            structure = polyscope.register_point_cloud(label, s.points)
+            if s.normals is not None:
+                structure.add_vector_quantity("normal", s.normals)
+        for k, f in enumerate(s.fields):
+            if f.is_color:
+                structure.add_color_quantity(f.name, f.values, enabled=len(s.fields) == 1)
+                continue
+            finite = f.values[np.isfinite(f.values)]
+            is_symmetric = len(finite) > 0 and finite.min() < 0 < finite.max()
+            structure.add_scalar_quantity(f.name, f.values, enabled=k == view._first,
+                                          datatype="symmetric" if is_symmetric else "standard",
+                                          **({"vminmax": f.range} if f.range else {}))
+        registered.append(structure)
+    return registered[0] if len(registered) == 1 else registered
