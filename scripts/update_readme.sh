@@ -16,11 +16,12 @@ updated=$(awk '
     print
     source = $3
     print "```" (source ~ /[.]py$/ ? "python" : "cpp")
-    skip_license = 1
+    is_shown = 0
     while((getline line < source) > 0) {
-      if(skip_license && (line ~ /^(\/\/|#) (Copyright|SPDX)/ || line == "")) continue
-      skip_license = 0
-      print line
+      if(source ~ /[.]cpp$/ ? line == "}" : 0) break
+      if(is_shown) print substr(line, source ~ /[.]cpp$/ ? 3 : 1)
+      # what follows the license, or begins main()
+      else is_shown = source ~ /[.]cpp$/ ? line ~ /^int main/ : line == ""
     }
     print "```"
     skipping = 1

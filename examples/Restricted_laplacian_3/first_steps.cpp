@@ -11,21 +11,18 @@
 
 namespace RL = CGAL::Restricted_laplacian_3;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using Vertex = CGAL::SM_Vertex_index;
 
 int main() {
-  // any triangle mesh of CGAL or OpenMesh
-  Mesh mesh;
+  CGAL::Surface_mesh<Point> mesh; // any of CGAL's
   if(!CGAL::IO::read_polygon_mesh("elephant.off", mesh))
     return 1;
-
   // Laplacian u = z
-  const auto z = [](const RL::Surface_point& s) { return s.point.z(); };
-  auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
+  auto z = [](const RL::Surface_point& s) { return s.point.z(); };
+  auto u = mesh.add_property_map<Vertex, double>("v:u").first;
   if(!RL::solve_poisson(mesh, z, u).converged)
     return 1;
-
   // eigenvalues, eigenfunctions at the vertices
-  const auto spectrum = RL::laplace_spectrum(mesh, 50);
+  auto spectrum = RL::laplace_spectrum(mesh, 50);
   std::cout << spectrum.eigenvalues[1] << '\n';
 }

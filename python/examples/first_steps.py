@@ -3,15 +3,11 @@
 
 import restricted_laplacian as rl
 
-# or any arrays: points (n, 3),
-# triangles (m, 3)
+# points (n, 3), triangles (m, 3)
 V, F = rl.read_mesh("elephant.off")
-
 # Laplacian u = z
-z = V[:, 2]
-u = rl.solve_poisson(V, F, z)
-
+u = rl.solve_poisson(V, F, V[:, 2])
 # eigenvalues, eigenfunctions
-# at the vertices
 l, phi = rl.eigs(V, F, 50)
 print(l[1])
+rl.View(V, F, phi).save_html("phi.html")

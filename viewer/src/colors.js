@@ -68,6 +68,7 @@ export function roundLevels([low, high], number) {
 export function formatted(x, digits = 4) {
   if (Number.isNaN(x)) return 'no value';
   if (!Number.isFinite(x)) return x > 0 ? '∞' : '−∞';
-  // no trailing zeros
-  return String(Number(x.toPrecision(digits))).replace('-', '−');
+  const isSmall = x !== 0 && Math.abs(x) < 1e-3;
+  const rounded = Number(x.toPrecision(digits)); // has no trailing zeros
+  return (isSmall ? rounded.toExponential() : String(rounded)).replaceAll('-', '−');
 }

@@ -224,11 +224,14 @@ export class Interface {
     const { step, levels } = roundLevels(view.range, room);
     // digits that tell one number from the next
     const digits = Math.min(12, Math.max(1, 1 + Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / step))));
-    const inner = levels.map((level) => [level, fractionOf(level, view.range)])
-      .filter(([, t]) => Math.min(t, 1 - t) * this.bar.clientWidth > 60);
-    this.ticks.replaceChildren(...[[low, 0], ...inner, [high, 1]].map(([level, t]) => {
+    const label = (level, t) => [t, formatted(level, t === 0 || t === 1 ? Math.max(digits, 3) : digits)];
+    const ends = [label(low, 0), label(high, 1)];
+    const characters = Math.max(...ends.map(([, words]) => words.length)) + digits / 2 + 1;
+    const inner = levels.map((level) => label(level, fractionOf(level, view.range)))
+      .filter(([t]) => Math.min(t, 1 - t) * this.bar.clientWidth > 7.5 * characters);
+    this.ticks.replaceChildren(...[ends[0], ...inner, ends[1]].map(([t, textContent]) => {
       const isEnd = t === 0 || t === 1;
-      const tick = element('span', { textContent: formatted(level, isEnd ? Math.max(digits, 3) : digits) });
+      const tick = element('span', { textContent });
       tick.style.left = `${100 * t}%`;
       tick.style.transform = isEnd ? `translateX(${-100 * t}%)` : '';
       return tick;

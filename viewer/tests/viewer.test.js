@@ -35,7 +35,7 @@ const hovered = async (page, [x, y]) => {
   await page.waitForFunction(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true)))));
   return page.locator('#reading').innerText();
 };
-const number = (text) => Number(text.replace('−', '-'));
+const number = (text) => Number(text.replaceAll('−', '-'));
 
 let browser;
 before(async () => { browser = await launch(); });

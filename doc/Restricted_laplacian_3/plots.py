@@ -1,0 +1,220 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Draws the plots of README.md and of the manual, SVG files in one style, from the results of the benchmarks.
+
+usage: plots.py [--update] ROOT
+
+Without --update the files have to be those already: each holds what PLOTS[NAME]() draws of all rows of its
+results.
+
+Exit status: 0 if all plots are those of the results.
+"""
+
+import math
+import statistics
+import sys
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+import figures
+from figures import METHODS, POISSON, rows
+
+WIDTH, HEIGHT = 640, 420
+# Colors that readers tell apart who see few of them (Okabe and Ito); markers differ, too.
+STYLES = {
+    "restricted": ("#0072b2", "circle"),
+    "restricted_v": ("#56b4e9", "ring"),
+    "cot_cholmod": ("#d55e00", "square"),
+    "cotangent": ("#d55e00", "square"),
+    "cot_amg": ("#e69f00", "triangle"),
+}
+INK, QUIET, RULE = "#1c2430", "#5b6675", "#dfe4ea"
+
+
+def coordinate(x):
+    return f"{x:.1f}".removesuffix(".0")
+
+
+def text(x, y, words, anchor="start", color=INK, size=13, extra=""):
+    return (f'<text x="{coordinate(x)}" y="{coordinate(y)}" text-anchor="{anchor}" fill="{color}" '
+            f'font-size="{size}"{extra}>{escape(words)}</text>')
+
+
+def line(x1, y1, x2, y2, color=RULE, extra=""):
+    return (f'<line x1="{coordinate(x1)}" y1="{coordinate(y1)}" x2="{coordinate(x2)}" y2="{coordinate(y2)}" '
+            f'stroke="{color}"{extra}/>')
+
+
+def marker(x, y, style, size=4.2, faint=False):
+    color, shape = style
+    fill = f'fill="{color}"' + (' fill-opacity="0.28"' if faint else "")
+    if shape == "circle":
+        return f'<circle cx="{coordinate(x)}" cy="{coordinate(y)}" r="{size}" {fill}/>'
+    if shape == "ring":
+        opacity = ' stroke-opacity="0.4"' if faint else ""
+        return (f'<circle cx="{coordinate(x)}" cy="{coordinate(y)}" r="{size - 0.8:.1f}" fill="#ffffff" '
+                f'stroke="{color}" stroke-width="1.8"{opacity}/>')
+    corners = ([(-1, -1), (1, -1), (1, 1), (-1, 1)] if shape == "square"
+               else [(0, -1.3), (1.2, 0.9), (-1.2, 0.9)])
+    points = " ".join(f"{coordinate(x + 0.92 * size * a)},{coordinate(y + 0.92 * size * b)}"
+                      for a, b in corners)
+    return f'<polygon points="{points}" {fill}/>'
+
+
+def power_of_ten(exponent):
+    if -2 <= exponent <= 3:
+        return f"{10.0 ** exponent:g}" if exponent < 3 else "1,000"
+    return "10" + "".join("⁻" if c == "-" else "⁰¹²³⁴⁵⁶⁷⁸⁹"[int(c)] for c in str(exponent))
+
+
+class Scale:
+    """Logarithms of numbers, in pixels."""
+
+    def __init__(self, values, low, high):
+        self.first, self.last = math.log10(min(values)), math.log10(max(values))
+        margin = 0.04 * (self.last - self.first)
+        self.first, self.last = self.first - margin, self.last + margin
+        self.low, self.high = low, high
+
+    def __call__(self, value):
+        t = (math.log10(value) - self.first) / (self.last - self.first)
+        return self.low + t * (self.high - self.low)
+
+    def powers(self):
+        return range(math.ceil(self.first), math.floor(self.last) + 1)
+
+
+def page(body, title, height=HEIGHT):
+    return "\n".join([
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" '
+        f'viewBox="0 0 {WIDTH} {height}" font-family="system-ui, Liberation Sans, Arial, sans-serif">',
+        f"<title>{escape(title)}</title>",
+        f'<rect width="{WIDTH}" height="{height}" rx="6" fill="#ffffff"/>',
+        text(20, 28, title, size=16, extra=' font-weight="600"'), *body, "</svg>", ""])
+
+
+def logarithmic(title, x_title, y_title, series, notes=(), lines=True):
+    """\\param series (name, style, points, faint points): a line through the points, none through faint ones"""
+    left, right, top, bottom = 68, WIDTH - 20, 76, HEIGHT - 52
+    shown = [p for _, _, points, faint in series for p in [*points, *faint]]
+    x, y = Scale([p[0] for p in shown], left, right), Scale([p[1] for p in shown], bottom, top)
+    body = [text(20, 48, y_title + " ↑, " + x_title + " →", color=QUIET)]
+    for e in y.powers():
+        body += [line(left, y(10.0 ** e), right, y(10.0 ** e)),
+                 text(left - 8, y(10.0 ** e) + 4.5, power_of_ten(e), "end", QUIET, 12)]
+    for e in x.powers():
+        body += [line(x(10.0 ** e), top, x(10.0 ** e), bottom),
+                 text(x(10.0 ** e), bottom + 18, power_of_ten(e), "middle", QUIET, 12)]
+    for _, style, _, faint in series:
+        body += [marker(x(a), y(b), style, 3.2, True) for a, b in faint]
+    for _, style, points, _ in series:
+        path = " ".join(f"{coordinate(x(a))},{coordinate(y(b))}" for a, b in points)
+        if lines:
+            body.append(f'<polyline points="{path}" fill="none" stroke="{style[0]}" stroke-width="2"/>')
+        body += [marker(x(a), y(b), style) for a, b in points]
+    at = left
+    for name, style, _, _ in series:
+        body += [marker(at + 5, HEIGHT - 16, style), text(at + 14, HEIGHT - 11.5, name, size=12)]
+        at += 28 + 6.6 * len(name)
+    body += [text(right, top - 8 - 15 * i, note, "end", QUIET, 12) for i, note in enumerate(notes)]
+    return page(body, title)
+
+
+def best(points):
+    """of (seconds, error) those that no other one is as good as in both"""
+    result = []
+    for seconds, error in sorted(points):
+        if not result or error < result[-1][1]:
+            result.append((seconds, error))
+    return result
+
+
+def error_over_time(shape, problem, title, methods):
+    series = []
+    for method in methods:
+        points = [(max(r["total_s"], 5e-4), r["error"]) for r in figures.all_runs(shape, problem)
+                  if r["method"] == method and r["ok"] == "yes"]
+        front = best(points)
+        name = METHODS[method].replace("this package, a function", "this package") \
+            .replace("this package, values", "data")
+        series.append((name, STYLES[method], front, [p for p in points if p not in front]))
+    return logarithmic(title, "seconds from mesh to values", "relative error", series)
+
+
+def by_size(title, column, y_title):
+    names = {"restricted": "this package", "cot_cholmod": "cotangent, CHOLMOD",
+             "cot_amg": "cotangent, BoomerAMG"}
+    found = [r for r in rows("depth_study", "mesh", "method", "unknowns", "MiB") if r["threads"] == 1]
+    return logarithmic(title, "unknowns", y_title,
+                       [(name, STYLES[method], [(r["unknowns"], max(r[column], 1e-3)) for r in found
+                                                if r["method"] == method], [])
+                        for method, name in names.items()], lines=False)
+
+
+def iterations_by_mesh():
+    depth = 7
+    found = {}
+    for r in figures.everywhere():
+        if r["depth"] == depth and r["c"] == "v":
+            found.setdefault(r["mesh"], []).append(r["its"])
+    order = sorted(found, key=lambda mesh: (max(found[mesh]), statistics.median(found[mesh]), mesh))
+    left, right, top, step = 170, WIDTH - 24, 84, 14
+    height = top + step * len(order) + 40
+    most = max(max(its) for its in found.values())
+
+    def x(iterations):
+        return left + (right - left) * iterations / (most + 1)
+
+    body = [text(20, 48, f"iterations to a residual of 1e-8, V-cycles, depth {depth}: problems of many kinds "
+                 "on each surface", color=QUIET)]
+    for tick in range(0, most + 1, 5 if most <= 40 else 10):
+        body += [line(x(tick), top - 8, x(tick), height - 36),
+                 text(x(tick), top - 14, str(tick), "middle", QUIET, 12)]
+    median, worst = ("#56b4e9", "ring"), ("#0072b2", "circle")
+    for i, mesh in enumerate(order):
+        y = top + step * (i + 0.5)
+        a, b = statistics.median(found[mesh]), max(found[mesh])
+        body += [text(left - 12, y + 4, mesh, "end", INK, 11), line(x(a), y, x(b), y, "#9fc8e4"),
+                 marker(x(b), y, worst, 4), marker(x(a), y, median, 4)]
+    body += [marker(left + 5, height - 16, median), text(left + 14, height - 11.5, "median", size=12),
+             marker(left + 85, height - 16, worst), text(left + 94, height - 11.5, "worst problem", size=12)]
+    return page(body, "Iterations by surface", height)
+
+
+PLOTS = {
+    f"plot_{problem}_{shape}": lambda s=shape, p=problem, t=title, m=methods: error_over_time(
+        s, p, f"{t} on a {s}: error over time", m)
+    for shape in ("sphere", "torus")
+    for problem, title, methods in [("poisson", "Poisson", POISSON),
+                                    ("spectrum", "30 eigenvalues", ["restricted", "cotangent"])]
+}
+PLOTS["plot_seconds"] = lambda: by_size("Poisson on twelve meshes: time by size", "seconds", "seconds")
+PLOTS["plot_memory"] = lambda: by_size("Poisson on twelve meshes: memory by size", "MiB", "MiB")
+PLOTS["plot_iterations"] = iterations_by_mesh
+
+
+def main():
+    arguments = sys.argv[1:]
+    update = "--update" in arguments
+    figures.ROOT = Path(arguments[-1])
+    folder = figures.ROOT / "doc/Restricted_laplacian_3/fig"
+    errors = 0
+    for name, draw in PLOTS.items():
+        file = folder / f"{name}.svg"
+        drawn = draw()
+        if update:
+            file.write_text(drawn, encoding="utf-8")
+        elif not file.exists() or file.read_text(encoding="utf-8") != drawn:
+            print(f"{file.name} is not what its results say: run plots.py --update")
+            errors += 1
+    for file in folder.glob("plot_*.svg"):
+        if file.stem not in PLOTS:
+            print(f"{file.name} is drawn by nothing")
+            errors += 1
+    return errors > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
