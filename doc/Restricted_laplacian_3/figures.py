@@ -817,6 +817,20 @@ def span(values, text=error):
     return low if low == high else f"{low} to {high}"
 
 
+# ---- pages
+
+
+def table_of_pages(columns, text):
+    return table(["Mesh", "Triangles", "Fields", *columns.values()],
+                 [[r["mesh"], whole(r["triangles"]), str(r["fields"]), *(text(r[c]) for c in columns)]
+                  for r in rows("viewer_pages", "mesh", "triangles", "page_MB")])
+
+
+TABLES["viewer_sizes"] = lambda: table_of_pages({"page_MB": "page", "viewer_MB": "of it the viewer"}, short)
+TABLES["viewer_times"] = lambda: table_of_pages(
+    {"decode_ms": "decoding", "picture_ms": "first picture", "frame_ms": "a frame", "hover_ms": "a reading"}, short)
+
+
 def facts():
     """the sentences with figures, by page"""
     bunny = {(r["solver"], r["th"], r["tol"]): r for r in solver_rows("solver_comparison_bunny")}
