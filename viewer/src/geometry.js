@@ -86,6 +86,25 @@ export function shadedCorners(positions, triangles) {
   return { indices, normals, origin };
 }
 
+// Triangles of fewer vertices for what moves: those in a cell of a grid, of which 64 go along each side of a cube
+// around the ball of radius 1, become the first of them. (A sphere keeps about 20,000 triangles.)
+export function coarseTriangles(positions, t) {
+  const cells = 64, first = new Map(), own = new Uint32Array(positions.length / 3);
+  for (let v = 0; v < own.length; ++v) {
+    let cell = 0;
+    for (let k = 0; k < 3; ++k)
+      cell = cell * cells + Math.min(Math.floor(((positions[3 * v + k] + 1) / 2) * cells), cells - 1);
+    if (!first.has(cell)) first.set(cell, v);
+    own[v] = first.get(cell);
+  }
+  const result = [];
+  for (let f = 0; f < t.length; f += 3) {
+    const a = own[t[f]], b = own[t[f + 1]], c = own[t[f + 2]];
+    if (a !== b && b !== c && c !== a) result.push(a, b, c);
+  }
+  return Uint32Array.from(result);
+}
+
 // All edges once, and those that have one face, and more than two: pairs of vertices.
 export function edgesOf(numberOfVertices, t) {
   const keys = new Float64Array(t.length);

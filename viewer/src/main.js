@@ -25,12 +25,15 @@ async function start() {
     const decoded = performance.now();
     const stage = new Stage(scene);
     const controls = new Interface(scene, stage);
-    stage.render();
+    stage.timedRender();
+    const drawn = performance.now();
+    stage.estimateSpeed();
+    stage.requestRender();
     say(scene.surfaces.some((s) => s.numberOfVertices > 0) ? '' : 'This surface has no vertex.');
     // for scripts, and for tests
     globalThis.viewer = {
       scene, stage, controls,
-      milliseconds: { decode: decoded - begin, first_picture: performance.now() - begin },
+      milliseconds: { decode: decoded - begin, first_picture: drawn - begin },
     };
   } catch (error) {
     say(error.message);

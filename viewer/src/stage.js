@@ -37,6 +37,43 @@ export class Stage {
     this.controls.addEventListener('change', () => this.requestRender());
     new ResizeObserver(() => this.render()).observe(this.element);
     this.listeners = [];
+    // While it moves, a surface whose picture takes long is shown with fewer triangles.
+    this.isSlow = false;
+    this.isMoving = false;
+    let timer;
+    this.controls.addEventListener('start', () => {
+      clearTimeout(timer);
+      this.isMoving = this.isSlow;
+    });
+    this.controls.addEventListener('end', () => {
+      clearTimeout(timer);
+      if (this.isMoving) timer = setTimeout(() => {
+        this.isMoving = false;
+        this.requestRender();
+      }, 150); // steps of a wheel are movements, too
+    });
+  }
+
+  // Draws a picture and waits for it. Returns the milliseconds.
+  timedRender() {
+    const pixel = new Uint8Array(4), gl = this.renderer.getContext();
+    const begin = performance.now();
+    this.render();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return performance.now() - begin;
+  }
+
+  // Finds out whether a picture takes so long that it would move in jerks, from one of a part of the triangles.
+  estimateSpeed() {
+    const part = 20000;
+    const shown = (triangles) => {
+      for (const view of this.views) view.geometry.setDrawRange(0, 3 * triangles);
+      return this.timedRender();
+    };
+    const without = shown(0), withPart = shown(part);
+    for (const view of this.views) view.geometry.setDrawRange(0, Infinity);
+    const triangles = Math.max(0, ...this.views.map((view) => view.surface.numberOfFaces));
+    this.isSlow = triangles > part && without + ((withPart - without) * triangles) / part > 50;
   }
 
   #makeRenderer() {
@@ -108,6 +145,7 @@ export class Stage {
     this.scenes.forEach((scene, index) => {
       const [left, top] = this.pane(index);
       this.views[index].setPointSize(pixels);
+      this.views[index].setCoarse(this.isMoving);
       this.renderer.setViewport(left, clientHeight - top - height, width, height);
       this.renderer.setScissor(left, clientHeight - top - height, width, height);
       this.renderer.render(scene, this.camera);

@@ -9,7 +9,7 @@ import {
   Vector2, Vector3,
 } from 'three';
 import { colorOfNothing, colorTable, defaultMap, fractionOf, shownRange } from './colors.js';
-import { edgesOf, firstHit, firstPoint, shadedCorners } from './geometry.js';
+import { coarseTriangles, edgesOf, firstHit, firstPoint, shadedCorners } from './geometry.js';
 
 const nothing = -1e30; // the value of a vertex without one
 
@@ -111,6 +111,25 @@ export class SurfaceView {
     this.object.add(this.faces, this.points);
     for (const part of this.object.children) part.frustumCulled = false;
     this.lines = {};
+    this.isCoarse = false;
+  }
+
+  // Shows fewer triangles and no lines, or all of them again.
+  setCoarse(isCoarse) {
+    if (isCoarse === this.isCoarse || !this.hasFaces) return;
+    this.isCoarse = isCoarse;
+    if (!this.coarse) {
+      const geometry = new BufferGeometry();
+      geometry.setIndex(new BufferAttribute(coarseTriangles(this.surface.positions, this.surface.triangles), 1));
+      this.coarse = new Mesh(geometry, this.faces.material);
+      this.coarse.frustumCulled = false;
+      this.object.add(this.coarse);
+    }
+    for (const [name, attribute] of Object.entries(this.geometry.attributes))
+      this.coarse.geometry.setAttribute(name, attribute);
+    this.coarse.visible = isCoarse;
+    this.faces.visible = !isCoarse;
+    for (const line of Object.values(this.lines)) line.layers.set(isCoarse ? 1 : 0);
   }
 
   #material(own) {

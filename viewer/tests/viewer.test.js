@@ -225,6 +225,38 @@ test('two surfaces side by side', async () => {
   assert.deepEqual(page.complaints, []);
 });
 
+test('a large surface moves with fewer triangles', async () => {
+  const { page: file } = writtenPage('large', 'geodesic_distance', mesh('bunny00.off'), '--source', '0');
+  const page = await open(browser, file);
+  const state = () => page.evaluate(() => {
+    const { stage } = globalThis.viewer;
+    stage.render();
+    return { triangles: stage.renderer.info.render.triangles, place: stage.placeOf(0, 0) };
+  });
+  await page.evaluate(() => { globalThis.viewer.stage.isSlow = true; });
+  await page.mouse.move(450, 300);
+  const before = await state();
+  await page.mouse.down();
+  await page.mouse.move(500, 320, { steps: 3 });
+  const moving = await state();
+  assert.ok(moving.triangles > 1000 && moving.triangles < 0.4 * before.triangles, `${moving.triangles} of ${before.triangles}`);
+  assert.notDeepEqual(moving.place, before.place);
+  // it looks alike: of the window nearly the same part is covered
+  const covered = () => page.evaluate(() => {
+    const { stage } = globalThis.viewer;
+    stage.render();
+    const gl = stage.renderer.getContext(), all = new Uint8Array(4 * 900 * 600);
+    gl.readPixels(0, 0, 900, 600, gl.RGBA, gl.UNSIGNED_BYTE, all);
+    return all.filter((x, i) => i % 4 === 3 && x > 0).length;
+  });
+  const coarse = await covered();
+  await page.mouse.up();
+  await page.waitForTimeout(400);
+  assert.equal((await state()).triangles, before.triangles);
+  assert.ok(Math.abs((await covered()) / coarse - 1) < 0.03);
+  assert.deepEqual(page.complaints, []);
+});
+
 test('edges, boundary, vertices, colors, keys', async () => {
   const points = [[0, 0, 0], [64, 0, 0], [64, 64, 0], [0, 64, 0]];
   const file = handmadePage('square', [{
