@@ -114,7 +114,12 @@ export async function open(browser, file, options = {}) {
       page.complaints.push(`request of ${request.url()}`);
   });
   await page.goto(`file://${file}`);
-  await page.waitForFunction('globalThis.viewer', null, { timeout: 60000 });
+  // waitForFunction() would compile text, which the page forbids
+  const end = Date.now() + 60000;
+  while (!(await page.evaluate(() => Boolean(globalThis.viewer)))) {
+    if (Date.now() > end) throw new Error(`${file} shows nothing: ${page.complaints}`);
+    await page.waitForTimeout(50);
+  }
   return page;
 }
 

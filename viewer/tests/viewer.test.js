@@ -32,7 +32,7 @@ const set = (page, changes) => page.evaluate((c) => globalThis.viewer.controls.s
 const hovered = async (page, [x, y]) => {
   await page.mouse.move(x + 1, y);
   await page.mouse.move(x, y);
-  await page.waitForFunction(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true)))));
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(true)))));
   return page.locator('#reading').innerText();
 };
 const number = (text) => Number(text.replaceAll('−', '-'));
