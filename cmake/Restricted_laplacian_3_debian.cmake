@@ -45,7 +45,22 @@ Copyright: 1997-2020 Dimitri van Heesch
            Vasil Dinkov, Vadikom Web Ltd.
 License: Expat
 Comment: Doxygen adds these files to the pages that it makes.
-
+")
+endif()
+set(viewer "share/Restricted_laplacian_3/viewer.html")
+if(EXISTS "${share}/../${viewer}")
+  file(APPEND "${doc}/copyright"
+"
+Files: usr/${viewer} usr/share/doc/*/html/gallery/*
+Copyright: 2010-2025 three.js authors
+           2026 ${CPACK_PACKAGE_VENDOR}
+License: GPL-3.0+ and Expat
+Comment: three.js, which is under the Expat license, is a part of the viewer.
+")
+endif()
+if(IS_DIRECTORY "${doc}/html" OR EXISTS "${share}/../${viewer}")
+  file(APPEND "${doc}/copyright"
+"
 License: Expat
  Permission is hereby granted, free of charge, to any person obtaining a copy of
  this software and associated documentation files (the \"Software\"), to deal in

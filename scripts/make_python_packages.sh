@@ -45,6 +45,7 @@ V, F = rl.icosphere(4)
 l, u = rl.eigs(V, F, 9)
 assert np.allclose(l, [0, 2, 2, 2, 6, 6, 6, 6, 6], atol=0.01)
 assert abs(rl.solve_poisson(V, F, V[:, 2]) + V[:, 2] / 2).max() < 5e-3
+rl.View(V, F, V[:, 2]).save_html("sphere.html")
 print("restricted_laplacian", rl.__version__, "from", rl.__file__)
 END
 ls -l "$folder"

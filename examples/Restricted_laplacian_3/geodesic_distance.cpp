@@ -166,6 +166,8 @@ void add_lines(const Job& job, const Options& o, const RL::Geodesic_solver& solv
     for(RL::Geodesic_path& line : distance.isolines(value))
       lines.push_back(std::move(line));
   }
+  for(const RL::Geodesic_path& line : lines)
+    result.page.lines.push_back(line.points);
   if(!o.lines.empty())
     result.write_more = [file = o.lines, lines = std::move(lines)] { write_lines(file, lines); };
 }

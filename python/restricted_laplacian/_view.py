@@ -37,6 +37,7 @@ class _Shown(NamedTuple):
     faces: Optional[np.ndarray]
     normals: Optional[np.ndarray]
     fields: list[_Field]
+    lines: list[np.ndarray]
 
 
 def _three_columns(values: Any, name: str) -> np.ndarray:
@@ -112,6 +113,8 @@ class View:
     range : (float, float) or dict, optional
         Which values have the first and the last color; for each name if it is a dict. By default the
         smallest and the largest value.
+    lines : list of Path or array_like, optional
+        Lines on the surface: what `shortest_path` and `isolines` return, or points (k, 3) of each.
     name : str
         Of the surface, where several are shown.
     title : str
@@ -131,8 +134,8 @@ class View:
     """
 
     def __init__(self, V: Any, F: Any = None, values: Fields = None, *, colors: Any = None,
-                 normals: Any = None, range: Any = None, name: str = "", title: str = "Surface",
-                 isolines: int = 0, up: str = "y", first: int = 0) -> None:
+                 normals: Any = None, range: Any = None, lines: Any = (), name: str = "",
+                 title: str = "Surface", isolines: int = 0, up: str = "y", first: int = 0) -> None:
         if F is None and normals is None:
             V, F = _mesh_arrays(V) or (V, None)
         points = _three_columns(V, "V")
@@ -156,7 +159,8 @@ class View:
             fields.append(_Field(key, np.ascontiguousarray(array), False, own))
         if colors is not None:
             fields.append(_Field("color", _color_array(colors, n), True, None))
-        self._shown = [_Shown(name, points, faces, normals, fields)]
+        drawn = [_three_columns(getattr(line, "points", line), "lines") for line in lines]
+        self._shown = [_Shown(name, points, faces, normals, fields, drawn)]
         self._title, self._isolines, self._up, self._first = title, int(isolines), up, int(first)
 
     def beside(self, other: "View") -> "View":
@@ -179,6 +183,8 @@ class View:
             page.add_surface(s.name, s.points, s.faces, s.normals)
             for f in s.fields:
                 page.add_field(f.name, f.values.ravel(), f.is_color, f.range)
+            for line in s.lines:
+                page.add_line(line)
         return page.html(os.fspath(_VIEWER))
 
     def save_html(self, file: Union[str, "os.PathLike[str]"]) -> None:

@@ -45,6 +45,11 @@ void add_surface(Page& page, const std::string& name, const Rows& points,
     s.normals = read_rows<RL::Vector_3>(*normals);
 }
 
+// a line on the surface that was added last
+void add_line(Page& page, const Rows& points) {
+  page.surfaces.back().lines.push_back(read_rows<RL::Point_3>(points));
+}
+
 // a field of the surface that was added last
 void add_field(Page& page, const std::string& name, const Numbers& values, bool is_color,
                std::optional<std::pair<double, double>> range) {
@@ -102,6 +107,7 @@ void add_views(nb::module_& m) {
           },
           "title"_a, "isolines"_a, "up"_a, "first"_a)
       .def("add_surface", &add_surface, "name"_a, "points"_a, "faces"_a.none(), "normals"_a.none())
+      .def("add_line", &add_line, "points"_a)
       .def("add_field", &add_field, "name"_a, "values"_a, "is_color"_a, "range"_a.none())
       .def("html", &html, "viewer_file"_a);
   m.def("refined", &refined, "surface"_a, "longest_side"_a);

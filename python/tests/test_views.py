@@ -56,6 +56,11 @@ def decoded(page: str) -> dict:
             t = (codes - 3) / (2 ** 24 - 4)
             f["values"] = np.where(codes >= 3, f["low"] * (1 - t) + f["high"] * t,
                                    np.array([np.nan, np.inf, -np.inf])[np.minimum(codes, 2)])
+        if "lines" in s:
+            sizes = take(s["lines"]["number"], 1, s["lines"]["sizes"]["planes"])[:, 0]
+            points = s["lines"]["points"]
+            codes = take(3 * points["number"], 3, points["planes"])
+            s["lines"] = np.split(np.array(p["low"]) + p["step"] * codes, np.cumsum(sizes)[:-1])
     assert rest == b""
     return scene
 
@@ -182,6 +187,16 @@ def test_points(sphere):
     assert abs(s["fields"][0]["values"].max() - np.pi) < 0.05
     with pytest.raises(rl.InputError):
         d.view(longest_side=0.1)
+
+
+def test_lines(sphere):
+    V, F = sphere
+    d = rl.Geodesics(V, F).function(0)
+    path, circles = d.shortest_path(100), d.isolines(1.0)
+    s, = decoded(d.view(lines=[path, *circles]).html())["surfaces"]
+    assert len(s["lines"]) == 1 + len(circles)
+    for found, line in zip(s["lines"], [path, *circles]):
+        assert abs(found - line.points).max() < 2e-6
 
 
 def test_side_by_side(sphere):

@@ -69,12 +69,22 @@ export async function decodedScene(description, base64) {
     const radius = size * Math.sqrt(square);
     // scaled to a ball of radius one: coordinates may be of any size
     const scale = radius > 0 ? 1 / radius : 1;
-    const positions = new Float32Array(3 * s.vertices);
-    for (let i = 0; i < positions.length; ++i)
-      positions[i] = (s.positions.step * codes[i] - extent[i % 3] / 2) * scale;
+    const placed = (code, i) => (s.positions.step * code - extent[i % 3] / 2) * scale;
+    const positions = Float32Array.from(codes, placed);
     const triangles = new Uint32Array(integers.take(3 * s.faces, 3, s.triangles.planes));
     let normals = null;
     if (s.normals) normals = Float32Array.from(integers.take(3 * s.vertices, 3, s.normals.planes), (n) => n / 127);
+    const fields = s.fields.map((field) => decodedField(field, integers, s.vertices));
+    const segments = [];
+    if (s.lines) {
+      const sizes = integers.take(s.lines.number, 1, s.lines.sizes.planes);
+      const points = Float32Array.from(integers.take(3 * s.lines.points.number, 3, s.lines.points.planes), placed);
+      let first = 0;
+      for (const size of sizes) {
+        for (let v = first; v + 1 < first + size; ++v) segments.push(...points.subarray(3 * v, 3 * v + 6));
+        first += size;
+      }
+    }
     return {
       name: s.name,
       numberOfVertices: s.vertices,
@@ -84,9 +94,10 @@ export async function decodedScene(description, base64) {
       triangles,
       normals,
       radius,
+      segments,
       pointAt: (p) => p.map((x, axis) => center[axis] + x * (radius > 0 ? radius : 1)),
       pointOf: (vertex) => [0, 1, 2].map((axis) => s.positions.low[axis] + s.positions.step * codes[3 * vertex + axis]),
-      fields: s.fields.map((field) => decodedField(field, integers, s.vertices)),
+      fields,
     };
   });
   return { ...description, surfaces };

@@ -9,6 +9,9 @@ import {
   Vector2, Vector3,
 } from 'three';
 import { colorOfNothing, colorTable, defaultMap, fractionOf, shownRange } from './colors.js';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { coarseTriangles, edgesOf, firstHit, firstPoint, shadedCorners } from './geometry.js';
 
 const nothing = -1e30; // the value of a vertex without one
@@ -112,6 +115,16 @@ export class SurfaceView {
     for (const part of this.object.children) part.frustumCulled = false;
     this.lines = {};
     this.isCoarse = false;
+    if (surface.segments.length > 0) {
+      const geometry = new LineSegmentsGeometry().setPositions(surface.segments);
+      this.paths = new LineSegments2(geometry, new LineMaterial({ linewidth: 3 }));
+      this.paths.frustumCulled = false;
+      this.object.add(this.paths);
+    }
+  }
+
+  setPaths(color) {
+    this.paths?.material.color.set(color);
   }
 
   // Shows fewer triangles and no lines, or all of them again.

@@ -225,6 +225,25 @@ test('two surfaces side by side', async () => {
   assert.deepEqual(page.complaints, []);
 });
 
+test('paths lie on the surface', async () => {
+  const { page: file } = writtenPage('path', 'geodesic_distance', mesh('elephant.off'), '--source', '0', '--path', '1000');
+  const page = await open(browser, file);
+  const { ends, source, target, pink } = await page.evaluate(() => {
+    const { stage, scene: { surfaces: [surface] } } = globalThis.viewer;
+    const point = (v) => [...surface.positions.subarray(3 * v, 3 * v + 3)];
+    stage.render();
+    const gl = stage.renderer.getContext(), all = new Uint8Array(4 * 900 * 600);
+    gl.readPixels(0, 0, 900, 600, gl.RGBA, gl.UNSIGNED_BYTE, all);
+    let count = 0;
+    for (let i = 0; i < all.length; i += 4) if (all[i] > 200 && all[i + 1] < 60 && all[i + 2] > 110 && all[i + 2] < 170) ++count;
+    return { ends: [surface.segments.slice(0, 3), surface.segments.slice(-3)], source: point(0), target: point(1000), pink: count };
+  });
+  const distance = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
+  assert.ok(Math.min(distance(ends[0], target) + distance(ends[1], source), distance(ends[0], source) + distance(ends[1], target)) < 1e-4);
+  assert.ok(pink > 20, `${pink} pixels of the path`);
+  assert.deepEqual(page.complaints, []);
+});
+
 test('a large surface moves with fewer triangles', async () => {
   const { page: file } = writtenPage('large', 'geodesic_distance', mesh('bunny00.off'), '--source', '0');
   const page = await open(browser, file);
@@ -255,6 +274,31 @@ test('a large surface moves with fewer triangles', async () => {
   assert.equal((await state()).triangles, before.triangles);
   assert.ok(Math.abs((await covered()) / coarse - 1) < 0.03);
   assert.deepEqual(page.complaints, []);
+});
+
+test('in a frame, as a notebook shows it', async () => {
+  const points = [[0, 0, 0], [64, 0, 0], [64, 64, 0], [0, 64, 0]];
+  const file = handmadePage('inner', [{ points, triangles: [[0, 1, 2], [0, 2, 3]], fields: [{ name: 'u', values: [0, 1, 2, 3] }] }]);
+  const text = readFileSync(file, 'utf8').replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
+  const outer = join(folder, 'outer.html');
+  writeFileSync(outer, `<!doctype html><p>before</p><iframe srcdoc="${text}" width="100%" height="520"></iframe>`);
+  const page = await browser.newPage();
+  const complaints = [];
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('request', (r) => { if (!r.url().startsWith(`file://${outer}`) && !/^(data|blob|about):/.test(r.url())) complaints.push(r.url()); });
+  await page.goto(`file://${outer}`);
+  const frame = page.frames()[1];
+  for (let i = 0; i < 200 && !(await frame.evaluate(() => Boolean(globalThis.viewer))); ++i) await page.waitForTimeout(50);
+  const pixels = await frame.evaluate(() => {
+    const { stage } = globalThis.viewer;
+    stage.render();
+    const gl = stage.renderer.getContext(), { width, height } = stage.canvas, all = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+    return all.filter((x, i) => i % 4 === 3 && x > 0).length;
+  });
+  assert.ok(pixels > 20000, `${pixels}`);
+  assert.deepEqual(complaints, []);
+  await page.close();
 });
 
 test('edges, boundary, vertices, colors, keys', async () => {

@@ -82,6 +82,8 @@ struct Page_contents {
   int isolines = 0;
   // colors at the vertices, to be shown before all columns
   std::vector<Color> colors;
+  // lines on the surface
+  std::vector<std::vector<RL::Point_3>> lines;
 };
 
 // What a program found.
@@ -212,6 +214,7 @@ inline void write_html(const std::string& program, const Common_options& o,
     if(k < contents.ranges.size())
       shown.fields.back().range = contents.ranges[k];
   }
+  shown.lines = contents.lines;
   page.surfaces.push_back(std::move(shown));
   const std::string viewer = read_viewer(viewer_file());
   write_file(o.html, [&](std::ostream& out) { write_viewer_page(out, viewer, page); });

@@ -150,7 +150,10 @@ private:
         write_values(field);
       m_out << '}';
     }
-    m_out << "]}";
+    m_out << ']';
+    if(!s.lines.empty())
+      write_lines(s);
+    m_out << '}';
   }
 
   // Coordinates in steps. A vertex without a face does not count for the box, if any has one.
@@ -173,16 +176,36 @@ private:
     double step = 0;
     for(int k = 0; k < 3; ++k)
       step = std::max(step, high[k] / coordinate_steps - low[k] / coordinate_steps);
+    m_low = low;
+    m_step = step;
     std::array<std::int32_t, 3> extent;
     for(int k = 0; k < 3; ++k)
       extent[k] = step_number(high[k], low[k], step, coordinate_steps);
     std::vector<std::int32_t> codes;
     for(const RL::Point_3& p : s.points)
-      for(int k = 0; k < 3; ++k)
-        codes.push_back(is_finite(p) ? step_number(p[k], low[k], step, coordinate_steps) : 0);
+      add_codes(p, codes);
     m_out << ",\"positions\":{\"low\":[" << low[0] << ',' << low[1] << ',' << low[2]
           << "],\"step\":" << step << ",\"extent\":[" << extent[0] << ',' << extent[1] << ','
           << extent[2] << "],\"planes\":" << m_coder.add(codes, 3) << '}';
+  }
+
+  void add_codes(const RL::Point_3& p, std::vector<std::int32_t>& codes) const {
+    for(int k = 0; k < 3; ++k)
+      codes.push_back(is_finite(p) ? step_number(p[k], m_low[k], m_step, coordinate_steps) : 0);
+  }
+
+  // how many points each line has, and the points
+  void write_lines(const Viewer_surface& s) {
+    std::vector<std::int32_t> sizes, codes;
+    for(const std::vector<RL::Point_3>& line : s.lines) {
+      sizes.push_back(static_cast<std::int32_t>(line.size()));
+      for(const RL::Point_3& p : line)
+        add_codes(p, codes);
+    }
+    m_out << ",\"lines\":{\"number\":" << sizes.size()
+          << ",\"sizes\":{\"planes\":" << m_coder.add(sizes, 1)
+          << "},\"points\":{\"number\":" << codes.size() / 3
+          << ",\"planes\":" << m_coder.add(codes, 3) << "}}";
   }
 
   void write_normals(const Viewer_surface& s) {
@@ -221,6 +244,9 @@ private:
 
   std::ostream& m_out;
   Integer_coder& m_coder;
+  // of the coordinates of the surface that is written
+  std::array<double, 3> m_low = {0, 0, 0};
+  double m_step = 0;
 };
 
 Error no_viewer() {

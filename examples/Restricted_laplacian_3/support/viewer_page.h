@@ -43,6 +43,8 @@ struct Viewer_surface {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<RL::Vector_3> normals;
   std::vector<Viewer_field> fields;
+  // drawn on the surface: the points of each
+  std::vector<std::vector<RL::Point_3>> lines;
 };
 
 // One surface, or several side by side under one camera. A slider takes all surfaces to the fields

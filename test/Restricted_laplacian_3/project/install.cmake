@@ -37,6 +37,11 @@ if(EXISTS "${BUILD_DIR}/${manual}" AND NOT EXISTS "${doc}/html/index.html")
   message(SEND_ERROR "the manual was not installed")
 endif()
 
+set(viewer "viewer/viewer.html")
+if(EXISTS "${BUILD_DIR}/${viewer}" AND NOT EXISTS "${PREFIX}/share/Restricted_laplacian_3/viewer.html")
+  message(SEND_ERROR "the viewer was not installed")
+endif()
+
 set(expected_number 6)
 if(LIBRARY)
   set(expected_number 11)

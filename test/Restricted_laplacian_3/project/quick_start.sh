@@ -24,6 +24,7 @@ for needed in "$data" "$(command -v draw_mesh || true)"; do
     exit
   fi
 done
+viewer=$(dirname "$(command -v draw_mesh)")/../../viewer/viewer.html
 steps=$2.steps
 rm -rf "$2" "$steps"
 mkdir -p "$2" "$steps"
@@ -53,6 +54,9 @@ for step in "$steps"/[0-9]*; do
   case $step in
     *.save_*) cp "$step" "${step#*.save_}" ;;
     *.sh)
+      if [[ ! -e $viewer ]] && grep --quiet '\.html' "$step"; then
+        continue
+      fi
       # not in a shell of its own: the page changes the folder
       # shellcheck disable=SC1090
       source "$step" >"$printed" 2>&1
@@ -66,6 +70,10 @@ done
 step=$page
 if [[ $number_of_outputs -lt 3 || "$(head -c 4 u.png)" != $'\x89PNG' ]]; then
   echo "$number_of_outputs outputs were compared, and u.png is no picture: has the page another form?"
+  exit 1
+fi
+if [[ -e $viewer ]] && ! grep --quiet 'id="scene"' u.html; then
+  echo "u.html is no page"
   exit 1
 fi
 echo "$number_of_outputs outputs compared"
