@@ -19,7 +19,7 @@ mkdirSync(to, { recursive: true });
 const browser = await launch();
 for (const file of readdirSync(from).filter((name) => name.endsWith('.html'))) {
   const page = await open(browser, join(resolve(from), file), { width: 480, height: 360, deviceScaleFactor: 2 });
-  await page.addStyleTag({ content: 'header, #tools, #fields, .name { display: none } #bar { flex: none; width: 240px }' });
+  await page.addStyleTag({ content: 'header, #tools, #fields, .name { display: none } #bar { flex: none; width: 240px } .caption { display: none } #stage { inset: 0 0 44px }' });
   await page.evaluate(() => globalThis.viewer.stage.render());
   await page.screenshot({ path: join(to, `gallery_${parse(file).name}.png`), scale: 'css' });
   await page.close();

@@ -222,7 +222,7 @@ def _is_notebook() -> bool:
         shell = get_ipython()  # type: ignore[name-defined]
     except NameError:
         return False
-    return shell.__class__.__name__ == "ZMQInteractiveShell"
+    return hasattr(shell, "kernel")  # and not a terminal
 
 
 class Viewable:

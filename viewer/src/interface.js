@@ -11,11 +11,12 @@ function element(tag, properties = {}, ...children) {
   return result;
 }
 
-const keys = [
-  ['drag', 'turn', ''],
-  ['right drag, shift drag', 'move', ''],
-  ['wheel, pinch', 'zoom', ''],
-  ['← →', 'the field before, the next', ''],
+// what the mouse and keys do, for the help
+const mouseAndArrows = [
+  ['drag', 'turn'],
+  ['right drag, shift drag', 'move'],
+  ['wheel, pinch', 'zoom'],
+  ['← →', 'the field before, the next'],
 ];
 
 export class Interface {
@@ -65,8 +66,7 @@ export class Interface {
     const ink = state.dark ? '#ffffff' : '#000000';
     for (const view of stage.views) {
       const field = this.fieldOf(view.surface);
-      const map = state.map === 'auto' && field?.map ? field.map : state.map;
-      view.setField(field, { map, range });
+      view.setField(field, { map: state.map, range });
       const step = state.isolines > 0 && view.range ? roundLevels(view.range, state.isolines).step : 0;
       view.setLevels(step);
       view.setLit(state.light);
@@ -93,7 +93,7 @@ export class Interface {
   #addHeader() {
     const header = element('header', {}, element('h1', { textContent: this.scene.title }));
     const counts = this.scene.surfaces.map((s) => {
-      const number = (n, what) => `${n.toLocaleString('en-US')} ${what}${n === 1 ? '' : what.endsWith('x') ? '' : 's'}`;
+      const number = (n, what) => `${n.toLocaleString('en-US')} ${what}${n === 1 ? '' : 's'}`;
       const text = s.numberOfFaces > 0 ? number(s.numberOfFaces, 'triangle') : number(s.numberOfVertices, 'point');
       return s.leftOut > 0 ? `${text}, ${s.leftOut.toLocaleString('en-US')} left out: no finite place` : text;
     });
@@ -103,11 +103,9 @@ export class Interface {
     const names = this.scene.surfaces.map((s) => element('div', { className: 'name', textContent: s.name }));
     document.body.append(...names);
     this.stage.listeners.push(() => names.forEach((name, i) => {
-      const [left, top, width, height] = this.stage.pane(i);
-      const isLast = !this.stage.isStacked() || i === names.length - 1;
+      const [left, top, width] = this.stage.pane(i);
       name.style.left = `${left + width / 2}px`;
-      name.style.bottom = isLast ? '' : 'auto';
-      name.style.top = isLast ? '' : `${top + height - 28}px`;
+      name.style.top = `${Math.max(top + 4, 66)}px`; // below the title
     }));
   }
 
@@ -118,18 +116,19 @@ export class Interface {
     });
     this.toggles[name] = button;
     this.keys[key] = button.onclick;
-    keys.push([key, label.toLowerCase(), '']);
+    this.explained.push([key, label.toLowerCase()]);
     return button;
   }
 
   #action(label, key, act) {
     this.keys[key] = act;
-    keys.push([key, label.toLowerCase(), '']);
+    this.explained.push([key, label.toLowerCase()]);
     return element('button', { type: 'button', textContent: label, title: `${label} (key ${key})`, onclick: act });
   }
 
   #addTools() {
     this.toggles = {};
+    this.explained = [...mouseAndArrows];
     this.keys = { ArrowRight: () => this.setField(this.state.field + 1), ArrowLeft: () => this.setField(this.state.field - 1) };
     this.mapChoice = element('select', { id: 'map', onchange: () => this.set({ map: this.mapChoice.value }) },
       ...[['auto', 'automatic'], ['sequential', 'sequential'], ['diverging', 'symmetric'], ['gray', 'gray']]
@@ -177,9 +176,9 @@ export class Interface {
     this.helpButton.setAttribute('aria-label', 'Mouse and keys');
     this.keys['?'] = this.helpButton.onclick;
     this.keys.i = () => this.set({ isolines: this.state.isolines > 0 ? 0 : 15 });
-    keys.push(['i', 'isolines', '']);
+    this.explained.push(['i', 'isolines']);
     const list = element('dl');
-    for (const [key, what] of keys)
+    for (const [key, what] of this.explained)
       if (what !== '?') list.append(element('dt', {}, element('kbd', { textContent: key })), element('dd', { textContent: what }));
     this.help.append(list);
     document.body.append(element('div', { id: 'tools' },
@@ -227,9 +226,9 @@ export class Interface {
     const digits = Math.min(12, Math.max(1, 1 + Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / step))));
     const label = (level, t) => [t, formatted(level, t === 0 || t === 1 ? Math.max(digits, 3) : digits)];
     const ends = [label(low, 0), label(high, 1)];
-    const characters = Math.max(...ends.map(([, words]) => words.length)) + digits / 2 + 1;
+    const longest = Math.max(...ends.map(([, words]) => words.length));
     const inner = levels.map((level) => label(level, fractionOf(level, view.range)))
-      .filter(([t]) => Math.min(t, 1 - t) * this.bar.clientWidth > 7.5 * characters);
+      .filter(([t, words]) => Math.min(t, 1 - t) * this.bar.clientWidth > 7.5 * (longest + words.length / 2 + 1));
     this.ticks.replaceChildren(...[ends[0], ...inner, ends[1]].map(([t, textContent]) => {
       const isEnd = t === 0 || t === 1;
       const tick = element('span', { textContent });

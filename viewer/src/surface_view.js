@@ -168,6 +168,9 @@ export class SurfaceView {
   // \param options.map a name of colors.js, or 'auto'
   // \param options.range null for that of the field
   setField(field, options) {
+    const choice = JSON.stringify([this.surface.fields.indexOf(field), options]);
+    if (choice === this.choice) return;
+    this.choice = choice;
     this.field = field;
     this.uniforms.painted.value = Boolean(field?.colors);
     if (!field) {
