@@ -16,6 +16,10 @@ const programs = process.env.RESTRICTED_LAPLACIAN_3_PROGRAMS;
 const data = process.env.RESTRICTED_LAPLACIAN_3_DATA_DIR;
 const modules = process.env.RESTRICTED_LAPLACIAN_3_NODE_MODULES;
 
+if (!bundle || !existsSync(bundle)) {
+  console.log('SKIPPED: the viewer was not bundled');
+  process.exit(0);
+}
 export const folder = mkdtempSync(join(tmpdir(), 'viewer-'));
 process.on('exit', () => rmSync(folder, { recursive: true }));
 
