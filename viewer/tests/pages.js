@@ -148,7 +148,7 @@ export async function visibleVertices(page, number, surface = 0) {
     const { stage, scene } = globalThis.viewer;
     const result = [], places = [];
     const n = scene.surfaces[index].numberOfVertices;
-    for (let v = 0, steps = 0; steps < n && result.length < wanted; v = (v + 7919) % n, ++steps) {
+    for (let v = 0, steps = 0; steps < Math.min(n, 500) && result.length < wanted; v = (v + 7919) % n, ++steps) {
       const place = stage.placeOf(index, v);
       if (places.some((q) => Math.hypot(q[0] - place[0], q[1] - place[1]) < 40)) continue;
       const around = [[0, 0], [3, 0], [-3, 0], [0, 3], [0, -3]].map(([dx, dy]) => stage.pick(place[0] + dx, place[1] + dy));
