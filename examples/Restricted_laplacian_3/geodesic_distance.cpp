@@ -244,7 +244,7 @@ Outcome measure(Job& job, const Options& o) {
     return show == "nearest" ? region_colors(values.col(1)) : distance_colors(values.col(0));
   };
   const RL::Geodesic_function distance(solver, found);
-  result.page.isolines = 20;
+  result.page.isolines = o.isolines > 0 ? 0 : 20;
   result.page.first = o.show == "nearest" ? 1 : 0;
   add_lines(job, o, solver, distance, largest, result);
   add_spline(job, o, distance, result);

@@ -64,9 +64,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("mass", po::value(&o.mass)->value_name("lumped|full")->default_value(o.mass),
       "mass matrix of --operator cotangent");
   add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
-      "index, from 0, of the eigenfunction for --output, and the first one that --html shows, "
-      "which has "
-      "all of them");
+      "index, from 0, of the eigenfunction for --output; --html has all of them, and shows this "
+      "one first");
   po::options_description all(help_width);
   all.add(problem)
       .add(eigensolver_options(o))
@@ -143,18 +142,20 @@ RL::Eigenpairs solve_cotangent(Job& job, const Options& o, Outcome& result) {
   job.summary.add_detail("relative_residual",
                          pairs.residuals.size() ? pairs.residuals.maxCoeff() : 0.);
   // nothing at vertices without a face
-  Eigen::MatrixXd u = Eigen::MatrixXd::Constant(
-      static_cast<Eigen::Index>(surface.number_of_vertices()), pairs.values.size(), std::nan(""));
+  std::vector<char> has_face(surface.number_of_vertices());
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
     if(!surface.is_degenerate(f))
       for(const std::uint32_t vertex : surface.triangle(f))
-        u.row(vertex) = pairs.vectors.row(vertex);
+        has_face[vertex] = 1;
+  for(Eigen::Index v = 0; v < pairs.vectors.rows(); ++v)
+    if(!has_face[static_cast<std::size_t>(v)])
+      pairs.vectors.row(v).setConstant(std::nan(""));
   if(o.eigenfunction < pairs.values.size()) {
-    const auto column = u.col(o.eigenfunction);
-    result = outcome({column.begin(), column.end()});
+    const auto u = pairs.vectors.col(o.eigenfunction);
+    result = outcome({u.begin(), u.end()});
   }
   if(!o.html.empty())
-    show_eigenfunctions(pairs.values, std::move(u), o, result);
+    show_eigenfunctions(pairs.values, pairs.vectors, o, result);
   return pairs;
 }
 

@@ -262,8 +262,9 @@ Outcome describe_vertices(const Spectrum& spectrum, const Options& o, Job& job) 
   result.values_at = [spectrum, &o, column](const std::vector<RL::Surface_location>& locations) {
     return columns_at(spectrum, locations, o, column, 1);
   };
+  if(!o.html.empty())
+    result.page.values = d.values;
   result.page.names = d.columns;
-  result.page.values = d.values;
   result.page.values_at = [spectrum, &o, n = d.values.cols()](const auto& locations) {
     return columns_at(spectrum, locations, o, 0, n);
   };

@@ -53,9 +53,9 @@ def _faces(values: Any, number: int) -> np.ndarray:
         return np.empty((0, 3), np.uint32)
     if array.ndim != 2 or array.shape[1] != 3:
         raise argument_error("F", f"has the shape {array.shape}, but must have (m, 3)")
-    outside = (array < 0) | (array >= number)
-    if outside.any():
-        face = int(np.argwhere(outside)[0, 0])
+    is_vertex = (array >= 0) & (array < number) & (array == np.floor(array))  # and no NaN
+    if not is_vertex.all():
+        face = int(np.argwhere(~is_vertex)[0, 0])
         error = InputError(f"face {face} names a vertex that does not exist")
         error.face = face
         raise error

@@ -240,6 +240,39 @@ def test_random_arrays(seed):
             pass
 
 
+@pytest.mark.parametrize("points, faces", [
+    (V, with_entry(F, (5, 2), -1)), (V, with_entry(F, (6, 0), len(V))), (V, with_entry(F, (6, 0), 2 ** 40)),
+    (V, with_entry(F, (3, 1), 2 ** 63, np.uint64)), (V, with_entry(F, (4, 1), 0.5, np.float64)),
+    (V, with_entry(F, (4, 1), np.nan, np.float64)), (V[:, :2], F), (V, F[:, :2]), (V.ravel(), F),
+    (V.astype(object), F), (V, F.astype(str)), (None, F), ({}, None),
+])
+def test_views_that_cannot_be(points, faces):
+    with pytest.raises(rl.InputError):
+        rl.View(points, faces)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_views_of_random_arrays(seed, tmp_path, monkeypatch):
+    from restricted_laplacian import _view
+    template = tmp_path / "viewer.html"
+    template.write_text("<!-- scene -->")  # the viewer itself plays no part here
+    monkeypatch.setattr(_view, "_VIEWER", template)
+    r = np.random.default_rng(seed)
+
+    def numbers(*shape):
+        values = r.normal(size=shape) * 10.0 ** r.integers(-308, 308)
+        bad = r.random(shape) < 0.1
+        return np.where(bad, r.choice([np.nan, np.inf, -np.inf, 0, 1.7e308, 5e-324], shape), values)
+
+    n = int(r.integers(0, 50))
+    faces = r.integers(0, n, (int(r.integers(0, 80)), 3)) if n else []
+    view = rl.View(numbers(n, 3), faces, {"a": numbers(n), "b": numbers(n, 2)}, colors=numbers(n, 3),
+                   normals=numbers(n, 3) if seed % 2 else None, lines=[numbers(4, 3), numbers(0, 3)],
+                   title="\0\ud800"[:seed % 2])
+    page = view.beside(view).html()
+    assert page.count("<script") == 2 and "nan" not in page.split("</script>")[0].lower()
+
+
 def test_too_little_memory_is_a_memory_error():
     pytest.importorskip("resource")
     program = """

@@ -72,9 +72,8 @@ po::options_description output_options(Common_options& o, const std::string& tab
        "; or as OBJ (.obj), without these")
           .c_str());
   add("html", po::value(&o.html)->value_name("FILE"),
-      "write a page (.html) that shows the mesh and its values in a browser, to be turned around: "
-      "one "
-      "file, which needs no network");
+      "write a page (.html) that shows the mesh and its values in a browser, to be turned around; "
+      "it needs no network");
   return description;
 }
 
@@ -84,8 +83,8 @@ po::options_description spline_output_options(Common_options& o, const std::stri
   auto add = description.add_options();
   add("refine", po::value(&o.refine)->value_name("N"),
       "divide the faces of the mesh of --output and --html until no side is longer than 1/N of the "
-      "width of a "
-      "cell of the octree, and evaluate the splines at all of its vertices: what it shows does not "
+      "width of a cell of the octree, and evaluate the splines at all of its vertices: what it "
+      "shows does not "
       "depend on the faces of MESH then");
   return description;
 }
