@@ -24,7 +24,7 @@ export const folder = mkdtempSync(join(tmpdir(), 'viewer-'));
 process.on('exit', () => rmSync(folder, { recursive: true }));
 
 export function mesh(name) {
-  const file = join(data ?? '', 'meshes', name);
+  const file = join(data ?? '', name);
   if (!existsSync(file)) throw new Error(`${file} is missing`);
   return file;
 }
