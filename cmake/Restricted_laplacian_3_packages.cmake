@@ -42,7 +42,7 @@ set(CPACK_DEBIAN_HEADERS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_HEADERS_PACKAGE_RECOMMENDS
   "libsuitesparse-dev, libopenblas-dev, libspectra-dev, libtbb-dev")
-set(CPACK_DEBIAN_HEADERS_PACKAGE_SUGGESTS "cmake, libcgal-demo, libopenmesh-dev, libpng-dev")
+set(CPACK_DEBIAN_HEADERS_PACKAGE_SUGGESTS "cmake, libcgal-demo, libopenmesh-dev, libpng-dev, zlib1g-dev")
 if(RESTRICTED_LAPLACIAN_3_BUILD_DOC)
   string(APPEND CPACK_DEBIAN_HEADERS_PACKAGE_RECOMMENDS ", libjs-mathjax")
 endif()

@@ -41,15 +41,10 @@ if [[ $is_check == true && ! -x $programs/draw_mesh ]]; then
   echo "SKIPPED: there is no $programs/draw_mesh"
   exit
 fi
-data=$(cd "$2" && pwd)
 outputs=$(cd "$(dirname "${BASH_SOURCE[0]}")/../doc/Restricted_laplacian_3/outputs" && pwd)
 
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/meshes"
-ln -s "$data"/* "$folder/meshes"
-ln -s "$data/../points_3" "$folder/points_3"
-cd "$folder/meshes"
+source "$(dirname "${BASH_SOURCE[0]}")/mesh_folder.sh"
+enter_mesh_folder "$2"
 PATH="$programs:$PATH"
 
 # run_commands FILE: the commands of a file, each with what it prints now. A backslash at the end of

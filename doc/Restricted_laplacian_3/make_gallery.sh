@@ -15,17 +15,13 @@ if [[ $# != 3 || ! -d $1 || ! -d $2 ]]; then
   sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
-gallery=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/Gallery.txt
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+gallery=$here/Gallery.txt
 programs=$(cd "$1" && pwd)
-data=$(cd "$2" && pwd)
 mkdir -p "$3"
 output=$(cd "$3" && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/meshes"
-ln -s "$data"/* "$folder/meshes"
-ln -s "$data/../points_3" "$folder/points_3"
-cd "$folder/meshes"
+source "$here/../../scripts/mesh_folder.sh"
+enter_mesh_folder "$2"
 
 sed -n '/^\\code{.sh}$/,/^\\endcode$/{/^\\/d;p}' "$gallery" >"$folder/commands.sh"
 PATH="$programs:$PATH" bash -euo pipefail "$folder/commands.sh" >"$folder/log" ||

@@ -86,6 +86,13 @@ def test_what_a_page_holds(sphere):
     assert (color["values"] == (255 * abs(V)).astype(int)).all()
 
 
+@pytest.mark.parametrize("colors, scale", [(np.int64, 255), (np.uint16, 65535), (np.float32, 1)])
+def test_types_of_colors(sphere, colors, scale):
+    V, F = sphere
+    s, = decoded(rl.View(V, F, colors=(scale * abs(V)).astype(colors)).html())["surfaces"]
+    assert abs(s["fields"][0]["values"] - 255 * abs(V)).max() <= 1.5
+
+
 @pytest.mark.parametrize("scale", [1e-90, 1e-3, 1.0, 1e90])
 def test_scales(sphere, scale):
     V, F = sphere

@@ -93,7 +93,6 @@ export async function decodedScene(description, base64) {
       positions,
       triangles,
       normals,
-      radius,
       segments,
       pointAt: (p) => p.map((x, axis) => center[axis] + x * (radius > 0 ? radius : 1)),
       pointOf: (vertex) => [0, 1, 2].map((axis) => s.positions.low[axis] + s.positions.step * codes[3 * vertex + axis]),

@@ -72,7 +72,6 @@ export class Interface {
       view.setLit(state.light);
       view.setFlat(state.flat);
       view.setPoints(state.points);
-      view.setPaths('#e0218a');
       view.setEdges('all', state.wireframe, ink);
       view.setEdges('boundary', state.boundary, '#e0218a');
       view.setEdges('nonManifold', state.boundary, '#ff8c00');

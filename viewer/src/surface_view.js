@@ -117,14 +117,10 @@ export class SurfaceView {
     this.isCoarse = false;
     if (surface.segments.length > 0) {
       const geometry = new LineSegmentsGeometry().setPositions(surface.segments);
-      this.paths = new LineSegments2(geometry, new LineMaterial({ linewidth: 3 }));
-      this.paths.frustumCulled = false;
-      this.object.add(this.paths);
+      const paths = new LineSegments2(geometry, new LineMaterial({ linewidth: 3, color: '#e0218a' }));
+      paths.frustumCulled = false;
+      this.object.add(paths);
     }
-  }
-
-  setPaths(color) {
-    this.paths?.material.color.set(color);
   }
 
   // Shows fewer triangles and no lines, or all of them again.

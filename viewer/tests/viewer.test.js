@@ -101,6 +101,14 @@ test('the slider changes the field', async () => {
   assert.deepEqual(await colorsAt(page, places), first);
   for (let i = 0; i < 9; ++i) await page.keyboard.press('ArrowRight');
   assert.match(await label.innerText(), /^eigenfunction 5, /);
+  // another slider has the arrows while it has the focus
+  await page.keyboard.press('o');
+  await page.locator('#isolines').focus();
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await page.evaluate(() => globalThis.viewer.controls.state.isolines), 2);
+  assert.match(await label.innerText(), /^eigenfunction 5, /);
   assert.deepEqual(page.complaints, []);
 });
 
