@@ -3,7 +3,7 @@
 
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product_impl.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse_impl.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Regularized_inverse_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/smoothers_impl.h>
 
@@ -28,7 +28,7 @@ template class Group_smoother<Patch_groups>;
                                                              Level_vectors<K>&, int) const;        \
   template void Group_smoother<Patch_groups>::residual<K>(                                         \
       const Level_vectors<K>&, const Level_vectors<K>&, Level_vectors<K>&) const;                  \
-  template void Pseudo_inverse::apply<K>(const Block_vector<K>&, Block_vector<K>&) const;          \
+  template void Regularized_inverse::apply<K>(const Block_vector<K>&, Block_vector<K>&) const;          \
   template void Mean_projection::project_load<K>(Block_vector<K>&) const;                          \
   template void Mean_projection::shift_solution<K>(const Block_vector<K>&, Block_vector<K>&) const;
 

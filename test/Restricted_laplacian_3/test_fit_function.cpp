@@ -217,15 +217,49 @@ TEST_CASE("fits_end_when_their_iteration_does_not_show", "[fit][slow]") {
 TEST_CASE("errors_of_fits_are_integrals_of_squared_differences", "[fit]") {
   const RL::Spline_space_3 space = fitting_space(shapes::sphere(3), 3);
   const double h = space.octree().cell_width(3);
-  const auto check = [&](const RL::Surface_function_view& f) {
-    const RL::Function_fit fit = RL::fit_function(space, f);
-    const RL::internal::Fit_residual exact = RL::internal::fit_residual(space, f, fit.coefficients);
-    for(std::size_t k = 0; k < fit.root_mean_square_errors.size(); ++k)
-      CHECK(fit.root_mean_square_errors[k] ==
-            Approx(h * std::sqrt(exact.squares[k] / space.surface().area())).epsilon(1e-3));
+  const auto check = [&](const RL::Surface_function_view& f, const RL::Function_fit& fit) {
+    const std::vector<double> errors = RL::internal::fit_errors(space, f, fit.coefficients);
+    for(std::size_t k = 0; k < errors.size(); ++k)
+      CHECK(fit.root_mean_square_errors[k] == Approx(errors[k]).epsilon(1e-3));
   };
-  check([](const RL::Surface_point& p) { return std::sin(9 * p.point.x()) * p.point.z(); });
-  check([](const RL::Surface_point& p) { return p.normal; });
+  const auto wave = [](const RL::Surface_point& p) {
+    return std::sin(9 * p.point.x()) * p.point.z();
+  };
+  const auto normal = [](const RL::Surface_point& p) { return p.normal; };
+  const auto plane = [](const RL::Surface_point& p) {
+    return std::array<double, 2>{1 + 2 * p.point.x() - p.point.z(), std::cos(4 * p.point.y())};
+  };
+  check(wave, RL::fit_function(space, wave));
+  check(normal, RL::fit_function(space, normal));
+  // where hardly anything is left, as where the first component is in the space
+  check(plane, RL::fit_function(space, plane));
+  // with smoothing, and with refinement after it
+  for(int steps = 0; steps < 3; ++steps)
+    for(const double c : {1e-4, 1e-2})
+      check(wave,
+            RL::fit_function(
+                space, wave,
+                params::smoothing_weight(h * h).refinement_steps(steps).normal_stabilization(c)));
+  // by a fitter that had another use for its solver
+  RL::Function_fitter fitter(
+      space, params::smoothing_weight(h * h).normal_stabilization(1e-3).refinement_steps(1));
+  fitter.project(RL::assemble_load(space, wave));
+  check(wave, fitter.fit(wave));
+}
+
+TEST_CASE("refinement_fits_what_is_left", "[fit]") {
+  const RL::Spline_space_3 space = fitting_space(shapes::sphere(3), 3);
+  const double h = space.octree().cell_width(3);
+  const auto f = [](const RL::Surface_point& p) { return std::sin(9 * p.point.x()) * p.point.z(); };
+  const auto options = params::smoothing_weight(h * h).relative_tolerance(1e-10);
+  RL::Function_fit expected = RL::fit_function(space, f, options);
+  // by values, not by matrices
+  const RL::Spline_function_3 u(space, expected.coefficients);
+  const auto left = [&](const RL::Surface_point& p) { return f(p) - u.value(p); };
+  expected.coefficients += RL::fit_function(space, left, options).coefficients;
+  const RL::Function_fit fit = RL::fit_function(space, f, options.refinement_steps(1));
+  const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
+  CHECK(fit_difference(mass, fit.coefficients, expected.coefficients) < 1e-8);
 }
 
 TEST_CASE("stabilization_of_fits_follows_their_smoothing", "[fit]") {

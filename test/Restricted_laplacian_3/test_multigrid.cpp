@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Constant_deflation.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Patch_groups.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Regularized_inverse.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_inverse.h>
 
 #include <Eigen/Dense>
@@ -789,6 +790,58 @@ TEST_CASE("inverse_of_a_block_with_dependent_unknowns", "[multigrid]") {
         CHECK((a * inverse * a - a).norm() <= 1e-9 * a.norm());
       }
     }
+  }
+}
+
+TEST_CASE("inverse_of_the_coarsest_level_leaves_the_kernel_out", "[multigrid]") {
+  using RL::internal::Regularized_inverse;
+  // a ring of `size` unknowns with weights, from number `first` on
+  const auto add_ring = [](int first, int size, double scale, double screening,
+                           Eigen::MatrixXd& a) {
+    const Eigen::VectorXd weights = random_vector(size, first + 5).cwiseAbs();
+    for(int i = 0; i < size; ++i) {
+      const int j = (i + 1) % size;
+      const double w = scale * (0.1 + weights[i]);
+      a(first + i, first + i) += w + scale * screening;
+      a(first + j, first + j) += w;
+      a(first + i, first + j) -= w;
+      a(first + j, first + i) -= w;
+    }
+  };
+  // two components with constants in the kernel, one without, an unknown without equation, and a
+  // component that sees one combination only, which is not that of constants
+  const int n = 33;
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
+  add_ring(0, 7, 1, 0, a);
+  add_ring(7, 13, 1e6, 0, a);
+  add_ring(20, 6, 1e-3, 0.01, a);
+  const Eigen::VectorXd seen = random_vector(6, 3);
+  a.bottomRightCorner(6, 6) = seen * seen.transpose();
+  // what these equations can be solved for
+  Eigen::VectorXd b = random_vector(n, 1);
+  b.head(7).array() -= b.head(7).mean();
+  b.segment(7, 13).array() -= b.segment(7, 13).mean();
+  b[26] = 0;
+  b.tail(6) = seen;
+  for(const double regularization : {0., Regularized_inverse::single_precision_regularization}) {
+    const Regularized_inverse inverse(a.sparseView(), regularization);
+    const double epsilon = std::max(regularization, Regularized_inverse::relative_cutoff);
+    RL::internal::Block_vector<1> x;
+    inverse.apply<1>(b, x);
+    CHECK((b - a * x).norm() <= 1e3 * epsilon * b.norm());
+    CHECK(x[26] == 0);
+    // with their diagonal entries as weights, solutions have mean 0
+    CHECK(std::abs(a.diagonal().head(7).dot(x.head(7))) <= 1e-9 * x.head(7).norm());
+    CHECK(std::abs(a.diagonal().segment(7, 13).dot(x.segment(7, 13))) <=
+          1e-3 * x.segment(7, 13).norm());
+    // the constants of singular components are loads that nothing answers to
+    inverse.apply<1>(a.diagonal(), x);
+    CHECK(x.head(20).norm() <= 1e-9);
+    CHECK((a * x - a.diagonal()).segment(20, 6).norm() <=
+          1e3 * epsilon * a.diagonal().segment(20, 6).norm());
+    // what is not in the range is not amplified beyond bounds
+    inverse.apply<1>(random_vector(n, 7), x);
+    CHECK(x.tail(6).norm() <= 1e2 / epsilon);
   }
 }
 

@@ -12,6 +12,10 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions_behaviour.h>
 
+#if defined(__linux__) && __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -80,9 +84,23 @@ inline std::string message_of(const RL::Parameter_error& e) {
                                  : "--" + option->second + message.substr(e.parameter().size());
 }
 
+// Lets the heap grow in large steps, and keep what it has. By default the C library of Linux gives
+// each large array back to the system when it is no longer used, and the pages of the next one are
+// filled with zeros again when they are first touched. Where transparent huge pages are enabled, a
+// heap that grows like that consists of them.
+inline void keep_memory() {
+#ifdef M_TOP_PAD
+  constexpr int step = 64 << 20;
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
+  mallopt(M_TOP_PAD, step);
+#endif
+}
+
 // Runs the body of a program, a functor that returns the exit status. Whatever the body throws
 // becomes one line on the standard error stream and a non-zero exit status.
 template <typename Body> int run_program(const std::string& program, Body body) {
+  keep_memory();
   // CGAL prints several lines when a check fails, before it throws; the exception says it all
   const auto silent = [](const char*, const char*, const char*, int, const char*) {};
   CGAL::set_error_handler(silent);

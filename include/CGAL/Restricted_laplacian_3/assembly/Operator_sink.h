@@ -49,6 +49,14 @@ public:
   virtual void add(const Cell_elements& elements, const Sheet_block& stiffness,
                    const Sheet_block& mass) = 0;
 
+  /// \cond
+  // The same, also with the mass before it is stabilized; this is what is called.
+  virtual void add_all(const Cell_elements& elements, const Sheet_block& stiffness,
+                       const Sheet_block& mass, const Sheet_block& /* plain_mass */) {
+    add(elements, stiffness, mass);
+  }
+  /// \endcond
+
   /// called once, after the last block
   virtual void finish() {}
 };

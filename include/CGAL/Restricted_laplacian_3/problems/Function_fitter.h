@@ -4,6 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_FUNCTION_FITTER_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_FUNCTION_FITTER_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual.h>
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
@@ -50,12 +52,6 @@ struct Function_fit : Fit_report {
   /// a row for each element of the finest level, a column for each component
   Eigen::MatrixXd coefficients;
 };
-
-namespace internal {
-
-struct Fit_residual;
-
-} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of a `Function_fitter`.
@@ -177,22 +173,21 @@ public:
                        const std::function<bool(double)>& callback = {});
 
 private:
-  using Residual = internal::Fit_residual;
   using Progress = internal::Progress;
 
   double unit() const;
-  Residual residual(const Surface_function_view& f, const Function_fit& fit) const;
-  const Poisson_solver& solver(double normal_stabilization, const Progress& progress);
+  const Poisson_solver& solver(double normal_stabilization, const Progress& progress,
+                               bool is_mass_needed);
+  const Sparse_matrix& mass();
   double stabilization() const;
   double energy_tolerance() const;
-  Solve_report solve_least_squares(const Residual& residual, const Progress& progress,
-                                   Eigen::MatrixXd& x);
-  void refine(const Surface_function_view& f, const Progress& progress, Function_fit& result);
+  Solve_report fit_residual(const Progress& progress, internal::Fit_residual& residual,
+                            Eigen::MatrixXd& coefficients);
 
   Spline_space_3 m_space;
   Options m_options;
-  Eigen::VectorXd m_integrals;                             // in units of unit()
   std::deque<std::pair<double, Poisson_solver>> m_solvers; // with their stabilization
+  Sparse_matrix m_mass;                                    // upper half; empty until needed
   double m_assembly_seconds = 0, m_setup_seconds = 0;
 };
 

@@ -71,33 +71,34 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Function_fitter::unit() const {
   return h * h;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fitter::Residual
-Function_fitter::residual(const Surface_function_view& f, const Function_fit& fit) const {
-  return internal::fit_residual(m_space, f, fit.coefficients);
-}
-
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit
 Function_fitter::fit(const Surface_function_view& f, const std::function<bool(double)>& callback) {
   CGAL::Real_timer timer;
   timer.start();
   const double seconds_before = m_assembly_seconds + m_setup_seconds;
-  // a refinement takes about a fifth of the fit
-  const double refinements = 0.2 * m_options.refinement_steps, end_of_fit = 1 / (1 + refinements);
+  // a refinement takes about a tenth of the fit
+  const double steps = m_options.refinement_steps, end_of_fit = 1 / (1 + 0.1 * steps);
   const Progress progress(callback);
   progress(0);
-  Function_fit result;
-  const Residual of_zero = residual(f, result);
+  internal::Fit_residual left = internal::fit_residual(m_space, f);
   const double load_seconds = timer.time();
 
-  static_cast<Solve_report&>(result) = solve_least_squares(
-      of_zero, progress.part(0.1 * end_of_fit, end_of_fit), result.coefficients);
+  Function_fit result;
+  static_cast<Solve_report&>(result) =
+      fit_residual(progress.part(0.1 * end_of_fit, end_of_fit), left, result.coefficients);
   result.normal_stabilization = stabilization();
   const Progress of_refinements = progress.part(end_of_fit, 1);
-  const double steps = m_options.refinement_steps;
-  for(int step = 0; step < m_options.refinement_steps; ++step)
-    refine(f, of_refinements.part(step / steps, (step + 1) / steps), result);
+  for(int step = 0; step < m_options.refinement_steps; ++step) {
+    Eigen::MatrixXd x;
+    const Solve_report report =
+        fit_residual(of_refinements.part(step / steps, (step + 1) / steps), left, x);
+    result.coefficients += x;
+    result.worsen_status(report.status);
+  }
   progress(1);
-  result.root_mean_square_errors = internal::fit_errors(m_space, f, result.coefficients);
+  result.root_mean_square_errors = left.are_accurate
+                                       ? left.root_means(m_space)
+                                       : internal::fit_errors(m_space, f, result.coefficients);
 
   result.assembly_seconds = m_assembly_seconds + load_seconds;
   result.setup_seconds = m_setup_seconds;
@@ -110,7 +111,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit Function_fitter::project(
     const Eigen::MatrixXd& loads, const std::function<bool(double)>& callback) {
   const double c = m_options.normal_stabilization.value_or(default_projection_stabilization);
   const Progress progress(callback);
-  const Poisson_solver& solver = this->solver(c, progress.part(0, internal::end_of_setup));
+  const Poisson_solver& solver = this->solver(c, progress.part(0, internal::end_of_setup), false);
   Function_fit result;
   static_cast<Solve_report&>(result) = solver.solve(
       loads / unit(), result.coefficients,
@@ -131,8 +132,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Function_fitter::energy_tolerance() co
 }
 
 /// the solver with this stabilization
+/// \param is_mass_needed whether the mass matrix is assembled with those of the solver
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Poisson_solver&
-Function_fitter::solver(double normal_stabilization, const Progress& progress) {
+Function_fitter::solver(double normal_stabilization, const Progress& progress,
+                        bool is_mass_needed) {
   for(const auto& [c, solver] : m_solvers)
     if(c == normal_stabilization)
       return solver;
@@ -146,34 +149,42 @@ Function_fitter::solver(double normal_stabilization, const Progress& progress) {
   elliptic.reaction = 1 / unit();
   elliptic.diffusion = m_options.smoothing_weight / unit();
   elliptic.normal_stabilization = normal_stabilization;
-  m_solvers.emplace_back(normal_stabilization, internal::elliptic_solver(m_space, elliptic, options,
-                                                                         progress, &m_integrals));
+  m_solvers.emplace_back(
+      normal_stabilization,
+      internal::elliptic_solver(m_space, elliptic, options, progress, nullptr,
+                                is_mass_needed && m_mass.cols() == 0 ? &m_mass : nullptr));
   const Poisson_solver& result = m_solvers.back().second;
   m_setup_seconds += result.setup_seconds();
   m_assembly_seconds += timer.time() - result.setup_seconds();
   return result;
 }
 
-/// \param residual of what is fitted
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Function_fitter::solve_least_squares(
-    const Residual& residual, const Progress& progress, Eigen::MatrixXd& x) {
+/// the mass matrix without stabilization, or its upper half
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Sparse_matrix& Function_fitter::mass() {
+  if(m_mass.cols() == 0) {
+    internal::Elliptic_operator elliptic;
+    elliptic.diffusion = 0;
+    elliptic.reaction = 1;
+    internal::assemble_system(m_space, m_space.depth(), elliptic,
+                              internal::Stored_entries::upper_half)
+        .matrices.back()
+        .swap(m_mass);
+  }
+  return m_mass;
+}
+
+/// Fits what is left of a function, and subtracts that from it.
+/// \param coefficients receives those of the fit
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Function_fitter::fit_residual(
+    const Progress& progress, internal::Fit_residual& residual, Eigen::MatrixXd& coefficients) {
   const Poisson_solver& solver =
-      this->solver(stabilization(), progress.part(0, internal::end_of_setup));
+      this->solver(stabilization(), progress.part(0, internal::end_of_setup), true);
   Solve_options options(*m_options.solver.relative_tolerance,
                         progress.part(internal::end_of_setup, 1).callback());
   options.least_squares = {residual.squares, energy_tolerance()};
-  return solver.solve(residual.loads / unit(), x, options);
-}
-
-/// fits what is left
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Function_fitter::refine(const Surface_function_view& f,
-                                                                const Progress& progress,
-                                                                Function_fit& result) {
-  progress(0);
-  Eigen::MatrixXd x;
-  const Solve_report report = solve_least_squares(residual(f, result), progress, x);
-  result.coefficients += x;
-  result.worsen_status(report.status);
+  const Solve_report report = solver.solve(residual.loads / unit(), coefficients, options);
+  residual.subtract(m_space, mass(), coefficients);
+  return report;
 }
 
 } // namespace Restricted_laplacian_3

@@ -38,11 +38,13 @@ Poisson_solver poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
 
 /// with the matrices of all levels from one pass over the surface
 /// \param constant_loads if not null, on return what the matrix maps the constant 1 to
+/// \param mass if not null, on return the mass matrix without stabilization, or its upper half
 /// \throws Parameter_error if the reaction or the stabilization is outside its domain
 Poisson_solver elliptic_solver(const Spline_space_3& space, const Elliptic_operator& elliptic,
                                const Poisson_solver_options& options,
                                const Progress& progress = Progress(),
-                               Eigen::VectorXd* constant_loads = nullptr);
+                               Eigen::VectorXd* constant_loads = nullptr,
+                               Sparse_matrix* mass = nullptr);
 
 /// The same with prescribed values: their matrices are known for the finest level only.
 /// \param load what they add to the right-hand side is added to it

@@ -44,14 +44,14 @@ poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver
 elliptic_solver(const Spline_space_3& space, const Elliptic_operator& elliptic,
                 const Poisson_solver_options& options, const Progress& progress,
-                Eigen::VectorXd* constant_loads) {
+                Eigen::VectorXd* constant_loads, Sparse_matrix* mass) {
   check_alpha(elliptic.reaction);
   // Matrices of the space of the paper are not the Galerkin products, which are computed then.
   const bool is_paper_space = space.is_paper_space();
   const int coarsest = is_paper_space ? space.depth() : coarsest_multigrid_level(space);
   System_matrices system = assemble_system(
       space, coarsest, elliptic, is_paper_space ? Stored_entries::all : Stored_entries::upper_half,
-      progress.part(0, part_of_assembly));
+      progress.part(0, part_of_assembly), mass);
   Sparse_matrix finest;
   finest.swap(system.matrices.back());
   system.matrices.pop_back();

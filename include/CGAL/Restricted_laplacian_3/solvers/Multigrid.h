@@ -12,7 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Constant_deflation.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Pseudo_inverse.h>
+#include <CGAL/Restricted_laplacian_3/solvers/internal/Regularized_inverse.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Smoother_adaptor.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/symmetric_halves.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
@@ -279,8 +279,9 @@ private:
   }
 
   void set_coarsest(const Sparse_matrix& a) {
-    m_coarse_inverse = internal::Pseudo_inverse(
-        a, m_levels.size() == 1 ? 0 : internal::Pseudo_inverse::single_precision_regularization);
+    m_coarse_inverse = internal::Regularized_inverse(
+        a,
+        m_levels.size() == 1 ? 0 : internal::Regularized_inverse::single_precision_regularization);
     m_coarse_scale = internal::balancing_scale(a);
     m_coarse_positions = internal::Level_positions::consecutive(static_cast<std::size_t>(a.cols()));
   }
@@ -407,7 +408,7 @@ private:
   std::vector<Level> m_levels;
   std::vector<Level_smoother> m_smoothers;
   internal::Symmetric_matrix m_finest_matrix;
-  internal::Pseudo_inverse m_coarse_inverse;
+  internal::Regularized_inverse m_coarse_inverse;
   internal::Level_positions m_coarse_positions;
   std::vector<double> m_coarse_scale;
 };

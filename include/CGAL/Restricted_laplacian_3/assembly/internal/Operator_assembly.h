@@ -112,7 +112,7 @@ private:
   /// what a thread needs for one unit of work
   struct Scratch {
     Moments top, middle;
-    Packed_blocks stiffness, mass, stabilization;
+    Packed_blocks stiffness, mass, plain_mass, stabilization;
   };
 
   /// half-open range of numbers of sheets
@@ -243,6 +243,7 @@ private:
     if(targets.is_empty())
       return;
     const double h = m_octree.cell_width(level), finest_h = m_octree.cell_width(m_octree.depth());
+    const Packed_blocks& plain_mass = m_keeps_stabilization ? scratch.plain_mass : scratch.mass;
     for(std::size_t first = sheets.begin; first < sheets.end; first += 4) {
       const std::size_t count = (std::min)(std::size_t(4), sheets.end - first);
       std::array<const Sheet_moments*, 4> of_sheets, of_stabilization;
@@ -261,16 +262,19 @@ private:
           auto& values = scratch.mass.values[lane];
           for(double& entry : values)
             entry *= h * h;
-          if(m_keeps_stabilization)
-            for(std::size_t i = 0; i < values.size(); ++i)
-              values[i] += finest_h * finest_h * scratch.stabilization.values[lane][i];
+          if(!m_keeps_stabilization)
+            continue;
+          scratch.plain_mass.values[lane] = values;
+          for(std::size_t i = 0; i < values.size(); ++i)
+            values[i] += finest_h * finest_h * scratch.stabilization.values[lane][i];
         }
       }
       for(std::size_t lane = 0; lane < count; ++lane) {
         const Cell_elements& elements = m_space.elements(level, first + lane);
         if(targets.sink)
-          targets.sink->add(elements, Sheet_block(scratch.stiffness.values[lane].data()),
-                            Sheet_block(scratch.mass.values[lane].data()));
+          targets.sink->add_all(elements, Sheet_block(scratch.stiffness.values[lane].data()),
+                                Sheet_block(scratch.mass.values[lane].data()),
+                                Sheet_block(plain_mass.values[lane].data()));
         if(targets.integrals)
           add_integrals(elements, *of_sheets[lane], Sheet_moments::area, h * h, *targets.integrals);
         if(targets.weighted_integrals)

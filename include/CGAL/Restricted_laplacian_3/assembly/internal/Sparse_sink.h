@@ -26,6 +26,8 @@ public:
   struct Target {
     Sparse_matrix* matrix;
     double stiffness_factor, mass_factor;
+    /// of the mass without stabilization
+    double plain_mass_factor = 0;
   };
 
   /// \param targets at least one; the matrices must outlive this object, their old content is lost
@@ -42,14 +44,20 @@ public:
                        [](const Target& t) { return t.stiffness_factor != 0; });
   }
   bool wants_mass() const override {
-    return std::any_of(m_targets.begin(), m_targets.end(),
-                       [](const Target& t) { return t.mass_factor != 0; });
+    return std::any_of(m_targets.begin(), m_targets.end(), [](const Target& t) {
+      return t.mass_factor != 0 || t.plain_mass_factor != 0;
+    });
+  }
+
+  void add(const Cell_elements& elements, const Sheet_block& stiffness,
+           const Sheet_block& mass) override {
+    add_all(elements, stiffness, mass, mass);
   }
 
   /// Both the elements of the sheet and the rows of a column are walked through in ascending order,
   /// so each column takes one merge.
-  void add(const Cell_elements& elements, const Sheet_block& stiffness,
-           const Sheet_block& mass) override {
+  void add_all(const Cell_elements& elements, const Sheet_block& stiffness, const Sheet_block& mass,
+               const Sheet_block& plain_mass) override {
     std::array<std::pair<int, int>, Tensor_basis_3::size> sorted;
     int count = 0;
     for_each_element(elements, [&](int i, std::uint32_t element) {
@@ -76,6 +84,7 @@ public:
         };
         add_times(target.stiffness_factor, stiffness.upper_half());
         add_times(target.mass_factor, mass.upper_half());
+        add_times(target.plain_mass_factor, plain_mass.upper_half());
       }
     }
   }

@@ -49,13 +49,16 @@ struct System_matrices {
 
 /// In one pass over the surface; one matrix is formed for each level.
 /// \param stored a `Poisson_solver` needs the upper halves only, unless it forms Galerkin products
+/// \param mass receives the mass matrix of the finest level without stabilization, or its upper half;
+/// may be null
 /// \throws Parameter_error if a value of \f$\alpha\f$ is negative or not finite (names the face),
 /// or
 /// \f$c\f$
 System_matrices assemble_system(const Spline_space_3& space, int coarsest,
                                 const Elliptic_operator& elliptic,
                                 Stored_entries stored = Stored_entries::all,
-                                const Progress& progress = Progress());
+                                const Progress& progress = Progress(),
+                                Sparse_matrix* mass = nullptr);
 
 /// \throws Parameter_error if the factor of the stabilization is negative or not finite
 double checked_normal_stabilization(double c);

@@ -15,6 +15,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,7 +32,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double checked_normal_stabilization(double c)
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices
 assemble_system(const Spline_space_3& space, int coarsest, const Elliptic_operator& elliptic,
-                Stored_entries stored, const Progress& progress) {
+                Stored_entries stored, const Progress& progress, Sparse_matrix* mass) {
   checked_normal_stabilization(elliptic.normal_stabilization);
   std::optional<Mass_weight> weight;
   if(elliptic.reaction_function)
@@ -44,10 +45,11 @@ assemble_system(const Spline_space_3& space, int coarsest, const Elliptic_operat
   for(std::size_t i = 0; i < number_of_levels; ++i) {
     progress(0);
     const int level = coarsest + static_cast<int>(i);
-    sinks.emplace_back(space, level,
-                       std::vector<Sparse_sink::Target>{{&result.matrices[i], elliptic.diffusion,
-                                                         weight ? 1 : elliptic.reaction}},
-                       stored);
+    std::vector<Sparse_sink::Target> of_level = {
+        {&result.matrices[i], elliptic.diffusion, weight ? 1 : elliptic.reaction}};
+    if(mass && level == space.depth())
+      of_level.push_back({mass, 0, 0, 1});
+    sinks.emplace_back(space, level, std::move(of_level), stored);
     targets[level].sink = &sinks.back();
   }
   Assembly_targets& finest = targets[space.depth()];

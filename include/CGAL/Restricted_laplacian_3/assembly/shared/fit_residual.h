@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_FIT_RESIDUAL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_FIT_RESIDUAL_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -17,22 +18,39 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// What a function \f$f\f$ and a spline function \f$u\f$ differ by, for each component \f$k\f$.
+/// What is left of a function \f$f\f$ after a spline function \f$u\f$ is subtracted, for each
+/// component \f$k\f$.
 struct Fit_residual {
   /// \f$\int (f_k - u_k)\, b_i\f$: a row for each element, a column for each component
   Eigen::MatrixXd loads;
   /// \f$\int (f_k - u_k)^2\f$, in units of the squared cell width
   Eigen::VectorXd squares;
+
+  /// \f$(\int (f_k - u_k)^2 / \mathrm{area})^{1/2}\f$ for each component
+  std::vector<double> root_means(const Spline_space_3& space) const;
+
+  /// Subtracts one more spline function \f$v\f$ with the coefficients \f$\eta\f$:
+  /// \f[ \int (g - v)\, b_i = \int g\, b_i - (M \eta)_i, \qquad
+  ///     \int (g - v)^2 = \int g^2 - 2\, \eta^T \gamma + \eta^T M\, \eta, \quad
+  ///     \gamma_i = \int g\, b_i \f]
+  /// Small squares lose digits in that, see `are_accurate`.
+  /// \param mass \f$M\f$; what is below its diagonal is not read
+  /// \param coefficients \f$\eta\f$, a column for each component
+  void subtract(const Spline_space_3& space, const Sparse_matrix& mass,
+                const Eigen::MatrixXd& coefficients);
+
+  /// whether at least four digits of the squares are not rounding errors
+  bool are_accurate = true;
 };
 
+/// What there is to fit, \f$u = 0\f$.
 /// \param f as in `assemble_component_loads()`
-/// \param coefficients of \f$u\f$ on the finest level; without columns, \f$u = 0\f$
 /// \throws Parameter_error if a value of `f` is not finite; names the face
-Fit_residual fit_residual(const Spline_space_3& space, const Surface_function_view& f,
-                          const Eigen::MatrixXd& coefficients);
+Fit_residual fit_residual(const Spline_space_3& space, const Surface_function_view& f);
 
-/// \f$(\int (f_k - u_k)^2 / \mathrm{area})^{1/2}\f$ for each component \f$k\f$; by a rule of degree
-/// 8, which has half as many nodes as one that is exact for products of splines
+/// \f$(\int (f_k - u_k)^2 / \mathrm{area})^{1/2}\f$ for each component \f$k\f$, from the values of
+/// both: accurate also where \f$u\f$ hardly differs from \f$f\f$. By a rule of degree 8, which has
+/// half as many nodes as one that is exact for products of splines.
 std::vector<double> fit_errors(const Spline_space_3& space, const Surface_function_view& f,
                                const Eigen::MatrixXd& coefficients);
 

@@ -10,7 +10,10 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/Block_evaluation.h>
 
-#include <array>
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -19,35 +22,51 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
+/// below this fraction of what was subtracted from each other, squares have fewer than four digits
+constexpr double smallest_accurate_square = 1e-10;
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
+Fit_residual::root_means(const Spline_space_3& space) const {
+  const double h = space.octree().cell_width(space.depth());
+  std::vector<double> result;
+  for(const double square : squares)
+    result.push_back(h * std::sqrt(square / space.surface().area()));
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Fit_residual::subtract(const Spline_space_3& space, const Sparse_matrix& mass,
+                       const Eigen::MatrixXd& coefficients) {
+  const double h = space.octree().cell_width(space.depth());
+  const Eigen::VectorXd diagonal = mass.diagonal();
+  for(Eigen::Index k = 0; k < coefficients.cols(); ++k) {
+    const auto eta = coefficients.col(k);
+    const Eigen::VectorXd left = loads.col(k) - mass.selfadjointView<Eigen::Upper>() * eta;
+    // the terms of the products are that large, even if they cancel
+    const double largest = (std::max)(squares[k], diagonal.dot(eta.cwiseAbs2()) / (h * h));
+    squares[k] = (std::max)(squares[k] - eta.dot(loads.col(k) + left) / (h * h), 0.);
+    loads.col(k) = left;
+    are_accurate = are_accurate && !(squares[k] < smallest_accurate_square * largest);
+  }
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual fit_residual(const Spline_space_3& space,
-                                                             const Surface_function_view& f,
-                                                             const Eigen::MatrixXd& coefficients) {
+                                                             const Surface_function_view& f) {
   constexpr std::size_t capacity = Integration_node_block::capacity;
   const int number = f.components(), depth = space.depth();
   const double h = space.octree().cell_width(depth);
-  const bool is_zero = coefficients.cols() == 0;
-  // a function alone is integrated against elements, its difference to a spline is also squared
-  const int degree = is_zero ? 6 + f.degree() : 12;
   const Eigen::Index sheets = static_cast<Eigen::Index>(space.number_of_sheets(depth));
   // a column for each sheet
   Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(number, sheets);
   Fit_residual result;
   result.loads =
       sum_loads(space, depth, number, h * h, [&](std::size_t sheet, Cell_load::Load* loads) {
-        Block_evaluation<capacity> u(space, sheet, coefficients);
         std::vector<Cell_load> moments(number);
         std::vector<double> values(number * capacity);
-        space.integration().visit_nodes(sheet, degree, [&](Integration_node_block& block) {
+        space.integration().visit_nodes(sheet, 6 + f.degree(), [&](Integration_node_block& block) {
           f(block.points.data(), block.size, values.data());
           check_values(block, values.data(), number, "f");
-          if(!is_zero)
-            u.set_points(block.positions);
           for(int k = 0; k < number; ++k) {
-            if(!is_zero) {
-              const Node_values of_u = u.values(k);
-              for(std::size_t i = 0; i < block.size; ++i)
-                values[number * i + k] -= of_u[i];
-            }
             const Node_values weighted = weighted_component(block, values.data(), number, k);
             for(std::size_t i = 0; i < block.size; ++i)
               squares(k, sheet) += weighted[i] * values[number * i + k];
