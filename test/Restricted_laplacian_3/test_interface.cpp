@@ -9,7 +9,9 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/Function_moments.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
@@ -610,6 +612,17 @@ TEST_CASE("nodes_on_flat_triangles_have_the_metric_of_their_plane", "[interface]
     });
   const double h = space.octree().cell_width(space.depth());
   CHECK(area * h * h == Approx(space.surface().area()).epsilon(1e-13));
+  // functions that are linear on faces need none
+  CHECK(view.adds_linear_functions());
+  CHECK(!RL::Surface_integration(RL::Monte_carlo(space.octree(), 100, 1)).adds_linear_functions());
+  const auto two = RL::function_of_degree([](const RL::Surface_point&) { return 2.; }, 0);
+  double square = 0;
+  for(std::size_t sheet = 0; sheet < space.number_of_sheets(space.depth()); ++sheet) {
+    RL::internal::Function_moments moments(two, "two");
+    view.add_linear_function(sheet, moments);
+    square += moments.square(0);
+  }
+  CHECK(square * h * h == Approx(4 * space.surface().area()).epsilon(1e-13));
   // those that are left are handed on
   std::size_t number = 0;
   const auto count = [&](RL::Integration_node_block& block) { number += block.size; };

@@ -229,18 +229,21 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
     a[lane].clear();
     b[lane].clear();
     sheets[lane] = &a[lane];
-    for(std::size_t size = 3; size < 9; ++size) {
-      RL::Fragment fragment;
-      for(std::size_t i = 0; i < size; ++i) {
-        const double angle = 6.28 * (static_cast<double>(i) + uniform(generator) / 2) / size;
-        fragment.push_back({{2.5 + 0.4 * std::cos(angle), 3.5 + 0.4 * std::sin(angle),
-                             4.1 + uniform(generator) / 2},
-                            {0, 0, 0}});
+    for(std::size_t size = 3; size < 9; ++size)
+      // so small that the triangles get each of the rules
+      for(const double radius : {0.4, 0.12, 0.05, 0.03, 0.006}) {
+        RL::Fragment fragment;
+        for(std::size_t i = 0; i < size; ++i) {
+          const double angle = 6.28 * (static_cast<double>(i) + uniform(generator) / 2) / size;
+          fragment.push_back({{2.5 + radius * std::cos(angle), 3.5 + radius * std::sin(angle),
+                               4.1 + radius * uniform(generator)},
+                              {0, 0, 0}});
+        }
+        const auto metric = RL::tangent_projector(RL::Vector_3(0.48, 0.6, 0.64));
+        const int degree = lane % 2 == 0 ? 12 : 10;
+        plain::add_fragment(fragment, {2, 3, 4}, metric, a[lane], 0.7, degree);
+        lanes::add_fragment(fragment, {2, 3, 4}, metric, b[lane], 0.7, degree);
       }
-      const auto metric = RL::tangent_projector(RL::Vector_3(0.48, 0.6, 0.64));
-      plain::add_fragment(fragment, {2, 3, 4}, metric, a[lane], 0.7);
-      lanes::add_fragment(fragment, {2, 3, 4}, metric, b[lane], 0.7);
-    }
     CHECK(difference(a[lane], b[lane]) <= 1e-15);
   }
   for(int octant = 0; octant < 8; ++octant) {
@@ -292,6 +295,28 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
   for(int i = 0; i < 27; ++i)
     for(int lane = 0; lane < 4; ++lane)
       CHECK(std::abs(of_plain[i][lane] - of_lanes[i][lane]) <= 1e-15);
+
+  for(const int degree : {2, 5, 7}) {
+    std::array<std::array<double, 3>, 3> corners;
+    for(auto& corner : corners)
+      corner = {uniform(generator), uniform(generator), uniform(generator)};
+    const std::array<double, 3> at_corners = {uniform(generator), -1, uniform(generator)};
+    internal::Linear_load_nodes nodes_of_plain = internal::linear_load_nodes(corners, 1, degree),
+                                nodes_of_lanes = nodes_of_plain;
+    plain::set_linear_nodes(corners, 0.7, nodes_of_plain);
+    lanes::set_linear_nodes(corners, 0.7, nodes_of_lanes);
+    of_plain = of_lanes = {};
+    plain::add_linear_load(nodes_of_plain, at_corners, of_plain);
+    lanes::add_linear_load(nodes_of_lanes, at_corners, of_lanes);
+    double sum = 0;
+    for(int i = 0; i < 27; ++i)
+      for(int lane = 0; lane < 4; ++lane) {
+        CHECK(std::abs(of_plain[i][lane] - of_lanes[i][lane]) <= 1e-15);
+        sum += of_lanes[i][lane];
+      }
+    // Bernstein polynomials sum to 1
+    CHECK(sum == Approx(0.7 * (at_corners[0] + at_corners[1] + at_corners[2]) / 3));
+  }
 }
 
 TEST_CASE("vectors_place_nodes_and_evaluate_splines_as_plain_code_does", "[threads]") {

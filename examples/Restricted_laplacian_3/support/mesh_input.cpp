@@ -3,6 +3,7 @@
 
 #include "mesh_input.h"
 
+#include "binary_mesh.h"
 #include "program.h"
 #include "vertex_data.h"
 
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace examples {
@@ -25,6 +27,11 @@ namespace internal {
 Polygon_soup read_soup(const std::string& file) {
   Polygon_soup soup;
   require(std::ifstream(file).good(), "cannot open '" + file + "'");
+  if(std::optional<Triangle_soup> read = read_binary_triangles(file)) {
+    soup.points = std::move(read->points);
+    soup.triangles = std::move(read->triangles);
+    return soup;
+  }
   coordinate_types(file); // throws if CGAL cannot read them
   require(CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons,
                                       CGAL::parameters::verbose(false)),
@@ -36,16 +43,18 @@ Polygon_soup read_soup(const std::string& file) {
 namespace {
 
 // Throws unless face number `i` is one. Vertices that no face uses may be anything.
-void check_face(const Polygon_soup& soup, std::size_t i, const std::string& file) {
+template <typename Face>
+void check_face(const std::vector<RL::Point_3>& points, const Face& face, std::size_t i,
+                const std::string& file) {
   const auto fail = [&](const std::string& reason) {
     throw Error("'" + file + "': face " + std::to_string(i) + reason);
   };
-  if(soup.polygons[i].size() < 3)
+  if(face.size() < 3)
     fail(" has fewer than three corners");
-  for(const std::size_t vertex : soup.polygons[i]) {
-    if(vertex >= soup.points.size())
+  for(const std::size_t vertex : face) {
+    if(vertex >= points.size())
       fail(" names a vertex that does not exist");
-    const RL::Point_3& p = soup.points[vertex];
+    const RL::Point_3& p = points[vertex];
     if(!(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())))
       fail(": vertex " + std::to_string(vertex) + " has a coordinate that is not finite");
   }
@@ -82,11 +91,13 @@ void triangulate(const std::vector<RL::Point_3>& points, Polygon polygon,
 } // namespace
 
 Mesh_input mesh_of(Polygon_soup soup, const std::string& file) {
-  require(!soup.polygons.empty(), "'" + file + "' holds no face");
-  std::vector<RL::Triangulated_surface_3::Triangle> triangles;
+  require(soup.has_faces(), "'" + file + "' holds no face");
+  std::vector<RL::Triangulated_surface_3::Triangle> triangles = std::move(soup.triangles);
+  for(std::size_t i = 0; i < triangles.size(); ++i)
+    check_face(soup.points, triangles[i], i, file);
   bool is_triangulated = false;
   for(std::size_t i = 0; i < soup.polygons.size(); ++i) {
-    check_face(soup, i, file);
+    check_face(soup.points, soup.polygons[i], i, file);
     is_triangulated = is_triangulated || soup.polygons[i].size() > 3;
     triangulate(soup.points, std::move(soup.polygons[i]), triangles);
   }

@@ -31,7 +31,11 @@ using Polygon = std::vector<std::size_t>; // indices of points
 // what a file holds
 struct Polygon_soup {
   std::vector<RL::Point_3> points;
+  // the faces: as triangles if they were read like that
+  std::vector<RL::Triangulated_surface_3::Triangle> triangles;
   std::vector<Polygon> polygons;
+
+  bool has_faces() const { return !triangles.empty() || !polygons.empty(); }
 };
 
 Polygon_soup read_soup(const std::string& file);

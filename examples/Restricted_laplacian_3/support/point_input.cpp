@@ -28,7 +28,7 @@ Mesh_input read_mesh_or_points(const std::string& file, int neighbors) {
   const std::string format = extension(file);
   if(format != ".xyz") {
     internal::Polygon_soup soup = internal::read_soup(file);
-    if(format != ".ply" || !soup.polygons.empty())
+    if(format != ".ply" || soup.has_faces())
       return internal::mesh_of(std::move(soup), file);
   }
   const Point_set points = read_points(file);

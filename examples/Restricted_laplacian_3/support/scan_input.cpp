@@ -53,8 +53,8 @@ RL::Colored_scan read_scan(const std::string& file, const RL::Scan_pose& pose, b
   try {
     internal::Polygon_soup soup = internal::read_soup(file);
     const RL::Triangulated_surface_3 surface =
-        soup.polygons.empty() ? surface_of_scan(points, file)
-                              : internal::mesh_of(std::move(soup), file).surface;
+        soup.has_faces() ? internal::mesh_of(std::move(soup), file).surface
+                         : surface_of_scan(points, file);
     return RL::Colored_scan(surface, std::move(point_colors), pose, RL::Point_3(0, 0, 0),
                             is_parallel);
   } catch(const RL::Input_error& e) {

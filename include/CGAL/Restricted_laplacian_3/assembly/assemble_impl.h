@@ -109,23 +109,14 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
 assemble_component_loads(const Spline_space_3& space, const Surface_function_view& f,
                          std::optional<int> of_level) {
   const int level = space.checked_level(of_level);
-  const int number = f.components();
   const double h = space.octree().cell_width(space.depth());
-  return internal::sum_loads(
-      space, level, number, h * h, [&](std::size_t sheet, internal::Cell_load::Load* loads) {
-        std::vector<internal::Cell_load> moments(number);
-        std::vector<double> values(number * Integration_node_block::capacity);
-        internal::visit_nodes_of_level(
-            space, level, sheet, 6 + f.degree(), [&](Integration_node_block& block) {
-              f(block.points.data(), block.size, values.data());
-              internal::check_values(block, values.data(), number, "f");
-              for(int k = 0; k < number; ++k)
-                moments[k].add(block.positions,
-                               internal::weighted_component(block, values.data(), number, k));
-            });
-        for(int k = 0; k < number; ++k)
-          moments[k].add_values_to(loads[k]);
-      });
+  return internal::sum_loads(space, level, f.components(), h * h,
+                             [&](std::size_t sheet, internal::Cell_load::Load* loads) {
+                               internal::Function_moments moments(f, "f");
+                               internal::add_function(space, level, sheet, moments);
+                               for(std::size_t k = 0; k < moments.number_of_components(); ++k)
+                                 moments[k].add_values_to(loads[k]);
+                             });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd assemble_load(const Spline_space_3& space,
@@ -141,32 +132,17 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
 assemble_gradient_loads(const Spline_space_3& space, const Vector_field_view& v,
                         std::optional<int> of_level) {
   const int level = space.checked_level(of_level);
-  const int number = v.components();
   const double h = space.octree().cell_width(space.depth());
   const double coarse_h = space.octree().cell_width(level);
-  return internal::sum_loads(
-      space, level, v.channels(), h * h / coarse_h,
-      [&](std::size_t sheet, internal::Cell_load::Load* loads) {
-        std::vector<internal::Cell_load> moments(number);
-        std::vector<double> values(number * Integration_node_block::capacity);
-        // Derivatives of elements are of degree 5 on a plane.
-        internal::visit_nodes_of_level(
-            space, level, sheet, 5 + v.degree(), [&](Integration_node_block& block) {
-              v(block.points.data(), block.size, values.data());
-              internal::check_values(block, values.data(), number, "v");
-              for(std::size_t i = 0; i < block.size; ++i)
-                for(double* w = values.data() + number * i; w < values.data() + number * (i + 1);
-                    w += 3) {
-                  const auto flux = internal::product(block.metrics[i], w[0], w[1], w[2]);
-                  std::copy(flux.begin(), flux.end(), w);
-                }
-              for(int k = 0; k < number; ++k)
-                moments[k].add(block.positions,
-                               internal::weighted_component(block, values.data(), number, k));
-            });
-        for(int k = 0; k < number; ++k)
-          moments[k].add_derivatives_to(k % 3, loads[k / 3]);
-      });
+  using Moments = internal::Function_moments;
+  return internal::sum_loads(space, level, v.channels(), h * h / coarse_h,
+                             [&](std::size_t sheet, internal::Cell_load::Load* loads) {
+                               Moments moments(v, "v", Moments::Of::fluxes);
+                               internal::add_function(space, level, sheet, moments);
+                               for(std::size_t k = 0; k < moments.number_of_components(); ++k)
+                                 moments[k].add_derivatives_to(static_cast<int>(k % 3),
+                                                               loads[k / 3]);
+                             });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd

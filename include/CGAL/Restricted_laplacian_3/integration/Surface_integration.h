@@ -17,6 +17,7 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 struct Sheet_integrals;
+class Function_moments;
 
 /// the factor of the mass on each face
 using Face_weight = Function_view<double(std::size_t)>;
@@ -34,6 +35,13 @@ template <class T>
 struct Adds_moments<
     T, std::void_t<decltype(std::declval<const T&>().add_moments(
            std::size_t(), std::declval<const Face_weight*>(), std::declval<Sheet_integrals&>()))>>
+  : std::true_type {};
+
+/// whether a model adds functions that are linear on each face faster than its nodes would
+template <class T, class = void> struct Adds_linear_functions : std::false_type {};
+template <class T>
+struct Adds_linear_functions<T, std::void_t<decltype(std::declval<const T&>().add_linear_function(
+                                    std::size_t(), std::declval<Function_moments&>()))>>
   : std::true_type {};
 
 } // namespace internal
@@ -70,6 +78,13 @@ public:
     m_add_moments(m_model.get(), sheet, weight, integrals);
   }
 
+  /// whether the model has a way of its own for functions that are linear on each face
+  bool adds_linear_functions() const { return m_add_linear_function != nullptr; }
+  /// adds such a function on a sheet, by the model; requires `adds_linear_functions()`
+  void add_linear_function(std::size_t sheet, internal::Function_moments& moments) const {
+    m_add_linear_function(m_model.get(), sheet, moments);
+  }
+
 private:
   template <class Model>
   explicit Surface_integration(std::shared_ptr<const Model> model)
@@ -82,12 +97,18 @@ private:
                          internal::Sheet_integrals& integrals) {
         static_cast<const Model*>(model)->add_moments(sheet, weight, integrals);
       };
+    if constexpr(internal::Adds_linear_functions<Model>::value)
+      m_add_linear_function = [](const void* model, std::size_t sheet,
+                                 internal::Function_moments& moments) {
+        static_cast<const Model*>(model)->add_linear_function(sheet, moments);
+      };
   }
 
   std::shared_ptr<const void> m_model;
   void (*m_add_nodes)(const void*, std::size_t, int, Integration_nodes&);
   void (*m_add_moments)(const void*, std::size_t, const internal::Face_weight*,
                         internal::Sheet_integrals&) = nullptr;
+  void (*m_add_linear_function)(const void*, std::size_t, internal::Function_moments&) = nullptr;
 };
 
 } // namespace Restricted_laplacian_3

@@ -33,6 +33,8 @@ public:
   // Moments without nodes: the normal is constant on a fragment.
   void add_moments(std::size_t sheet, const internal::Face_weight* weight,
                    internal::Sheet_integrals& integrals) const;
+  // A function that is linear on each face: its values at the corners of a fragment say all.
+  void add_linear_function(std::size_t sheet, internal::Function_moments& moments) const;
   /// \endcond
 
 private:

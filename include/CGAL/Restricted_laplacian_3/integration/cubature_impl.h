@@ -47,8 +47,24 @@ Triangle_cubature::add_moments(std::size_t sheet, const internal::Face_weight* w
     const Fragment fragment = m_octree->fragment(cell, face);
     const Vector_3& normal = surface.normal(face);
     internal::add_fragment(fragment, cell.index, tangent_projector(normal), integrals.moments,
-                           weight ? (*weight)(face) : 1);
+                           weight ? (*weight)(face) : 1, integrals.degree);
     integrals.add_normal(normal, fragment.double_area() / 2);
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Triangle_cubature::add_linear_function(std::size_t sheet,
+                                       internal::Function_moments& moments) const {
+  const Triangulated_surface_3& surface = m_octree->surface();
+  const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
+  for(std::uint32_t face : m_octree->faces(sheet)) {
+    Surface_point point;
+    point.face = face;
+    point.vertices = surface.triangle(face);
+    point.normal = surface.normal(face);
+    internal::add_fragment_function(
+        m_octree->fragment(cell, face), cell.index,
+        {surface.point(face, 0), surface.point(face, 1), surface.point(face, 2)}, point, moments);
   }
 }
 

@@ -71,6 +71,41 @@ inline const std::vector<Triangle_quadrature_node>& taylor_rule_of_degree_12() {
   return rule;
 }
 
+/// 24 nodes, degree 10, all weights positive, all nodes inside, from Taylor's rule by elimination
+/// of nodes (H. Xiao, Z. Gimbutas, A numerical algorithm for the construction of efficient
+/// quadrature rules in two and higher dimensions, Comput. Math. Appl. 59 (2010)). They fill six
+/// vectors of four.
+inline const std::vector<Triangle_quadrature_node>& rule_of_degree_10() {
+  // clang-format off
+  static const std::vector<Triangle_quadrature_node> rule = {
+      {0.423980874746696322, 0.409401718630203877, 0.166617406623099801, 0.0848835838807637533},
+      {0.308901236653822873, 0.318225563851979913, 0.372873199494197213, 0.0803498164388750649},
+      {0.189749941012442049, 0.630571123627442606, 0.179678935360115346, 0.0777692288908517285},
+      {0.518714805891843815, 0.151529301268827504, 0.329755892839328681, 0.0755620356832836163},
+      {0.272901759417847658, 0.144823562839024235, 0.582274677743128106, 0.0695489303253650689},
+      {0.140235372004349794, 0.451540572809342997, 0.408224055186307209, 0.0685566952710972988},
+      {0.666958659816253662, 0.196523007940706806, 0.136518332243039531, 0.0606869811288014232},
+      {0.102403135548282693, 0.250153456080693459, 0.647443408371023848, 0.0559799058665935696},
+      {0.374182657767192294, 0.590392412606017229, 0.0354249296267904771, 0.043866639403974802},
+      {0.430180387722473316, 0.0328774946349145741, 0.53694211764261211, 0.0388174565319319486},
+      {0.032934881329299345, 0.614683314889311829, 0.352381803781388826, 0.0376757895693132334},
+      {0.630191102600197998, 0.340484350882324316, 0.029324546517477686, 0.0374975978085812076},
+      {0.0379851525808730511, 0.810873411844462098, 0.151141435574664851, 0.0323360325395543173},
+      {0.157731290717836198, 0.807465295138009005, 0.0348034141441547966, 0.0318008272065056966},
+      {0.820196309996289897, 0.0436150319105661305, 0.136188658093143973, 0.0308620664921319138},
+      {0.661581160705129936, 0.0275975487204664751, 0.310821290574403589, 0.0299334958281225152},
+      {0.100524626817109929, 0.082974991532418758, 0.816500381650471313, 0.0298862110398435924},
+      {0.0188550150709230063, 0.381112430054870085, 0.600032554874206908, 0.0258461425930929582},
+      {0.21006059789244589, 0.0218040911636651566, 0.768135310943888953, 0.0234300659982981343},
+      {0.856518094723557164, 0.118904624836832907, 0.0245772804396099295, 0.0226963619344197406},
+      {0.0129841443087149382, 0.146315611626615816, 0.840700244064669245, 0.0157923149199996114},
+      {0.0284907974837382136, 0.943290204484440117, 0.0282189980318216698, 0.0109420910189448745},
+      {0.0334492292785107016, 0.018305461583589695, 0.948245309137899603, 0.00930581843351779864},
+      {0.96149631829659489, 0.00862519830113068511, 0.029878483402274425, 0.00597391119613613178}};
+  // clang-format on
+  return rule;
+}
+
 /// J. N. Lyness, D. Jespersen, Moderate degree symmetric quadrature rules for the triangle,
 /// J. Inst. Math. Appl. 15 (1975): 16 nodes, degree 8, all weights positive, all nodes inside.
 inline const std::vector<Triangle_quadrature_node>& lyness_jespersen_rule_of_degree_8() {
@@ -93,6 +128,26 @@ inline const std::vector<Triangle_quadrature_node>& lyness_jespersen_rule_of_deg
                                {a, c, b, weight},
                                {c, b, a, weight},
                                {b, a, c, weight}});
+    return nodes;
+  }();
+  return rule;
+}
+
+/// K. Gatermann, The construction of symmetric cubature formulas for the square and the triangle,
+/// Computing 40 (1988): 12 nodes, degree 7, all weights positive, all nodes inside.
+inline const std::vector<Triangle_quadrature_node>& gatermann_rule_of_degree_7() {
+  static const std::vector<Triangle_quadrature_node> rule = [] {
+    // one of three nodes that follow from each other by rotation
+    // clang-format off
+    const std::vector<Triangle_quadrature_node> generators = {
+      {0.515842334353591779, 0.206441498670016438, 0.277716166976391783, 0.134986374019605549},
+      {0.623272049491091566, 0.321502493851981823, 0.0552254566569266117, 0.0877628174288921101},
+      {0.304726500868167196, 0.660949196186735658, 0.0343243029450971465, 0.0575500855699631715},
+      {0.0675178670739160854, 0.0623822650944021182, 0.870099867831681796, 0.0530340563148725029}};
+    // clang-format on
+    std::vector<Triangle_quadrature_node> nodes;
+    for(const auto& [a, b, c, weight] : generators)
+      nodes.insert(nodes.end(), {{a, b, c, weight}, {b, c, a, weight}, {c, a, b, weight}});
     return nodes;
   }();
   return rule;
@@ -128,9 +183,9 @@ inline const std::vector<Triangle_quadrature_node>& three_point_rule_of_degree_2
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// The smallest rule of this package that integrates all polynomials of total degree at most
-/// `degree` exactly: 3 nodes up to degree 2, 7 up to 5, 16 up to 8, and Taylor's 32 up to 12. A
-/// product of two triquadratic functions on a plane has degree 12, one of a triquadratic with a
-/// linear function 7.
+/// `degree` exactly: 3 nodes up to degree 2, 7 up to 5, 12 up to 7, 16 up to 8, 24 up to 10, and
+/// Taylor's 32 up to 12. A product of two triquadratic functions on a plane has degree 12, one of
+/// their gradients 10, one of a triquadratic with a linear function 7.
 /// \throws Parameter_error if `degree` is negative or above 12
 inline const std::vector<Triangle_quadrature_node>& triangle_quadrature(int degree) {
   if(degree < 0 || degree > 12)
@@ -140,8 +195,12 @@ inline const std::vector<Triangle_quadrature_node>& triangle_quadrature(int degr
     return internal::three_point_rule_of_degree_2();
   if(degree <= 5)
     return internal::radon_rule_of_degree_5();
+  if(degree <= 7)
+    return internal::gatermann_rule_of_degree_7();
   if(degree <= 8)
     return internal::lyness_jespersen_rule_of_degree_8();
+  if(degree <= 10)
+    return internal::rule_of_degree_10();
   return internal::taylor_rule_of_degree_12();
 }
 

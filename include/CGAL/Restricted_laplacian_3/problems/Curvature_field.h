@@ -184,6 +184,8 @@ public:
     const double length = std::sqrt(sum.squared_length());
     return length > smallest_length ? sum / length : p.normal;
   }
+  /// where the surface is smooth
+  int degree() const { return 2; }
 
 private:
   /// below, the direction is that of rounding errors

@@ -68,11 +68,11 @@ public:
     int coarsest = 0;
     while(coarsest < m_octree.depth() && m_targets[coarsest].is_empty())
       ++coarsest;
-    m_keeps_stabilization = false;
+    bool wants_mass = false;
     for(const Assembly_targets& t : m_targets)
-      m_keeps_stabilization =
-          m_keeps_stabilization ||
-          (t.sink && t.sink->wants_mass() && m_stabilizes_mass && m_normal_stabilization != 0);
+      wants_mass = wants_mass || (t.sink && t.sink->wants_mass());
+    m_keeps_stabilization = wants_mass && m_stabilizes_mass && m_normal_stabilization != 0;
+    m_degree = wants_mass ? degree_of_mass : degree_of_stiffness;
     double done = 0, left = 1;
     for(int top = m_octree.depth(); top >= coarsest; top -= 2) {
       Moments next;
@@ -92,6 +92,8 @@ public:
 private:
   /// of the cells of a level the next stage has that many
   static constexpr double sixteenth = 1. / 16;
+  /// products of elements, and of their derivatives, on a plane
+  static constexpr int degree_of_mass = 12, degree_of_stiffness = 10;
   /// cells of one color after which the progress is told
   static constexpr std::size_t cells_of_a_step = 256;
 
@@ -184,6 +186,7 @@ private:
   void integrate(const Range& sheets, Moments& moments) const {
     moments.resize(sheets.size(), m_keeps_stabilization);
     Sheet_integrals integrals;
+    integrals.degree = m_degree;
     for(std::size_t i = 0; i < sheets.size(); ++i) {
       integrals.clear();
       add_sheet_integrals(m_space.surface(), m_integration, m_mass_weight, sheets.begin + i,
@@ -313,6 +316,7 @@ private:
   bool m_stabilizes_mass;
   std::vector<Assembly_targets> m_targets;
   bool m_keeps_stabilization = false;
+  int m_degree = degree_of_mass;
   Moments m_moments; // of the top level of a stage, but the first
   std::mutex m_mutex;
   std::vector<std::unique_ptr<Scratch>> m_scratch;

@@ -49,8 +49,8 @@ struct System_matrices {
 
 /// In one pass over the surface; one matrix is formed for each level.
 /// \param stored a `Poisson_solver` needs the upper halves only, unless it forms Galerkin products
-/// \param mass receives the mass matrix of the finest level without stabilization, or its upper half;
-/// may be null
+/// \param mass receives the mass matrix of the finest level without stabilization, or its upper
+/// half; may be null
 /// \throws Parameter_error if a value of \f$\alpha\f$ is negative or not finite (names the face),
 /// or
 /// \f$c\f$

@@ -52,29 +52,20 @@ Fit_residual::subtract(const Spline_space_3& space, const Sparse_matrix& mass,
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fit_residual fit_residual(const Spline_space_3& space,
                                                              const Surface_function_view& f) {
-  constexpr std::size_t capacity = Integration_node_block::capacity;
   const int number = f.components(), depth = space.depth();
   const double h = space.octree().cell_width(depth);
   const Eigen::Index sheets = static_cast<Eigen::Index>(space.number_of_sheets(depth));
   // a column for each sheet
-  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(number, sheets);
+  Eigen::MatrixXd squares(number, sheets);
   Fit_residual result;
   result.loads =
       sum_loads(space, depth, number, h * h, [&](std::size_t sheet, Cell_load::Load* loads) {
-        std::vector<Cell_load> moments(number);
-        std::vector<double> values(number * capacity);
-        space.integration().visit_nodes(sheet, 6 + f.degree(), [&](Integration_node_block& block) {
-          f(block.points.data(), block.size, values.data());
-          check_values(block, values.data(), number, "f");
-          for(int k = 0; k < number; ++k) {
-            const Node_values weighted = weighted_component(block, values.data(), number, k);
-            for(std::size_t i = 0; i < block.size; ++i)
-              squares(k, sheet) += weighted[i] * values[number * i + k];
-            moments[k].add(block.positions, weighted);
-          }
-        });
-        for(int k = 0; k < number; ++k)
+        Function_moments moments(f, "f");
+        add_function(space, depth, sheet, moments);
+        for(int k = 0; k < number; ++k) {
           moments[k].add_values_to(loads[k]);
+          squares(k, static_cast<Eigen::Index>(sheet)) = moments.square(k);
+        }
       });
   result.squares = squares.rowwise().sum();
   return result;

@@ -4,11 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_SHEET_LOADS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_SHARED_SHEET_LOADS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/Cell_load.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/Function_moments.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/Core>
@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -56,6 +55,16 @@ inline void visit_nodes_of_level(const Spline_space_3& space, int level, std::si
   }
 }
 
+/// adds a function on a sheet of `level`
+inline void add_function(const Spline_space_3& space, int level, std::size_t sheet,
+                         Function_moments& moments) {
+  const Surface_integration& integration = space.integration();
+  if(level == space.depth() && integration.adds_linear_functions() && moments.is_linear())
+    return integration.add_linear_function(sheet, moments);
+  visit_nodes_of_level(space, level, sheet, moments.degree(),
+                       [&](Integration_node_block& block) { moments.add(block); });
+}
+
 /// The vectors, columns of a matrix, that get from each sheet of `level` what
 /// `loads_of_sheet(sheet, loads)` writes for its elements, times `factor`: one `Cell_load::Load`
 /// for each column, 0 before. Sheets are computed on several threads, and added in their order.
@@ -88,28 +97,6 @@ sum_loads(const Spline_space_3& space, int level, int columns, double factor,
     }
   }
   return sums;
-}
-
-/// \param values those of `components` components at the nodes of a block
-/// \param parameter the function, for the message
-/// \throws Parameter_error if a value is not finite; names the face
-inline void check_values(const Integration_node_block& block, const double* values, int components,
-                         const char* parameter) {
-  const auto number = static_cast<std::size_t>(components);
-  for(std::size_t i = 0; i < number * block.size; ++i)
-    if(!std::isfinite(values[i]))
-      throw Parameter_error(parameter, "has a value that is not a finite number in face " +
-                                           std::to_string(block.points[i / number].face));
-}
-
-/// The values of one component at the nodes of a block, times their weights.
-/// \param values those of `components` components, all of a node before the next one
-inline Node_values weighted_component(const Integration_node_block& block, const double* values,
-                                      int components, int component) {
-  Node_values result = {};
-  for(std::size_t i = 0; i < block.size; ++i)
-    result[i] = block.weights[i] * values[static_cast<std::size_t>(components) * i + component];
-  return result;
 }
 
 } // namespace internal

@@ -6,8 +6,6 @@
 
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -32,12 +30,13 @@ struct Padded_rule {
 
   /// that of `triangle_quadrature()`
   static const Padded_rule& of_degree(int degree) {
-    static const std::array<Padded_rule, 4> rules = {
-        Padded_rule(triangle_quadrature(2)), Padded_rule(triangle_quadrature(5)),
-        Padded_rule(triangle_quadrature(8)), Padded_rule(triangle_quadrature(12))};
-    const std::size_t size = triangle_quadrature(degree).size();
-    return *std::find_if(rules.begin(), rules.end(),
-                         [size](const Padded_rule& rule) { return rule.size == size; });
+    static const std::vector<Padded_rule> rules = [] {
+      std::vector<Padded_rule> result;
+      for(int degree = 0; degree <= 12; ++degree)
+        result.emplace_back(triangle_quadrature(degree));
+      return result;
+    }();
+    return rules[static_cast<std::size_t>(degree)];
   }
 };
 

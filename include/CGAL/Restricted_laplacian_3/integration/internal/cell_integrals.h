@@ -69,6 +69,8 @@ struct alignas(64) Sheet_moments {
 
 /// The integrals over a sheet of the finest level that matrices are made of.
 struct Sheet_integrals {
+  /// of the polynomials that moments are needed for: 12, or 10 if there will be no mass matrix
+  int degree = 12;
   Sheet_moments moments;
   /// \f$\int n n^T\f$
   Symmetric_tensor_3 normals;

@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/Padded_rule.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/cell_integrals.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/Function_moments.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
@@ -126,6 +127,32 @@ inline void add_fragment_nodes(const Fragment& fragment, const std::array<int, 3
     part.corners[2] = &corners[i];
     part.area = triangle_area(position(0), position(i - 1), position(i));
     CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_triangle_nodes(part, rule, nodes));
+  }
+}
+
+/// Adds a function that is linear on a fragment.
+/// \param triangle,point as for `add_fragment_nodes()`
+inline void add_fragment_function(const Fragment& fragment, const std::array<int, 3>& cell,
+                                  const std::array<Point_3, 3>& triangle,
+                                  const Surface_point& point, Function_moments& moments) {
+  std::array<std::array<double, 3>, Fragment::capacity> positions;
+  std::array<Surface_point, Fragment::capacity> points;
+  std::array<Symmetric_tensor_3, Fragment::capacity> metrics;
+  std::fill_n(metrics.begin(), fragment.size, tangent_projector(point.normal));
+  for(std::size_t i = 0; i < fragment.size; ++i) {
+    const Linear_values corner = linear_values(fragment.corners[i], cell, triangle);
+    positions[i] = {corner[0], corner[1], corner[2]};
+    points[i] = point;
+    points[i].barycentric = {corner[3], corner[4], corner[5]};
+    points[i].point = Point_3(corner[6], corner[7], corner[8]);
+  }
+  const double* const values = moments.values_at(points.data(), fragment.size, metrics.data());
+  const std::size_t number = moments.number_of_components();
+  for(std::size_t i = 2; i < fragment.size; ++i) {
+    const double area = triangle_area(positions[0], positions[i - 1], positions[i]);
+    if(area > 0)
+      moments.add({positions[0], positions[i - 1], positions[i]}, area,
+                  {values, values + number * (i - 1), values + number * i});
   }
 }
 

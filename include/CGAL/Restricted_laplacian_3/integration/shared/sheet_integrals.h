@@ -40,7 +40,6 @@ struct Mass_weight {
 inline void add_sheet_integrals(const Triangulated_surface_3& surface,
                                 const Surface_integration& integration, const Mass_weight* weight,
                                 std::size_t sheet, Sheet_integrals& integrals) {
-  constexpr int degree_of_mass = 12;
   if(integration.adds_moments() && !weight)
     return integration.add_moments(sheet, nullptr, integrals);
   if(integration.adds_moments() && weight->function.degree() == 0) {
@@ -56,7 +55,7 @@ inline void add_sheet_integrals(const Triangulated_surface_3& surface,
     const Face_weight view(weight_of_face);
     return integration.add_moments(sheet, &view, integrals);
   }
-  integration.visit_nodes(sheet, degree_of_mass, [&](Integration_node_block& block) {
+  integration.visit_nodes(sheet, integrals.degree, [&](Integration_node_block& block) {
     std::array<double, Integration_node_block::capacity> weights;
     if(weight)
       (*weight)(block.points.data(), block.size, weights.data());
