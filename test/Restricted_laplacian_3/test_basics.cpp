@@ -11,19 +11,15 @@
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
-#include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/version.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -334,56 +330,6 @@ TEST_CASE("cubature_rule_of_a_degree_reaches_it", "[basics]") {
     CHECK(largest_error(RL::triangle_quadrature(degree), degree) <= 1e-15);
   for(int degree : {-1, 13})
     CHECK_THROWS_AS(RL::triangle_quadrature(degree), RL::Parameter_error);
-}
-
-TEST_CASE("small_triangles_have_moments_by_smaller_rules_to_rounding", "[basics]") {
-  using RL::internal::Cell_triangle;
-  std::mt19937 generator(1);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform(0, 1);
-  std::map<std::size_t, double> error_of_rule;
-  for(const double longest : {0.0127, 0.062, 0.117, 0.256, 0.4})
-    for(int n = 0; n < 300; ++n) {
-      // a random triangle with this longest side, somewhere in the cell
-      Eigen::Matrix3d corners = Eigen::Matrix3d::NullaryExpr([&] { return normal(generator); });
-      double side = 0;
-      for(int i = 0; i < 3; ++i)
-        side = (std::max)(side, (corners.col(i) - corners.col((i + 1) % 3)).norm());
-      corners *= longest / side;
-      const Eigen::Vector3d low = corners.rowwise().minCoeff(),
-                            size = corners.rowwise().maxCoeff() - low;
-      for(int axis = 0; axis < 3; ++axis)
-        corners.row(axis).array() += uniform(generator) * (1 - size[axis]) - low[axis];
-      Cell_triangle triangle = {{}, 1};
-      RL::Fragment fragment;
-      for(int i = 0; i < 3; ++i) {
-        triangle.corners[i] = {corners(0, i), corners(1, i), corners(2, i)};
-        fragment.push_back({triangle.corners[i], {0, 0, 0}});
-      }
-      const auto moments = [&](int degree) {
-        RL::internal::Sheet_moments::Component result = {};
-        for(const auto& node : RL::triangle_quadrature(degree)) {
-          const Eigen::Vector3d t = corners * Eigen::Vector3d(node.b0, node.b1, node.b2);
-          const auto products = RL::internal::bernstein_products({t[0], t[1], t[2]});
-          for(std::size_t i = 0; i < result.size(); ++i)
-            result[i] += node.weight * products[i];
-        }
-        return result;
-      };
-      const auto& rule = RL::internal::rule_for_moments(triangle, 12);
-      const int degree =
-          std::map<std::size_t, int>{{7, 5}, {12, 7}, {16, 8}, {24, 10}, {32, 12}}.at(rule.size);
-      const auto exact = moments(12), fast = moments(degree);
-      double& error = error_of_rule[rule.size];
-      for(std::size_t i = 0; i < exact.size(); ++i)
-        error = (std::max)(error, std::abs(fast[i] - exact[i]));
-      CHECK(RL::internal::rule_for_moments(triangle, 10).size <= 24);
-    }
-  CHECK(error_of_rule.size() == 5);
-  for(const auto& [size, error] : error_of_rule) {
-    CAPTURE(size);
-    CHECK(error <= 1e-13);
-  }
 }
 
 TEST_CASE("samples_depend_on_the_seed_alone", "[basics]") {

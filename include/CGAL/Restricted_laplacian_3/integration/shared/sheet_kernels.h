@@ -65,30 +65,6 @@ struct Cell_triangle {
   double area;
 };
 
-/// The rule for the moments of a triangle: of `degree`, 12 or 10, or of a lower one where its error
-/// is below 1e-13 of the area, in each of the 125 moments. On a triangle whose longest side is
-/// \f$d\f$ cells, the error of a rule of degree \f$q\f$ is at most \f$C_q\, d^{q+1}\f$, with
-/// \f$C\f$ = 0.0224, 4e-4, 2.3e-5, 3e-7 for \f$q\f$ = 5, 7, 8, 10 (the worst of some ten thousand
-/// random triangles, or up to twice that). Weights are positive: matrices remain positive
-/// semi-definite, whatever the rule.
-inline const Padded_rule& rule_for_moments(const Cell_triangle& triangle, int degree) {
-  struct Bound {
-    int degree;
-    double longest_side;
-  };
-  static constexpr Bound bounds[] = {{5, 0.0128}, {7, 0.063}, {8, 0.118}, {10, 0.257}};
-  double square = 0;
-  for(int i = 0; i < 3; ++i) {
-    const auto &p = triangle.corners[i], &q = triangle.corners[(i + 1) % 3];
-    const double dx = q[0] - p[0], dy = q[1] - p[1], dz = q[2] - p[2];
-    square = (std::max)(square, dx * dx + dy * dy + dz * dz);
-  }
-  for(const Bound& bound : bounds)
-    if(square <= bound.longest_side * bound.longest_side)
-      return Padded_rule::of_degree((std::min)(bound.degree, degree));
-  return Padded_rule::of_degree(degree);
-}
-
 /// The triangles of a fragment that have an area, fanned out from its first corner.
 struct Cell_triangles {
   std::size_t size = 0;
@@ -132,9 +108,8 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
                          const Symmetric_tensor_3& metric, Sheet_moments& moments,
                          double mass_weight, int degree) {
   Sheet_moments::Component own = {};
-  for(const Cell_triangle& triangle : Cell_triangles(fragment, cell)) {
-    const auto& [corners, area] = triangle;
-    const Padded_rule& rule = rule_for_moments(triangle, degree);
+  const Padded_rule& rule = Padded_rule::of_degree(degree);
+  for(const auto& [corners, area] : Cell_triangles(fragment, cell))
     for(std::size_t node = 0; node < rule.size; ++node) {
       std::array<double, 3> t;
       for(int axis = 0; axis < 3; ++axis)
@@ -144,7 +119,6 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
       for(int i = 0; i < number_of_moments; ++i)
         own[i] += rule.weight[node] * area * products[i];
     }
-  }
   for(int i = 0; i < number_of_moments; ++i) {
     for(int k = 0; k < 6; ++k)
       moments.values[i][k] += metric[k] * own[i];
@@ -267,8 +241,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void bernstein_4(const Lanes& t, Lanes&
 /// factors of two axes: the accumulators are loaded and stored only once for all nodes.
 /// \tparam groups of 4 nodes each
 template <int groups>
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-add_triangle_nodes_of(const Cell_triangle& triangle, const Padded_rule& rule, Lanes* sums) {
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void add_triangle(const Cell_triangle& triangle,
+                                                             const Padded_rule& rule, Lanes* sums) {
   const auto& [p, q, r] = triangle.corners;
   Lanes x[5][groups], y[5][groups], z[5][groups];
   for(int g = 0; g < groups; ++g) {
@@ -303,26 +277,16 @@ add_triangle_nodes_of(const Cell_triangle& triangle, const Padded_rule& rule, La
     }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_triangle(const Cell_triangle& triangle,
-                                                                    int degree, Lanes* sums) {
-  const Padded_rule& rule = rule_for_moments(triangle, degree);
-  switch(rule.weight.size() / 4) {
-  case 2: return add_triangle_nodes_of<2>(triangle, rule, sums);
-  case 3: return add_triangle_nodes_of<3>(triangle, rule, sums);
-  case 4: return add_triangle_nodes_of<4>(triangle, rule, sums);
-  case 6: return add_triangle_nodes_of<6>(triangle, rule, sums);
-  default: return add_triangle_nodes_of<8>(triangle, rule, sums);
-  }
-}
-
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
 add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
              const Symmetric_tensor_3& metric, Sheet_moments& moments, double mass_weight,
              int degree) {
   // padded to whole groups of four
   Lanes sums[number_of_moments + 3] = {};
+  const bool is_small = degree <= 10;
+  const Padded_rule& rule = Padded_rule::of_degree(is_small ? 10 : 12);
   for(const Cell_triangle& triangle : Cell_triangles(fragment, cell))
-    add_triangle(triangle, degree, sums);
+    is_small ? add_triangle<6>(triangle, rule, sums) : add_triangle<8>(triangle, rule, sums);
   const Lanes low = {metric[0], metric[1], metric[2], metric[3]},
               high = {metric[4], metric[5], mass_weight, 1};
   for(int i = 0; i < number_of_moments; i += 4) {
