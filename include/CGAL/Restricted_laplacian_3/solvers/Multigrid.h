@@ -279,9 +279,9 @@ private:
   }
 
   void set_coarsest(const Sparse_matrix& a) {
-    m_coarse_inverse = internal::Regularized_inverse(
-        a,
-        m_levels.size() == 1 ? 0 : internal::Regularized_inverse::single_precision_regularization);
+    using Inverse = internal::Regularized_inverse;
+    m_coarse_inverse =
+        Inverse(a, m_levels.size() == 1 ? Inverse::double_precision : Inverse::single_precision);
     m_coarse_scale = internal::balancing_scale(a);
     m_coarse_positions = internal::Level_positions::consecutive(static_cast<std::size_t>(a.cols()));
   }

@@ -20,20 +20,18 @@ namespace internal {
 /// small.
 ///
 /// A component is scaled to a unit diagonal, \f$B = D A D\f$, and becomes
-/// \f$(B + \epsilon \lVert B \rVert_\infty I)^{-1}\f$. Its constants, \f$v = D^{-1} 1\f$, are left
-/// out where they are in the kernel, \f$v^T B\, v = 1^T A\, 1 = 0\f$ up to rounding: \f$v\f$ is
-/// mapped to 0. Other unknowns that depend on those before them up to a cutoff of pivots are left
-/// out as well: combinations of elements that nearly vanish on the surface, in which a coarse
-/// correction would only amplify rounding errors.
+/// \f$(B + \epsilon \lVert B \rVert_\infty I)^{-1}\f$: combinations of elements that nearly vanish
+/// on the surface, in which a coarse correction would only amplify rounding errors, are amplified
+/// no more than that. Its constants, \f$v = D^{-1} 1\f$, are left out where they are in the kernel,
+/// \f$v^T B\, v = 1^T A\, 1 = 0\f$ up to rounding: \f$v\f$ is mapped to 0.
 class Regularized_inverse {
 public:
-  /// of pivots, times \f$\lVert B \rVert_\infty\f$: well above rounding errors
-  static constexpr double relative_cutoff = 1e-12;
-
   /// \f$\epsilon\f$ below a level in single precision: the right-hand side carries rounding errors
   /// of 1e-7 then, and its part along an eigenvector whose eigenvalue is as small must not be
-  /// amplified. The cutoff is half of it.
-  static constexpr double single_precision_regularization = 1e-6;
+  /// amplified.
+  static constexpr double single_precision = 1e-6;
+  /// \f$\epsilon\f$ else, and what \f$v^T B\, v\f$ is compared with: well above rounding errors
+  static constexpr double double_precision = 1e-12;
 
   Regularized_inverse() = default;
 

@@ -12,7 +12,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -66,19 +65,18 @@ Regularized_inverse::inverse(const Eigen::MatrixXd& a, double regularization) {
   if(!std::isfinite(norm) || !a.allFinite())
     throw Numerical_error("a matrix of the coarsest level of the multigrid hierarchy has entries "
                           "that are not finite numbers, or too large");
-  const double shift = regularization * norm,
-               cutoff = (std::max)(regularization / 2, relative_cutoff) * norm;
+  const double shift = regularization * norm;
   for(Eigen::Index i = 0; i < size; ++i)
     scaled(i, i) = diagonal[i] > 0 ? scaled(i, i) + shift : 0;
   // The eigenvalue of the constants is moved from 0 to 1, and their part taken out in the end.
   const bool has_constants =
-      norm > 0 && std::abs(a.sum()) <= relative_cutoff * norm * diagonal.sum();
+      norm > 0 && std::abs(a.sum()) <= double_precision * norm * diagonal.sum();
   Eigen::VectorXd constants = Eigen::VectorXd::Zero(stride);
   if(has_constants) {
     constants.head(size) = (diagonal.cwiseMax(0) / diagonal.cwiseMax(0).sum()).cwiseSqrt();
     scaled += constants * constants.transpose();
   }
-  Symmetric_inverse()(scaled.data(), static_cast<int>(size), static_cast<int>(stride), cutoff);
+  Symmetric_inverse()(scaled.data(), static_cast<int>(size), static_cast<int>(stride), shift / 2);
   // The lower triangle by rows is the upper one by columns.
   scaled.triangularView<Eigen::StrictlyLower>() = scaled.transpose().eval();
   if(has_constants)
