@@ -107,7 +107,8 @@ void show_eigenfunctions(const Eigen::VectorXd& eigenvalues, Eigen::MatrixXd at_
 // that the options ask for.
 RL::Eigenpairs solve_restricted(Job& job, const Options& o, Outcome& result) {
   const RL::Spline_space_3 space = make_spectral_space(job);
-  RL::Eigenpairs pairs = solve_spectrum(space, o.count, o, job).pairs;
+  const bool eigenvalues_only = o.output.empty() && o.html.empty();
+  RL::Eigenpairs pairs = solve_spectrum(space, o.count, eigenvalues_only, o, job).pairs;
   if(o.eigenfunction < pairs.values.size()) {
     const Eigen::VectorXd u = pairs.vectors.col(o.eigenfunction);
     result = outcome(RL::Spline_function_3(space, u).values_at_vertices());

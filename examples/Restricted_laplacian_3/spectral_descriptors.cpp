@@ -153,7 +153,8 @@ struct Spectrum : RL::Laplace_spectrum {
 Spectrum spectrum_of(Job& job, const Options& o) {
   Spectrum spectrum;
   spectrum.space = std::make_shared<const RL::Spline_space_3>(make_spectral_space(job));
-  static_cast<RL::Laplace_spectrum&>(spectrum) = solve_spectrum(*spectrum.space, o.count, o, job);
+  static_cast<RL::Laplace_spectrum&>(spectrum) =
+      solve_spectrum(*spectrum.space, o.count, !o.is_of_vertices(), o, job);
   check_number(job, spectrum.pairs, o.count);
 
   job.progress.show("evaluating eigenfunctions");

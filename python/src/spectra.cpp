@@ -24,12 +24,13 @@ using Vector = Eigen::VectorXd;
 using Values = Eigen::Ref<const Eigen::MatrixXd>;
 
 nb::tuple eigenpairs(const RL::Spline_space_3& space, int k, const std::string& eigensolver,
-                     bool with_values, const nb::dict& options, int threads,
+                     bool with_values, bool eigenvalues_only, const nb::dict& options, int threads,
                      const nb::object& progress) {
   RL::Laplace_spectrum_options o;
   o.eigensolver = eigensolver == "multigrid"      ? RL::Eigensolver::multigrid
                   : eigensolver == "shift-invert" ? RL::Eigensolver::shift_invert
                                                   : RL::Eigensolver::automatic;
+  o.eigenvalues_only = eigenvalues_only;
   o.normal_stabilization = number_of(options, "stabilization");
   if(const auto tolerance = number_of(options, "tolerance"))
     o.multigrid.relative_tolerance = *tolerance;
@@ -70,8 +71,8 @@ RL::Shape_dna_normalization normalization(const std::string& name) {
 } // namespace
 
 void add_spectra(nb::module_& m) {
-  m.def("eigenpairs", &eigenpairs, "space"_a, "k"_a, "eigensolver"_a, "with_values"_a, "options"_a,
-        "threads"_a, "progress"_a.none());
+  m.def("eigenpairs", &eigenpairs, "space"_a, "k"_a, "eigensolver"_a, "with_values"_a,
+        "eigenvalues_only"_a, "options"_a, "threads"_a, "progress"_a.none());
   m.def("number_of_zeros",
         [](const Numbers& l) { return RL::number_of_zero_eigenvalues(vector_of(l)); });
   m.def("with_exact_zeros", [](const Numbers& l, double area) {

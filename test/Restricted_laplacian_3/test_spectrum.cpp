@@ -76,6 +76,30 @@ TEST_CASE("options_of_spectra_say_what_named_parameters_say", "[spectrum]") {
             .values);
 }
 
+TEST_CASE("eigenvalues_alone_are_found_with_less_work", "[spectrum]") {
+  shapes::Triangles ellipsoid = shapes::sphere(5);
+  for(RL::Point_3& p : ellipsoid.points)
+    p = RL::Point_3(p.x(), 0.8 * p.y(), 0.6 * p.z());
+  const auto mesh = shapes::mesh(ellipsoid);
+  const auto np = params::eigensolver(RL::Eigensolver::multigrid);
+  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const RL::Laplace_spectrum exact = RL::laplace_spectrum(space, 30, np.relative_tolerance(1e-6)),
+                             fast = RL::laplace_spectrum(space, 30, np.eigenvalues_only(true));
+  CHECK(fast.report.converged);
+  CHECK(fast.report.relative_residual <= RL::Laplace_spectrum_options::tolerance_of_eigenvalues);
+  CHECK(fast.report.relative_residual > 1e-3);
+  CHECK(fast.vertex_values.size() == 0);
+  REQUIRE(fast.eigenvalues.size() == 30);
+  for(Eigen::Index i = 1; i < 30; ++i)
+    CHECK(fast.eigenvalues[i] == Approx(exact.eigenvalues[i]).epsilon(2e-5));
+  // on a mesh, with a tolerance that is given, and by default
+  CHECK(RL::laplace_spectrum(mesh, 30, np.octree_depth(4).eigenvalues_only(true)).eigenvalues ==
+        fast.eigenvalues);
+  CHECK(RL::laplace_spectrum(space, 30, np.eigenvalues_only(true).relative_tolerance(1e-6))
+            .eigenvalues == exact.eigenvalues);
+  CHECK(RL::laplace_spectrum(space, 30, np).report.relative_residual <= 1e-3);
+}
+
 TEST_CASE("eigenvalues_of_the_fine_sphere_converge_with_order_four", "[spectrum][slow]") {
   std::vector<double> errors;
   for(int depth = 2; depth <= 5; ++depth)

@@ -19,7 +19,7 @@ namespace examples {
 
 struct Eigensolver_options {
   std::string eigensolver = "auto";
-  double tolerance = 1e-3;
+  double tolerance = -1;     // the default
   double stabilization = -1; // the default
 };
 
@@ -28,8 +28,9 @@ inline po::options_description eigensolver_options(Eigensolver_options& o) {
   auto add = options.add_options();
   add("eigensolver", po::value(&o.eigensolver)->value_name("NAME")->default_value(o.eigensolver),
       "multigrid, shift-invert (a factorization), or auto: the faster one");
-  add("tolerance", po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance),
-      "relative residual of multigrid; errors of eigenvalues are about its square");
+  add("tolerance", po::value(&o.tolerance)->value_name("T"),
+      "relative residual of multigrid; errors of eigenvalues are about its square; default 0.001, "
+      "or 0.0025 where only eigenvalues are needed");
   add("stabilization", po::value(&o.stabilization)->value_name("C"),
       "factor of the stabilization by normal derivatives; default 0.00001, or 0 with --paper");
   return options;
@@ -39,7 +40,8 @@ inline void check_eigensolver_options(const Eigensolver_options& o, const po::va
                                       bool is_paper) {
   require_choice("eigensolver", o.eigensolver, {"auto", "multigrid", "shift-invert"});
   require(o.eigensolver != "multigrid" || !is_paper, "--eigensolver multigrid excludes --paper");
-  require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
+  require(given.count("tolerance") == 0 || (o.tolerance > 0 && o.tolerance < 1),
+          "the argument of --tolerance must be in (0, 1)");
   require_not_negative(given, "stabilization");
 }
 
@@ -59,20 +61,19 @@ inline void check_number(Job& job, const RL::Eigenpairs& pairs, int count) {
 
 // The smallest eigenpairs on a space, without values at the vertices.
 inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int count,
-                                           const Eigensolver_options& o, Job& job) {
-  namespace params = RL::parameters;
-  const double stabilization =
-      o.stabilization < 0 ? RL::default_spectrum_stabilization(space) : o.stabilization;
-  const RL::Eigensolver eigensolver = o.eigensolver == "multigrid" ? RL::Eigensolver::multigrid
-                                      : o.eigensolver == "shift-invert"
-                                          ? RL::Eigensolver::shift_invert
-                                          : RL::Eigensolver::automatic;
-  const RL::Laplace_spectrum spectrum =
-      RL::laplace_eigenpairs(space, count,
-                             params::eigensolver(eigensolver)
-                                 .relative_tolerance(o.tolerance)
-                                 .normal_stabilization(stabilization)
-                                 .callback(job.step("computing eigenvalues of", space)));
+                                           bool eigenvalues_only, const Eigensolver_options& o,
+                                           Job& job) {
+  RL::Laplace_spectrum_options options;
+  options.eigensolver = o.eigensolver == "multigrid"      ? RL::Eigensolver::multigrid
+                        : o.eigensolver == "shift-invert" ? RL::Eigensolver::shift_invert
+                                                          : RL::Eigensolver::automatic;
+  options.eigenvalues_only = eigenvalues_only;
+  if(o.stabilization >= 0)
+    options.normal_stabilization = o.stabilization;
+  if(o.tolerance > 0)
+    options.multigrid.relative_tolerance = o.tolerance;
+  options.multigrid.callback = job.step("computing eigenvalues of", space);
+  const RL::Laplace_spectrum spectrum = RL::laplace_eigenpairs(space, count, options);
   job.summary.add_detail("assembly_seconds", spectrum.report.assembly_seconds);
   job.summary.add_detail("solve_seconds", spectrum.report.solve_seconds);
   job.summary.add_detail("iterations", spectrum.report.iterations);

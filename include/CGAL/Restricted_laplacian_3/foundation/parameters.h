@@ -35,6 +35,7 @@
   PARAMETER(smoothing_steps)                                                                       \
   PARAMETER(stand_alone_multigrid)                                                                 \
   PARAMETER(eigensolver)                                                                           \
+  PARAMETER(eigenvalues_only)                                                                      \
   PARAMETER(lumped_mass)                                                                           \
   PARAMETER(boundary_values)                                                                       \
   PARAMETER(constraint_values)                                                                     \

@@ -93,6 +93,8 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
     Multigrid_eigenpairs_options of_multigrid = options.multigrid;
     of_multigrid.is_parallel = space.options().is_parallel;
     of_multigrid.callback = of_solver.callback();
+    if(options.eigenvalues_only && !of_multigrid.relative_tolerance)
+      of_multigrid.relative_tolerance = Laplace_spectrum_options::tolerance_of_eigenvalues;
     internal::take_pairs(
         internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
         spectrum);
@@ -111,7 +113,8 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
 laplace_spectrum(const Spline_space_3& space, int k, const Laplace_spectrum_options& options) {
   Laplace_spectrum result = laplace_eigenpairs(space, k, options);
-  result.vertex_values = Spline_functions_3(space, result.pairs.vectors).values_at_vertices();
+  if(!options.eigenvalues_only)
+    result.vertex_values = Spline_functions_3(space, result.pairs.vectors).values_at_vertices();
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -20,9 +21,13 @@ namespace Restricted_laplacian_3 {
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of `multigrid_eigenpairs()`.
 struct Multigrid_eigenpairs_options {
+  /// the default of `relative_tolerance`
+  static constexpr double default_tolerance = 1e-3;
+
   /// the largest of `Eigenpairs::residuals` that counts as converged; the error of an eigenvector
-  /// is of the order of its residual, the relative one of an eigenvalue of the order of its square
-  double relative_tolerance = 1e-3;
+  /// is of the order of its residual, the relative one of an eigenvalue of the order of its square.
+  /// Without a value `default_tolerance`.
+  std::optional<double> relative_tolerance;
   /// on each level
   int maximum_iterations = 100;
   /// of a cycle: smoothing steps before, and again after the coarse correction

@@ -58,9 +58,14 @@ inline void check_levels(const std::vector<Sparse_matrix>& stiffness,
   CGAL_precondition(is_symmetric(mass.back()));
 }
 
+inline double tolerance_of(const Multigrid_eigenpairs_options& options) {
+  return options.relative_tolerance.value_or(Multigrid_eigenpairs_options::default_tolerance);
+}
+
 /// \throws Parameter_error see `multigrid_eigenpairs()`
 inline void check_options(const Multigrid_eigenpairs_options& options) {
-  if(!(options.relative_tolerance > 0 && options.relative_tolerance < 1))
+  const double tolerance = tolerance_of(options);
+  if(!(tolerance > 0 && tolerance < 1))
     throw Parameter_error("relative_tolerance", "must be between 0 and 1");
   if(options.maximum_iterations < 0)
     throw Parameter_error("number_of_iterations", "must not be negative");
@@ -132,6 +137,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
       matrix.makeCompressed();
   internal::check_levels(stiffness, mass, prolongations, patches);
   internal::check_options(options);
+  const double tolerance = internal::tolerance_of(options);
   const std::size_t finest = stiffness.size() - 1;
   Eigenpairs_options start_options;
   start_options.callback = options.callback;
@@ -175,13 +181,12 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
     solver.prolongate(level, levels.prolongations[level], levels.s[level], levels.m[level]);
     Sparse_matrix().swap(levels.prolongations[level]);
     const bool is_finest = level == finest;
-    solver.improve(is_finest ? k : carried,
-                   is_finest ? options.relative_tolerance : tolerance_of_coarse_levels, is_finest,
-                   [&of_level](double part) { of_level(part); });
+    solver.improve(is_finest ? k : carried, is_finest ? tolerance : tolerance_of_coarse_levels,
+                   is_finest, [&of_level](double part) { of_level(part); });
   }
   pairs.iterations = solver.iterations();
   solver.take_pairs(k, pairs);
-  pairs.converged = (pairs.residuals.array() <= options.relative_tolerance).all();
+  pairs.converged = (pairs.residuals.array() <= tolerance).all();
   return pairs;
 }
 

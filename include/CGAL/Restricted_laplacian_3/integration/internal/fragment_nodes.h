@@ -135,6 +135,8 @@ inline void add_fragment_nodes(const Fragment& fragment, const std::array<int, 3
 inline void add_fragment_function(const Fragment& fragment, const std::array<int, 3>& cell,
                                   const std::array<Point_3, 3>& triangle,
                                   const Surface_point& point, Function_moments& moments) {
+  if(fragment.size < 3)
+    return;
   std::array<std::array<double, 3>, Fragment::capacity> positions;
   std::array<Surface_point, Fragment::capacity> points;
   std::array<Symmetric_tensor_3, Fragment::capacity> metrics;
