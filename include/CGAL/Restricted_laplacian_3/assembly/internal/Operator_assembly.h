@@ -72,7 +72,8 @@ public:
     for(const Assembly_targets& t : m_targets)
       wants_mass = wants_mass || (t.sink && t.sink->wants_mass());
     m_keeps_stabilization = wants_mass && m_stabilizes_mass && m_normal_stabilization != 0;
-    m_degree = wants_mass ? degree_of_mass : degree_of_stiffness;
+    // Where the metric is not constant on each face, the degree is not known.
+    m_degree = wants_mass || !m_integration.adds_moments() ? degree_of_mass : degree_of_stiffness;
     double done = 0, left = 1;
     for(int top = m_octree.depth(); top >= coarsest; top -= 2) {
       Moments next;
