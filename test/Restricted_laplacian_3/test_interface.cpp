@@ -612,6 +612,9 @@ TEST_CASE("nodes_on_flat_triangles_have_the_metric_of_their_plane", "[interface]
     });
   const double h = space.octree().cell_width(space.depth());
   CHECK(area * h * h == Approx(space.surface().area()).epsilon(1e-13));
+  const auto ignore = [](RL::Integration_node_block&) {};
+  for(const int degree : {-1, 13})
+    CHECK_THROWS_AS(view.visit_nodes(0, degree, ignore), RL::Parameter_error);
   // functions that are linear on faces need none
   CHECK(view.adds_linear_functions());
   CHECK(!RL::Surface_integration(RL::Monte_carlo(space.octree(), 100, 1)).adds_linear_functions());

@@ -294,7 +294,7 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
     for(int lane = 0; lane < 4; ++lane)
       CHECK(std::abs(of_plain[i][lane] - of_lanes[i][lane]) <= 1e-15);
 
-  for(const int degree : {2, 5, 7}) {
+  for(const int degree : {5, 6, 7}) {
     std::array<std::array<double, 3>, 3> corners;
     for(auto& corner : corners)
       corner = {uniform(generator), uniform(generator), uniform(generator)};

@@ -86,8 +86,7 @@ inline std::string message_of(const RL::Parameter_error& e) {
 
 // Lets the heap grow in large steps, and keep what it has. By default the C library of Linux gives
 // each large array back to the system when it is no longer used, and the pages of the next one are
-// filled with zeros again when they are first touched. Where transparent huge pages are enabled, a
-// heap that grows like that consists of them.
+// filled with zeros again when they are first touched.
 inline void keep_memory() {
 #ifdef M_TOP_PAD
   constexpr int step = 64 << 20;

@@ -21,21 +21,34 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangle_cubature::Triangle_cubature(const Oc
   octree.surface().require_triangles("Triangle_cubature");
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-Triangle_cubature::add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const {
-  const Triangulated_surface_3& surface = m_octree->surface();
-  const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
-  const internal::Padded_rule& rule = internal::Padded_rule::of_degree(degree);
-  for(std::uint32_t face : m_octree->faces(sheet)) {
+namespace internal {
+
+/// Calls `visit(fragment, cell, triangle, point)` for the fragments of a sheet: the cell that owns
+/// it, the triangle that it is cut from, and what all points on it have in common.
+template <class Visitor>
+void for_each_fragment(const Octree_3& octree, std::size_t sheet, Visitor&& visit) {
+  const Triangulated_surface_3& surface = octree.surface();
+  const Cell_3 cell = octree.cell(octree.depth(), sheet);
+  for(std::uint32_t face : octree.faces(sheet)) {
     Surface_point point;
     point.face = face;
     point.vertices = surface.triangle(face);
     point.normal = surface.normal(face);
-    internal::add_fragment_nodes(
-        m_octree->fragment(cell, face), cell.index,
-        {surface.point(face, 0), surface.point(face, 1), surface.point(face, 2)}, point, rule,
-        nodes);
+    visit(octree.fragment(cell, face), cell.index,
+          std::array<Point_3, 3>{surface.point(face, 0), surface.point(face, 1),
+                                 surface.point(face, 2)},
+          point);
   }
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Triangle_cubature::add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const {
+  const internal::Padded_rule& rule = internal::Padded_rule::of_degree(degree);
+  internal::for_each_fragment(*m_octree, sheet, [&](const auto&... fragment) {
+    internal::add_fragment_nodes(fragment..., rule, nodes);
+  });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
@@ -55,17 +68,9 @@ Triangle_cubature::add_moments(std::size_t sheet, const internal::Face_weight* w
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Triangle_cubature::add_linear_function(std::size_t sheet,
                                        internal::Function_moments& moments) const {
-  const Triangulated_surface_3& surface = m_octree->surface();
-  const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
-  for(std::uint32_t face : m_octree->faces(sheet)) {
-    Surface_point point;
-    point.face = face;
-    point.vertices = surface.triangle(face);
-    point.normal = surface.normal(face);
-    internal::add_fragment_function(
-        m_octree->fragment(cell, face), cell.index,
-        {surface.point(face, 0), surface.point(face, 1), surface.point(face, 2)}, point, moments);
-  }
+  internal::for_each_fragment(*m_octree, sheet, [&](const auto&... fragment) {
+    internal::add_fragment_function(fragment..., moments);
+  });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Point_cubature::Point_cubature(const Octree_3& octree)

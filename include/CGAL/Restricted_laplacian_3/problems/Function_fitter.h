@@ -4,7 +4,6 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_FUNCTION_FITTER_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_FUNCTION_FITTER_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
@@ -52,6 +51,12 @@ struct Function_fit : Fit_report {
   /// a row for each element of the finest level, a column for each component
   Eigen::MatrixXd coefficients;
 };
+
+namespace internal {
+
+struct Fit_residual;
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of a `Function_fitter`.

@@ -49,8 +49,8 @@ struct Laplace_spectrum {
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of `laplace_spectrum()` and `laplace_eigenpairs()`.
 struct Laplace_spectrum_options {
-  /// the default of `relative_tolerance` with `eigenvalues_only`: errors of eigenvalues are below
-  /// 1e-5 then (the largest of 20 to 100 on each of eight surfaces: 2e-6 to 9e-6)
+  /// the default of `relative_tolerance` with `eigenvalues_only`: errors of eigenvalues are of the
+  /// order of its square, about 1e-5
   static constexpr double tolerance_of_eigenvalues = 2.5e-3;
 
   /// how eigenpairs are computed

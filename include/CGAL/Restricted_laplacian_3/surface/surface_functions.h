@@ -48,9 +48,9 @@ private:
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Tells that a function or vector field is well approximated by polynomials of a degree below 6 on
-/// each part of a triangle in a cell, so that it is integrated with fewer nodes: 16 in place of 32
-/// for degree 2 or less. With degree 2 the error of the solution of a Poisson problem remains of
-/// the order \f$h^3\f$ for a smooth function; the time for a right-hand side is halved.
+/// each part of a triangle in a cell, which takes fewer nodes: 16 in place of 32 for degree 2, with
+/// which the error of a Poisson solution remains of the order \f$h^3\f$ for a smooth function; for
+/// degree 1 and 0 the values at the corners of the part say all.
 /// \param f a function object that takes a `const Surface_point&`
 /// \param degree from 0 to 6; 6 is what functions have that are given as they are
 /// \throws Parameter_error if `degree` is outside its domain

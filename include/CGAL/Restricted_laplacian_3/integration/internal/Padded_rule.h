@@ -36,6 +36,8 @@ struct Padded_rule {
         result.emplace_back(triangle_quadrature(degree));
       return result;
     }();
+    if(degree < 0 || degree >= static_cast<int>(rules.size()))
+      static_cast<void>(triangle_quadrature(degree)); // throws
     return rules[static_cast<std::size_t>(degree)];
   }
 };

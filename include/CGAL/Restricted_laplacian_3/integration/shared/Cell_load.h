@@ -30,8 +30,7 @@ using Cell_load_sums = std::array<std::array<double, 4>, Tensor_basis_3::size>;
 /// degree 2 of their local coordinates, those along z times the weights.
 struct Linear_load_nodes {
   /// of the largest rule that is needed
-  static constexpr int degree = 8;
-  static constexpr std::size_t capacity = 16;
+  static constexpr std::size_t capacity = 12;
   using Values = std::array<std::array<double, capacity>, 3>;
 
   const Padded_rule* rule;
@@ -96,20 +95,17 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void bernstein_2(const Node_values& coo
   }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
-add_load(const Node_positions& t, const Node_values& values, Cell_load_sums& sums) {
-  Lanes x[3][groups_of_nodes], y[3][groups_of_nodes], z[3][groups_of_nodes];
-  bernstein_2(t[0], x);
-  bernstein_2(t[1], y);
-  bernstein_2(t[2], z);
-  for(int c = 0; c < 3; ++c)
-    for(int g = 0; g < groups_of_nodes; ++g)
-      z[c][g] *= load(values.data() + 4 * g);
+/// adds the products of values of polynomials along the three axes, those along z with the weights
+/// \tparam groups of four nodes
+template <int groups>
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void
+add_products(const Lanes (&x)[3][groups], const Lanes (&y)[3][groups], const Lanes (&z)[3][groups],
+             Cell_load_sums& sums) {
   for(int c = 0; c < 3; ++c)
     for(int b = 0; b < 3; ++b) {
       auto* const row = sums.data() + 3 * (b + 3 * c);
       Lanes s0 = load(row[0].data()), s1 = load(row[1].data()), s2 = load(row[2].data());
-      for(int g = 0; g < groups_of_nodes; ++g) {
+      for(int g = 0; g < groups; ++g) {
         const Lanes yz = y[b][g] * z[c][g];
         s0 += x[0][g] * yz;
         s1 += x[1][g] * yz;
@@ -119,6 +115,18 @@ add_load(const Node_positions& t, const Node_values& values, Cell_load_sums& sum
       store(s1, row[1].data());
       store(s2, row[2].data());
     }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
+add_load(const Node_positions& t, const Node_values& values, Cell_load_sums& sums) {
+  Lanes x[3][groups_of_nodes], y[3][groups_of_nodes], z[3][groups_of_nodes];
+  bernstein_2(t[0], x);
+  bernstein_2(t[1], y);
+  bernstein_2(t[2], z);
+  for(auto& of_nodes : z)
+    for(int g = 0; g < groups_of_nodes; ++g)
+      of_nodes[g] *= load(values.data() + 4 * g);
+  add_products(x, y, z, sums);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
@@ -145,44 +153,27 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
 add_linear_load_of(const Linear_load_nodes& nodes, const std::array<double, 3>& values,
                    Cell_load_sums& sums) {
   const Padded_rule& rule = *nodes.rule;
-  Lanes x[3][groups], y[3][groups], f[groups];
+  Lanes x[3][groups], y[3][groups], z[3][groups];
   for(int g = 0; g < groups; ++g) {
-    f[g] = load(rule.b0.data() + 4 * g) * values[0] + load(rule.b1.data() + 4 * g) * values[1] +
-           load(rule.b2.data() + 4 * g) * values[2];
+    const Lanes value = load(rule.b0.data() + 4 * g) * values[0] +
+                        load(rule.b1.data() + 4 * g) * values[1] +
+                        load(rule.b2.data() + 4 * g) * values[2];
     for(int a = 0; a < 3; ++a) {
       x[a][g] = load(nodes.x[a].data() + 4 * g);
       y[a][g] = load(nodes.y[a].data() + 4 * g);
+      z[a][g] = load(nodes.z[a].data() + 4 * g) * value;
     }
   }
-  for(int c = 0; c < 3; ++c) {
-    Lanes z[groups];
-    for(int g = 0; g < groups; ++g)
-      z[g] = load(nodes.z[c].data() + 4 * g) * f[g];
-    for(int b = 0; b < 3; ++b) {
-      auto* const row = sums.data() + 3 * (b + 3 * c);
-      Lanes s0 = load(row[0].data()), s1 = load(row[1].data()), s2 = load(row[2].data());
-      for(int g = 0; g < groups; ++g) {
-        const Lanes yz = y[b][g] * z[g];
-        s0 += x[0][g] * yz;
-        s1 += x[1][g] * yz;
-        s2 += x[2][g] * yz;
-      }
-      store(s0, row[0].data());
-      store(s1, row[1].data());
-      store(s2, row[2].data());
-    }
-  }
+  add_products(x, y, z, sums);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
 add_linear_load(const Linear_load_nodes& nodes, const std::array<double, 3>& values,
                 Cell_load_sums& sums) {
-  switch(nodes.rule->weight.size() / 4) {
-  case 1: return add_linear_load_of<1>(nodes, values, sums);
-  case 2: return add_linear_load_of<2>(nodes, values, sums);
-  case 3: return add_linear_load_of<3>(nodes, values, sums);
-  default: return add_linear_load_of<4>(nodes, values, sums);
-  }
+  if(nodes.rule->weight.size() == 8)
+    add_linear_load_of<2>(nodes, values, sums);
+  else
+    add_linear_load_of<3>(nodes, values, sums);
 }
 
 } // namespace lanes
@@ -190,7 +181,7 @@ add_linear_load(const Linear_load_nodes& nodes, const std::array<double, 3>& val
 
 /// \param corners their local coordinates in the cell
 /// \param area in units of the squared cell width
-/// \param degree of what is integrated, at most `Linear_load_nodes::degree`
+/// \param degree of what is integrated, from 5 to 7
 inline Linear_load_nodes linear_load_nodes(const std::array<std::array<double, 3>, 3>& corners,
                                            double area, int degree) {
   Linear_load_nodes nodes;
