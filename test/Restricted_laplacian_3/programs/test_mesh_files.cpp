@@ -160,14 +160,20 @@ TEST_CASE("files_with_anything_else_are_left_to_cgal", "[files]") {
   CHECK(is_left_to_cgal(".ply", changed("element vertex 16", "element vertex -1")));
   CHECK(is_left_to_cgal(".ply", changed("element vertex 16", "element edge 16")));
   CHECK(is_left_to_cgal(".ply", changed("list uchar", "list uint")));
-  // a quadrangle, and a vertex that does not exist
+  // a vertex that does not exist
   const std::size_t first_face = whole.find("end_header\n") + 11 + 16 * 12;
   std::string other = whole;
-  other[first_face] = 4;
-  CHECK(is_left_to_cgal(".ply", other));
-  other = whole;
   other.replace(first_face + 1, 4, bytes_of(std::int32_t(-1)));
   CHECK(is_left_to_cgal(".ply", other));
+
+  // one face, whose corners are all there: a triangle and a quadrangle
+  for(const std::uint8_t corners : {std::uint8_t(3), std::uint8_t(4)}) {
+    std::string face = ply(false, false, false, 1).substr(0, first_face - 1);
+    face += bytes_of(corners);
+    for(std::int32_t i = 0; i < corners; ++i)
+      face += bytes_of(i);
+    CHECK(is_left_to_cgal(".ply", face) == (corners == 4));
+  }
 
   const std::string triangle = stl({0, 0, 0, 1, 0, 0, 0, 1, 0}, 1);
   CHECK(!is_left_to_cgal(".stl", triangle));
