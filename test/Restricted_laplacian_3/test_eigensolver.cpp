@@ -8,7 +8,10 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Column_panels.h>
+#include <CGAL/Restricted_laplacian_3/spectra/internal/Nested_lobpcg.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/largest_pairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/multigrid_eigenpairs.h>
@@ -173,6 +176,74 @@ TEST_CASE("multigrid_eigenpairs_say_when_they_have_not_converged", "[eigensolver
   CHECK_FALSE(best.converged);
   CHECK(best.iterations < 50);
   CHECK(best.residuals.maxCoeff() <= 1e-9);
+}
+
+TEST_CASE("values_of_known_products_are_those_of_the_vectors", "[eigensolver]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::box(1, 0.7, 0.4, 6, 1)),
+                                 params::octree_depth(4));
+  const Level_matrices m = level_matrices(space, 2);
+  RL::Multigrid_eigenpairs_options options;
+  for(double tolerance : {1e-2, 1e-6}) {
+    options.relative_tolerance = tolerance;
+    options.eigenvalues_only = false;
+    const RL::Eigenpairs verified = multigrid_pairs(m, 20, options);
+    options.eigenvalues_only = true;
+    const RL::Eigenpairs pairs = multigrid_pairs(m, 20, options);
+    CHECK(pairs.converged);
+    CHECK(pairs.iterations <= verified.iterations);
+    // The last projection has improved pairs that had converged before.
+    CHECK(pairs.residuals.maxCoeff() <= tolerance);
+    CHECK((pairs.vectors.transpose() * m.mass.back() * pairs.vectors -
+           Eigen::MatrixXd::Identity(20, 20))
+              .cwiseAbs()
+              .maxCoeff() <= 1e-9);
+    for(int i = 0; i < 20; ++i) {
+      const auto x = pairs.vectors.col(i);
+      CHECK(x.dot(m.stiffness.back() * x) == Approx(pairs.values[i]).epsilon(1e-9).margin(1e-9));
+      CHECK(pairs.values[i] == Approx(verified.values[i]).epsilon(1e-9).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("vectors_that_have_converged_are_made_orthonormal", "[eigensolver]") {
+  // Combinations of the eigenfunctions of a multiple eigenvalue have small residuals.
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
+  Level_matrices m = level_matrices(space, 2);
+  const Eigen::Index n = m.mass.back().cols();
+  const RL::Eigenpairs exact = RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), 16);
+  Eigen::MatrixXd skewed = exact.vectors;
+  skewed.col(2) += 0.7 * skewed.col(1);
+  const RL::Sparse_matrix mass = m.mass.back();
+  std::vector<RL::Sparse_matrix> coarse;
+  for(std::size_t level = 0; level + 1 < m.mass.size(); ++level)
+    coarse.push_back(m.stiffness[level] + m.mass[level]);
+  RL::Sparse_matrix identity(n, n), a = m.stiffness.back() + mass;
+  identity.setIdentity();
+  const RL::Multigrid<> multigrid(std::move(a), {m.prolongations, m.patches, coarse});
+  RL::internal::Symmetric_matrices<2> pencil;
+  pencil.take_halves_of({&m.stiffness.back(), &m.mass.back()});
+  const auto progress = [](double) {};
+  for(bool is_verified : {false, true}) {
+    RL::internal::Nested_lobpcg solver(multigrid, skewed, {1, exact.shift, 100, 1, false});
+    solver.prolongate(m.patches.size(), identity, pencil);
+    solver.improve(9, 1e-2, is_verified, progress);
+    CHECK(solver.iterations() == 0);
+    RL::Eigenpairs pairs;
+    solver.take_pairs(9, pairs);
+    const double largest =
+        (pairs.vectors.transpose() * mass * pairs.vectors - Eigen::MatrixXd::Identity(9, 9))
+            .cwiseAbs()
+            .maxCoeff();
+    if(is_verified)
+      CHECK(largest <= 1e-9);
+    else
+      CHECK(largest > 0.1);
+    for(int i = 0; i < 9; ++i) {
+      CHECK(pairs.values[i] ==
+            Approx(exact.values[i]).epsilon(is_verified ? 1e-8 : 1e-2).margin(1e-8));
+      CHECK(pairs.residuals[i] <= 1e-2);
+    }
+  }
 }
 
 TEST_CASE("eigensolvers_report_progress_and_can_be_canceled", "[eigensolver]") {

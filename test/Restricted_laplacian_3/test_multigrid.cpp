@@ -761,6 +761,46 @@ TEST_CASE("half_of_a_matrix_has_the_products_of_the_whole", "[multigrid][threads
   }
 }
 
+TEST_CASE("halves_of_two_matrices_have_the_products_of_both", "[multigrid][threads]") {
+  constexpr int n = 5000;
+  // entries in the same places, or in others
+  for(bool is_shifted : {false, true}) {
+    std::array<Eigen::SparseMatrix<double>, 2> a;
+    for(int number = 0; number < 2; ++number) {
+      std::vector<Eigen::Triplet<double>> entries;
+      for(int j = 0; j < n; ++j)
+        for(int distance : {0, 1, 700}) {
+          const int i = j - distance - (is_shifted ? number : 0);
+          if(i < 0)
+            continue;
+          entries.emplace_back(i, j, std::cos(i + 3. * j + number));
+          if(i != j)
+            entries.emplace_back(j, i, std::cos(i + 3. * j + number));
+        }
+      a[number].resize(n, n);
+      a[number].setFromTriplets(entries.begin(), entries.end());
+    }
+    const auto whole = a;
+    RL::internal::Symmetric_matrices<2> halves;
+    halves.take_halves_of({&a[0], &a[1]});
+    CHECK(a[0].nonZeros() + a[1].nonZeros() == 0);
+    CHECK(halves.rows() == n);
+    RL::internal::Block_vector<8> x(n, 8), y[2], parallel[2];
+    for(int c = 0; c < 8; ++c)
+      x.col(c) = random_vector(n, 20 + c);
+    halves.multiply<8>(x, {&y[0], &y[1]}, false);
+    halves.multiply<8>(x, {&parallel[0], &parallel[1]}, true);
+    const RL::internal::Block_vector<1> x_1 = x.col(3);
+    RL::internal::Block_vector<1> y_1[2];
+    halves.multiply<1>(x_1, {&y_1[0], &y_1[1]}, false);
+    for(int number = 0; number < 2; ++number) {
+      CHECK((y[number] - whole[number] * x).norm() <= 1e-14 * y[number].norm());
+      CHECK(parallel[number] == y[number]);
+      CHECK((y_1[number] - y[number].col(3)).norm() <= 1e-14 * y_1[number].norm());
+    }
+  }
+}
+
 TEST_CASE("inverse_of_a_block_with_dependent_unknowns", "[multigrid]") {
   for(int size : {1, 3, 8, 27, 50}) {
     const int stride = (size + 7) / 8 * 8;

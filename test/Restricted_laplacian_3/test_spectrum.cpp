@@ -95,8 +95,11 @@ TEST_CASE("eigenvalues_alone_are_found_with_less_work", "[spectrum]") {
   // on a mesh, with a tolerance that is given, and by default
   CHECK(RL::laplace_spectrum(mesh, 30, np.octree_depth(4).eigenvalues_only(true)).eigenvalues ==
         fast.eigenvalues);
-  CHECK(RL::laplace_spectrum(space, 30, np.eigenvalues_only(true).relative_tolerance(1e-6))
-            .eigenvalues == exact.eigenvalues);
+  const RL::Laplace_spectrum values =
+      RL::laplace_spectrum(space, 30, np.eigenvalues_only(true).relative_tolerance(1e-6));
+  CHECK((values.eigenvalues - exact.eigenvalues).cwiseAbs().maxCoeff() <=
+        1e-10 * exact.eigenvalues[29]);
+  CHECK(values.report.iterations <= exact.report.iterations);
   CHECK(RL::laplace_spectrum(space, 30, np).report.relative_residual <= 1e-3);
 }
 

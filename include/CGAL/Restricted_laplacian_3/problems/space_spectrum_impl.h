@@ -93,6 +93,7 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
     Multigrid_eigenpairs_options of_multigrid = options.multigrid;
     of_multigrid.is_parallel = space.options().is_parallel;
     of_multigrid.callback = of_solver.callback();
+    of_multigrid.eigenvalues_only = options.eigenvalues_only;
     if(options.eigenvalues_only && !of_multigrid.relative_tolerance)
       of_multigrid.relative_tolerance = Laplace_spectrum_options::tolerance_of_eigenvalues;
     internal::take_pairs(

@@ -32,6 +32,9 @@ struct Multigrid_eigenpairs_options {
   int maximum_iterations = 100;
   /// of a cycle: smoothing steps before, and again after the coarse correction
   int smoothing_steps = 1;
+  /// whether only eigenvalues are needed: vectors are not made orthonormal at the end, and
+  /// residuals are those with which pairs converged
+  bool eigenvalues_only = false;
   /// whether several threads are used; results do not depend on that
   bool is_parallel = false;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
@@ -46,6 +49,7 @@ struct Multigrid_eigenpairs_options {
     internal::read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
     internal::read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
     internal::read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
+    internal::read_parameter(np, internal_np::eigenvalues_only, eigenvalues_only);
     internal::read_parameter(np, internal_np::callback, callback);
   }
 };
@@ -64,9 +68,9 @@ struct Multigrid_eigenpairs_options {
 /// \f$\alpha\f$ is half of the tenth eigenvalue. Cycles are applied to eight vectors at a time, in
 /// single precision; everything else is in double precision. About a third more vectors than asked
 /// for are carried along: the last pairs converge the faster, the larger the gap to the first
-/// eigenvalue beyond them is. Pairs that have converged are locked softly; at the end the vectors
-/// are made orthonormal and all residuals computed once more, and the iteration goes on if one is
-/// too large.
+/// eigenvalue beyond them is. Pairs that have converged are locked softly; at the end all residuals
+/// are computed once more, from vectors that are orthonormal to rounding, and the iteration goes on
+/// if one is too large.
 ///
 /// The stiffness matrix is to be stabilized, the mass matrix is not, see `assemble_operators()`.
 /// Without stabilization it takes more iterations, or does not get to the tolerance.
@@ -88,11 +92,12 @@ struct Multigrid_eigenpairs_options {
 ///   \named_relative_tolerance{`1e-3`}
 ///   \named_number_of_iterations{`100`, on each level}
 ///   \named_smoothing_steps
+///   \named_eigenvalues_only
 ///   \named_concurrency_tag
 ///   \named_callback
 /// \cgalNamedParamsEnd
-/// \return pairs that are orthonormal with respect to \f$M\f$. If not all residuals got below the
-/// tolerance, `converged` is `false` and the pairs are the best approximations that were found.
+/// \return pairs that are orthonormal with respect to \f$M\f$, with `eigenvalues_only` nearly so.
+/// If not all residuals got below the tolerance, `converged` is `false` and the pairs are the best approximations that were found.
 /// `iterations` are those on the finest level; 0 if that was solved by `smallest_eigenpairs()`,
 /// because it is small.
 /// \throws Parameter_error if sizes do not fit, if an entry is not finite, if `k` is not positive

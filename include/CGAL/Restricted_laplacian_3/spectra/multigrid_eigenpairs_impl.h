@@ -87,9 +87,9 @@ inline int number_of_carried_vectors(int k) {
 
 /// What the iteration needs of the levels after the one that it starts on.
 struct Lobpcg_levels {
-  std::vector<Symmetric_matrix> s, m;
-  std::vector<Sparse_matrix> prolongations; // to the level with the same number
-  Multigrid<> multigrid;                    // for S + alpha M, of all levels
+  std::vector<Symmetric_matrices<2>> pencils; // S and M
+  std::vector<Sparse_matrix> prolongations;   // to the level with the same number
+  Multigrid<> multigrid;                      // for S + alpha M, of all levels
 };
 
 /// Uses the matrices up, one after the other: what is needed at most is little more than they are.
@@ -102,13 +102,11 @@ inline void make_levels(std::size_t start, double alpha, std::vector<Sparse_matr
   for(std::size_t level = 0; level < finest; ++level)
     coarse[level] = stiffness[level] + alpha * mass[level];
   Sparse_matrix a = stiffness[finest] + alpha * mass[finest];
-  levels.s.resize(finest + 1);
-  levels.m.resize(finest + 1);
+  levels.pencils.resize(finest + 1);
   levels.prolongations.resize(finest + 1);
   for(std::size_t level = 0; level <= finest; ++level) {
     if(level > start) {
-      levels.s[level].take_half_of(stiffness[level]);
-      levels.m[level].take_half_of(mass[level]);
+      levels.pencils[level].take_halves_of({&stiffness[level], &mass[level]});
       levels.prolongations[level] = prolongations[level - 1];
     }
     Sparse_matrix().swap(stiffness[level]);
@@ -174,15 +172,16 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
                                  {alpha, pairs.shift, options.maximum_iterations,
                                   options.smoothing_steps, options.is_parallel});
   for(std::size_t level = start + 1; level <= finest; ++level) {
-    const double next = done + static_cast<double>(levels.s[level].rows()) / work;
+    const double next = done + static_cast<double>(levels.pencils[level].rows()) / work;
     const internal::Progress of_level = progress.part(done, next);
     done = next;
     of_level(0);
-    solver.prolongate(level, levels.prolongations[level], levels.s[level], levels.m[level]);
+    solver.prolongate(level, levels.prolongations[level], levels.pencils[level]);
     Sparse_matrix().swap(levels.prolongations[level]);
     const bool is_finest = level == finest;
     solver.improve(is_finest ? k : carried, is_finest ? tolerance : tolerance_of_coarse_levels,
-                   is_finest, [&of_level](double part) { of_level(part); });
+                   is_finest && !options.eigenvalues_only,
+                   [&of_level](double part) { of_level(part); });
   }
   pairs.iterations = solver.iterations();
   solver.take_pairs(k, pairs);

@@ -122,13 +122,13 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes sums_of_components(const Fl
 } // namespace CGAL
 
 /// calls the function of that name in `lanes` if the processor has them, else the one in `plain`
-#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call)                                                     \
+#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(...)                                                      \
   if(processor_has_lanes())                                                                        \
-    lanes::call;                                                                                   \
+    lanes::__VA_ARGS__;                                                                            \
   else                                                                                             \
-    plain::call
+    plain::__VA_ARGS__
 #else
-#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(call) plain::call
+#define CGAL_RESTRICTED_LAPLACIAN_3_BEST(...) plain::__VA_ARGS__
 #endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_VECTOR_LANES_H

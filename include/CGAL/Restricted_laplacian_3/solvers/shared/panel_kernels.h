@@ -34,16 +34,19 @@ inline void add_combination(const double* q, const double* c, std::size_t rows, 
         sum[j] += q[i] * c[8 * i + j];
 }
 
-template <int K>
-void add_symmetric_column(const double* values, const int* rows, std::size_t count, const double* x,
-                          const double* own, double* sums, std::size_t first_row, double* own_sum) {
+template <int K, int N>
+void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
+                          const double* x, const double* own, double* const* sums,
+                          std::size_t first_row, double* own_sums) {
   for(std::size_t k = 0; k < count; ++k) {
     const std::size_t row = static_cast<std::size_t>(rows[k]);
     const double* const from = x + K * row;
-    double* const to = sums + K * (row - first_row);
-    for(int c = 0; c < K; ++c) {
-      own_sum[c] += values[k] * from[c];
-      to[c] += values[k] * own[c];
+    for(int n = 0; n < N; ++n) {
+      double* const to = sums[n] + K * (row - first_row);
+      for(int c = 0; c < K; ++c) {
+        own_sums[K * n + c] += values[n][k] * from[c];
+        to[c] += values[n][k] * own[c];
+      }
     }
   }
 }
@@ -115,33 +118,43 @@ add_combination(const double* q, const double* c, std::size_t rows, double* sum)
     }
 }
 
-inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-add_symmetric_column_of_eight(const double* values, const int* rows, std::size_t count,
-                              const double* x, const double* own, double* sums,
-                              std::size_t first_row, double* own_sum) {
+template <int N>
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
+add_symmetric_column_of_eight(const double* const* values, const int* rows, std::size_t count,
+                              const double* x, const double* own, double* const* sums,
+                              std::size_t first_row, double* own_sums) {
   const Lanes low = load(own), high = load(own + 4);
-  Lanes low_sum = load(own_sum), high_sum = load(own_sum + 4);
+  Lanes low_sum[N], high_sum[N];
+  for(int n = 0; n < N; ++n) {
+    low_sum[n] = load(own_sums + 8 * n);
+    high_sum[n] = load(own_sums + 8 * n + 4);
+  }
   for(std::size_t k = 0; k < count; ++k) {
     const std::size_t row = static_cast<std::size_t>(rows[k]);
-    const double* const from = x + 8 * row;
-    double* const to = sums + 8 * (row - first_row);
-    low_sum += values[k] * load(from);
-    high_sum += values[k] * load(from + 4);
-    store(load(to) + values[k] * low, to);
-    store(load(to + 4) + values[k] * high, to + 4);
+    const Lanes from_low = load(x + 8 * row), from_high = load(x + 8 * row + 4);
+    for(int n = 0; n < N; ++n) {
+      const double value = values[n][k];
+      double* const to = sums[n] + 8 * (row - first_row);
+      low_sum[n] += value * from_low;
+      high_sum[n] += value * from_high;
+      store(load(to) + value * low, to);
+      store(load(to + 4) + value * high, to + 4);
+    }
   }
-  store(low_sum, own_sum);
-  store(high_sum, own_sum + 4);
+  for(int n = 0; n < N; ++n) {
+    store(low_sum[n], own_sums + 8 * n);
+    store(high_sum[n], own_sums + 8 * n + 4);
+  }
 }
 
-template <int K>
-inline void add_symmetric_column(const double* values, const int* rows, std::size_t count,
-                                 const double* x, const double* own, double* sums,
-                                 std::size_t first_row, double* own_sum) {
+template <int K, int N>
+inline void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
+                                 const double* x, const double* own, double* const* sums,
+                                 std::size_t first_row, double* own_sums) {
   if(K == 8)
-    add_symmetric_column_of_eight(values, rows, count, x, own, sums, first_row, own_sum);
+    add_symmetric_column_of_eight<N>(values, rows, count, x, own, sums, first_row, own_sums);
   else
-    plain::add_symmetric_column<K>(values, rows, count, x, own, sums, first_row, own_sum);
+    plain::add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums);
 }
 
 } // namespace lanes
@@ -161,14 +174,15 @@ inline void add_combination(const double* q, const double* c, std::size_t rows, 
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_combination(q, c, rows, sum));
 }
 
-/// Adds the product of entries of a column of a symmetric matrix, and of their mirror images, with
-/// `K` vectors `x`: those of the column, times the row `own` of `x`, to `sums`, which begins with
-/// row `first_row`, and those of the row to `own_sum`.
-template <int K>
-void add_symmetric_column(const double* values, const int* rows, std::size_t count, const double* x,
-                          const double* own, double* sums, std::size_t first_row, double* own_sum) {
+/// Adds the products of entries of a column of `N` symmetric matrices, and of their mirror images,
+/// with `K` vectors `x`: those of the column, times the row `own` of `x`, to `sums`, which begin
+/// with row `first_row`, and those of the row to `own_sums`, `K` numbers for each matrix.
+template <int K, int N>
+void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
+                          const double* x, const double* own, double* const* sums,
+                          std::size_t first_row, double* own_sums) {
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(
-      add_symmetric_column<K>(values, rows, count, x, own, sums, first_row, own_sum));
+      add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums));
 }
 
 } // namespace internal

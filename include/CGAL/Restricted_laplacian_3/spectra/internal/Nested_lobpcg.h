@@ -16,6 +16,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -92,17 +93,16 @@ public:
 
   /// Continues on the next finer level.
   /// \param p the prolongation to it
-  /// \param s,m its matrices; they have to outlive the work on it
-  void prolongate(std::size_t level, const Sparse_matrix& p, const Symmetric_matrix& s,
-                  const Symmetric_matrix& m) {
+  /// \param pencil its matrices \f$S\f$ and \f$M\f$, which have to outlive the work on it
+  void prolongate(std::size_t level, const Sparse_matrix& p, const Symmetric_matrices<2>& pencil) {
     m_level = level;
-    m_basis.prolongate(p, s, m);
+    m_basis.prolongate(p, pencil);
   }
 
-  /// Iterates on a level until the first `count` residuals are at most `tolerance`. All vectors are
-  /// improved once.
+  /// Iterates on a level until the first `count` residuals are at most `tolerance`.
   /// \param is_verified whether the vectors are to be orthonormal to rounding, with all of the
-  /// residuals computed from them
+  /// residuals computed from them; else values are those of the last projection, and residuals of
+  /// pairs that converged earlier those with which they did
   /// \param progress is told which part of the work on the level is done
   void improve(Eigen::Index count, double tolerance, bool is_verified,
                Function_view<void(double)> progress) {
@@ -110,26 +110,30 @@ public:
     m_values = m_masses = m_residuals = Eigen::VectorXd::Zero(m_basis.size());
     m_iterations = 0;
     Convergence convergence(tolerance);
-    orthonormalize();
-    for(bool is_orthonormal = true;; ++m_iterations) {
-      compute_corrections(tolerance);
-      convergence.add(m_residuals.maxCoeff());
-      progress(convergence.progress());
-      const bool is_given_up =
-          m_iterations >= m_parameters.maximum_iterations || convergence.stagnates();
-      const bool is_over = is_given_up || m_active.empty();
-      if(is_over && (is_orthonormal || !is_verified))
-        return;
-      is_orthonormal = is_over || convergence.shows_rounding();
-      if(is_orthonormal)
-        orthonormalize();
-      else
-        project();
-      extend_or_cut();
-      if(is_given_up) {
-        compute_corrections((std::numeric_limits<double>::max)());
-        return;
+    bool is_given_up = false, is_orthonormalized = false;
+    start_anew(m_basis.size());
+    for(;;) {
+      compute_corrections(is_given_up ? (std::numeric_limits<double>::max)() : tolerance);
+      if(!is_given_up) {
+        convergence.add(m_residuals.maxCoeff());
+        progress(convergence.progress());
+        is_given_up = m_iterations >= m_parameters.maximum_iterations || convergence.stagnates();
       }
+      if(is_given_up || m_active.empty()) {
+        if(!is_verified || (m_is_fresh && (is_orthonormalized || is_orthonormal())))
+          return;
+        is_orthonormalized = m_is_fresh;
+        if(is_orthonormalized)
+          project();
+        start_anew(count);
+        continue;
+      }
+      ++m_iterations;
+      is_orthonormalized = false;
+      if(convergence.shows_rounding())
+        start_anew(m_basis.size());
+      project();
+      extend_or_cut();
     }
   }
 
@@ -168,70 +172,99 @@ private:
   // are improved as well: some of them may fall below it.
   static constexpr double gap_at_the_end = 1e-2;
 
-  double eigenvalue(Eigen::Index i) const { return 1 / m_nu[i] - m_parameters.alpha; }
+  // Between vectors that are as good as orthogonal.
+  static constexpr double largest_cosine = 1e-11;
 
-  /// Values and residuals of the active pairs, and for those that have not converged the
-  /// preconditioned residuals. The latter remain active.
+  /// Values and residuals of the active pairs, and the preconditioned residuals of those that have
+  /// not converged and are near. The latter remain active.
   void compute_corrections(double tolerance) {
     m_basis.start_corrections(m_active.size());
+    const bool is_parallel = m_parameters.is_parallel;
     Block x, sx, mx, w;
     for(std::size_t first = 0; first < m_active.size(); first += panel_width) {
       const int width = m_basis.gather(m_active, first, x);
       const auto pair = [&](int c) { return m_active[first + static_cast<std::size_t>(c)]; };
+      m_basis.multiply(x, sx, mx);
+      if(m_is_fresh)
+        m_basis.add_known_products(first / panel_width, width, sx, mx);
+      // energies, masses, and squares of the scale of residuals
+      using Sums = Eigen::Array<double, 3, panel_width, Eigen::RowMajor>;
+      const Sums sums =
+          sum_over_rows(is_parallel, x.rows(), Sums(Sums::Zero()), [&](Eigen::Index i, Sums& sum) {
+            const Row own = row<panel_width>(x, i), s = row<panel_width>(sx, i),
+                      m = row<panel_width>(mx, i);
+            sum.row(0) += own * s;
+            sum.row(1) += own * m;
+            sum.row(2) += (s - m_parameters.residual_shift * m).square();
+          });
       Row lambda = Row::Zero();
       for(int c = 0; c < width; ++c)
-        lambda[c] = eigenvalue(pair(c));
-      m_basis.multiply(x, sx, mx);
-      const Row energy = x.cwiseProduct(sx).colwise().sum(),
-                mass = x.cwiseProduct(mx).colwise().sum(),
-                scale = (sx - m_parameters.residual_shift * mx).colwise().norm();
+        lambda[c] = sums(0, c) / sums(1, c);
       Block& residual = sx;
-      residual -= mx * lambda.matrix().asDiagonal();
-      const Row norm = residual.colwise().norm();
-      bool have_converged = true;
+      const Row squares =
+          sum_over_rows(is_parallel, x.rows(), Row(Row::Zero()), [&](Eigen::Index i, Row& sum) {
+            auto r = row<panel_width>(residual, i);
+            r -= lambda * row<panel_width>(mx, i);
+            sum += r.square();
+          });
+      std::array<bool, panel_width> is_improved = {};
       for(int c = 0; c < width; ++c) {
-        m_masses[pair(c)] = mass[c];
-        m_values[pair(c)] = energy[c] / mass[c];
-        m_residuals[pair(c)] = norm[c] / scale[c];
-        have_converged = have_converged && m_residuals[pair(c)] <= tolerance;
+        const Eigen::Index i = pair(c);
+        m_masses[i] = sums(1, c);
+        m_values[i] = lambda[c];
+        m_residuals[i] = is_near(i) ? std::sqrt(squares[c] / sums(2, c)) : 0;
+        is_improved[static_cast<std::size_t>(c)] = !(m_residuals[i] <= tolerance);
       }
-      if(have_converged)
+      if(std::find(is_improved.begin(), is_improved.end(), true) == is_improved.end())
         continue;
       m_multigrid.apply<panel_width>(m_level, residual, w, Cycle::V, m_parameters.smoothing_steps,
                                      m_workspace);
       for(int c = 0; c < width; ++c)
-        if(!(m_residuals[pair(c)] <= tolerance))
+        if(is_improved[static_cast<std::size_t>(c)])
           m_basis.add_correction(pair(c), w, c);
     }
     m_basis.end_corrections();
     m_active = m_basis.owners_of_corrections();
   }
 
-  /// Makes the vectors orthonormal, and solves the problem in their span. All become active.
-  void orthonormalize() {
+  /// Makes the first vectors active, with nothing known about them but themselves.
+  void start_anew(Eigen::Index count) {
     m_basis.restart();
-    project();
-    m_active.resize(static_cast<std::size_t>(m_basis.size()));
+    m_active.resize(static_cast<std::size_t>(count));
     std::iota(m_active.begin(), m_active.end(), Eigen::Index(0));
+    m_is_fresh = true;
+  }
+
+  /// Whether the vectors are orthogonal to rounding, if nothing else is known about them.
+  bool is_orthonormal() const {
+    return m_basis.largest_cosine(m_parameters.alpha) <= largest_cosine;
   }
 
   /// Solves the problem on the space of all \f$X\f$, \f$P\f$ and \f$W\f$, sets \f$X\f$ to the
   /// solution, and \f$P\f$ to the changes of those that had not converged and may be active again.
+  /// Values and masses follow from the projection.
   void project() {
     const Ritz_basis::Projection projection = m_basis.projection();
-    Dense_pairs pairs = largest_pairs(
+    const Dense_pairs pairs = largest_pairs(
         projection.m, projection.s + m_parameters.alpha * projection.m, m_basis.size());
-    m_nu.swap(pairs.values);
+    m_masses = pairs.values;
+    m_values = pairs.values.cwiseInverse().array() - m_parameters.alpha;
+    m_is_fresh = false;
     Indices owners = m_basis.owners_of_corrections();
     cut(owners, end_of_near());
     m_basis.update(projection, pairs.vectors, owners);
   }
 
-  /// the number of the first vectors, those that are asked for and those after them whose values
-  /// are near
+  /// whether a vector is asked for, or its value is near to those that are
+  bool is_near(Eigen::Index i) const {
+    return i < m_count || m_values[i] + m_parameters.alpha <=
+                              (1 + gap_at_the_end) * (m_values[m_count - 1] + m_parameters.alpha);
+  }
+
+  /// the number of the first vectors that are near
   Eigen::Index end_of_near() const {
     Eigen::Index end = m_count;
-    while(end < m_basis.size() && m_nu[m_count - 1] <= (1 + gap_at_the_end) * m_nu[end])
+    while(end < m_basis.size() && is_near(end))
       ++end;
     return end;
   }
@@ -257,7 +290,9 @@ private:
   Eigen::Index m_count = 0; // of vectors that are asked for
   int m_iterations = 0;
   Ritz_basis m_basis;
-  Eigen::VectorXd m_nu, m_values, m_masses, m_residuals;
+  Eigen::VectorXd m_values, m_masses, m_residuals;
+  // whether nothing is known but products of vectors with themselves
+  bool m_is_fresh = true;
   Indices m_active; // vectors whose residuals are computed next, ascending
   Multigrid<>::Workspace<panel_width> m_workspace;
 };

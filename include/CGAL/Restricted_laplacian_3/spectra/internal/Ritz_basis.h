@@ -10,9 +10,12 @@
 #include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Column_panels.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -53,8 +56,9 @@ public:
   /// number of vectors
   Eigen::Index size() const { return m_x.columns(); }
 
-  /// Writes the vectors in terms of the next finer level, whose matrices are given.
-  void prolongate(const Sparse_matrix& p, const Symmetric_matrix& s, const Symmetric_matrix& m) {
+  /// Writes the vectors in terms of the next finer level, whose matrices \f$S\f$ and \f$M\f$ are
+  /// given.
+  void prolongate(const Sparse_matrix& p, const Symmetric_matrices<2>& pencil) {
     restart();
     Column_panels<double> fine(p.rows(), m_x.columns());
     parallel_for(m_is_parallel, 0, m_x.number_of_panels(), 1, [&](std::size_t panel, std::size_t) {
@@ -67,8 +71,7 @@ public:
       m_x.release(panel);
     });
     m_x = std::move(fine);
-    m_s = &s;
-    m_m = &m;
+    m_pencil = &pencil;
   }
 
   /// Copies up to `panel_width` vectors, from `first` on in a list of numbers; the others are 0.
@@ -87,8 +90,7 @@ public:
 
   /// \f$S x\f$ and \f$M x\f$
   void multiply(const Block& x, Block& sx, Block& mx) const {
-    m_s->multiply<panel_width>(x, sx, m_is_parallel);
-    m_m->multiply<panel_width>(x, mx, m_is_parallel);
+    m_pencil->multiply<panel_width>(x, {&sx, &mx}, m_is_parallel);
   }
 
   /// Gives \f$W\f$ up, and makes room for so many corrections.
@@ -108,6 +110,33 @@ public:
   void end_corrections() { m_w.keep_columns(static_cast<Eigen::Index>(m_owners_of_w.size())); }
   /// owners of the columns of \f$W\f$, ascending
   const Indices& owners_of_corrections() const { return m_owners_of_w; }
+
+  /// Adds the scalar products of a panel \f$B\f$ of \f$X\f$ with itself and those before it to
+  /// the known products. Those of the panels before it are to be known, and no others.
+  /// \param width number of columns of \f$B\f$ that count
+  /// \param sb,mb \f$S B\f$ and \f$M B\f$
+  void add_known_products(std::size_t panel, int width, const Block& sb, const Block& mb) {
+    const Eigen::Index first = panel_width * static_cast<Eigen::Index>(panel), end = first + width;
+    CGAL_precondition(m_known.s.cols() == first && end <= size());
+    std::vector<Panel_view> panels;
+    add_views(m_x, panels);
+    const auto [of_s, of_m] = scalar_products(m_is_parallel, panels, panel + 1, sb, mb);
+    m_known.s.conservativeResize(end, end);
+    m_known.m.conservativeResize(end, end);
+    m_known.s.rightCols(width) = of_s.topLeftCorner(end, width);
+    m_known.m.rightCols(width) = of_m.topLeftCorner(end, width);
+  }
+
+  /// The largest cosine between two of the vectors with known products, for the scalar product of
+  /// \f$S + \alpha M\f$ or \f$M\f$.
+  double largest_cosine(double alpha) const {
+    double largest = 0;
+    for(const Eigen::MatrixXd& a : {Eigen::MatrixXd(m_known.s + alpha * m_known.m), m_known.m})
+      for(Eigen::Index j = 0; j < a.cols(); ++j)
+        for(Eigen::Index i = 0; i < j; ++i)
+          largest = (std::max)(largest, std::abs(a(i, j)) / std::sqrt(a(i, i) * a(j, j)));
+    return largest;
+  }
 
   /// Gives \f$W\f$, \f$P\f$ and known products up.
   void restart() {
@@ -129,8 +158,9 @@ public:
     const Eigen::Index n = static_cast<Eigen::Index>(result.places.size());
     result.s.resize(n, n);
     result.m.resize(n, n);
+    // Without P there may be less of them than vectors.
     const Eigen::Index number_known =
-        m_known.s.size() == 0 ? 0 : static_cast<Eigen::Index>(known.size());
+        m_known.s.cols() < size() ? m_known.s.cols() : static_cast<Eigen::Index>(known.size());
     for(Eigen::Index j = 0; j < number_known; ++j)
       for(Eigen::Index i = 0; i <= j; ++i) {
         result.s(i, j) = m_known.s(known[i], known[j]);
@@ -242,12 +272,13 @@ private:
   }
 
   bool m_is_parallel;
-  const Symmetric_matrix *m_s = nullptr, *m_m = nullptr;
+  const Symmetric_matrices<2>* m_pencil = nullptr;
   Column_panels<double> m_x;
   // in single precision: they only have to span a good space
   Column_panels<float> m_p, m_w;
   Indices m_owners_of_p, m_owners_of_w;
-  Projection m_known; // to the columns of X and P; empty if nothing is known
+  // to the columns of X and P, or to the first columns of X; of these the upper halves
+  Projection m_known;
 };
 
 } // namespace internal
