@@ -97,9 +97,9 @@ struct Multigrid_eigenpairs_options {
 ///   \named_callback
 /// \cgalNamedParamsEnd
 /// \return pairs that are orthonormal with respect to \f$M\f$, with `eigenvalues_only` nearly so.
-/// If not all residuals got below the tolerance, `converged` is `false` and the pairs are the best approximations that were found.
-/// `iterations` are those on the finest level; 0 if that was solved by `smallest_eigenpairs()`,
-/// because it is small.
+/// If not all residuals got below the tolerance, `converged` is `false` and the pairs are the best
+/// approximations that were found. `iterations` are those on the finest level; 0 if that was solved
+/// by `smallest_eigenpairs()`, because it is small.
 /// \throws Parameter_error if sizes do not fit, if an entry is not finite, if `k` is not positive
 /// or exceeds the number of independent functions, or if an option is outside its domain
 /// \throws Numerical_error if the coarsest problem cannot be solved
