@@ -6,10 +6,12 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
+#include <CGAL/Restricted_laplacian_3/solvers/shared/panel_kernels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Column_panels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Nested_lobpcg.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
@@ -23,6 +25,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -377,6 +380,68 @@ TEST_CASE("panels_are_multiplied_as_matrices", "[eigensolver][threads]") {
       REQUIRE(result.column(j)[width * i] == Approx(expected_p(i, j)).margin(1e-5));
   }
 }
+
+#ifdef CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
+TEST_CASE("panel_kernels_for_vector_registers_equal_plain_ones", "[eigensolver]") {
+  namespace internal = RL::internal;
+  if(!internal::processor_has_lanes())
+    SKIP_TEST("no vector registers of 256 bits");
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto random = [&](std::size_t size) {
+    std::vector<double> values(size);
+    for(double& v : values)
+      v = uniform(generator);
+    return values;
+  };
+  // calls `run(sums, 0)`, 1 and 2 for what is plain, and for vectors of both sizes
+  const auto compare = [&](std::size_t size, auto&& run) {
+    const std::vector<double> start = random(size);
+    std::array<std::vector<double>, 3> sums = {start, start, start};
+    for(int kind = 0; kind < (internal::processor_has_wide_lanes() ? 3 : 2); ++kind)
+      run(sums[kind].data(), kind);
+    for(std::size_t i = 0; i < size; ++i)
+      CHECK(sums[1][i] == Approx(sums[0][i]).margin(1e-14));
+    CHECK((!internal::processor_has_wide_lanes() || sums[2] == sums[1]));
+  };
+  for(std::size_t rows : {1, 4, 7, 130}) {
+    const std::vector<double> q = random(8 * rows), b = random(8 * rows), c = random(64);
+    const std::vector<float> floats(q.begin(), q.end());
+    compare(64, [&](double* sums, int kind) {
+      kind == 0   ? internal::plain::add_scalar_products(q.data(), b.data(), rows, sums)
+      : kind == 1 ? internal::lanes::add_scalar_products(q.data(), b.data(), rows, sums)
+                  : internal::wide_lanes::add_scalar_products(q.data(), b.data(), rows, sums);
+    });
+    compare(64, [&](double* sums, int kind) {
+      kind == 0   ? internal::plain::add_scalar_products(floats.data(), b.data(), rows, sums)
+      : kind == 1 ? internal::lanes::add_scalar_products(floats.data(), b.data(), rows, sums)
+                  : internal::wide_lanes::add_scalar_products(floats.data(), b.data(), rows, sums);
+    });
+    compare(8 * rows, [&](double* sums, int kind) {
+      kind == 0   ? internal::plain::add_combination(q.data(), c.data(), rows, sums)
+      : kind == 1 ? internal::lanes::add_combination(q.data(), c.data(), rows, sums)
+                  : internal::wide_lanes::add_combination(q.data(), c.data(), rows, sums);
+    });
+  }
+  // two matrices, rows 10 to 39, each at most once, as in a column; then the sums of the column
+  const std::vector<double> first = random(9), second = random(9), x = random(8 * 40);
+  const std::array<const double*, 2> values = {first.data(), second.data()};
+  const std::array<int, 9> rows = {10, 11, 13, 17, 20, 21, 30, 38, 39};
+  for(std::size_t count : {0, 1, 9})
+    compare(2 * 8 * 30 + 16, [&](double* sums, int kind) {
+      const std::array<double*, 2> to = {sums, sums + 8 * 30};
+      double* const own = sums + 2 * 8 * 30;
+      const double *const *v = values.data(), *x_own = x.data() + 8;
+      double* const* t = to.data();
+      kind == 0   ? internal::plain::add_symmetric_column<8, 2>(v, rows.data(), count, x.data(),
+                                                              x_own, t, 10, own)
+      : kind == 1 ? internal::lanes::add_symmetric_column<8, 2>(v, rows.data(), count, x.data(),
+                                                                x_own, t, 10, own)
+                  : internal::wide_lanes::add_symmetric_column<8, 2>(v, rows.data(), count,
+                                                                     x.data(), x_own, t, 10, own);
+    });
+}
+#endif
 
 TEST_CASE("eigensolvers_take_uncompressed_matrices", "[eigensolver]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));

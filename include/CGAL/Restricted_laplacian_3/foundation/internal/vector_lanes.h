@@ -11,6 +11,9 @@
 /// they may be called only if `processor_has_lanes()`. The macro
 /// `CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES` tells whether the compiler is one that has all this.
 /// (`CGAL_RESTRICTED_LAPLACIAN_3_NO_LANES` turns it off.)
+///
+/// Few loops are worth a second version, for vectors of eight numbers (AVX-512), which are compiled
+/// and called likewise, by the macros and functions with `WIDE` in their names.
 
 #if defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 9) &&                                  \
     !defined(CGAL_RESTRICTED_LAPLACIAN_3_NO_LANES)
@@ -23,11 +26,15 @@
 // taken apart before it is inlined.
 #ifdef __x86_64__
 #define CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION __attribute__((target("avx2,fma")))
+#define CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_FUNCTION __attribute__((target("avx512f")))
 #else
 #define CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION
+#define CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_FUNCTION
 #endif
 #define CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE                                                   \
   CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION __attribute__((always_inline)) inline
+#define CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_INLINE                                              \
+  CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_FUNCTION __attribute__((always_inline)) inline
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -35,6 +42,7 @@ namespace internal {
 
 using Lanes = double __attribute__((vector_size(32)));
 using Float_lanes = float __attribute__((vector_size(32)));
+using Wide_lanes = double __attribute__((vector_size(64)));
 
 inline bool processor_has_lanes() {
 #ifdef __x86_64__
@@ -42,6 +50,15 @@ inline bool processor_has_lanes() {
   return result;
 #else
   return true;
+#endif
+}
+
+inline bool processor_has_wide_lanes() {
+#ifdef __x86_64__
+  static const bool result = __builtin_cpu_supports("avx512f");
+  return result;
+#else
+  return false;
 #endif
 }
 
@@ -127,8 +144,18 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes sums_of_components(const Fl
     lanes::__VA_ARGS__;                                                                            \
   else                                                                                             \
     plain::__VA_ARGS__
+
+/// the same, where there is a function in `wide_lanes` as well
+#define CGAL_RESTRICTED_LAPLACIAN_3_WIDEST(...)                                                    \
+  if(processor_has_wide_lanes())                                                                   \
+    wide_lanes::__VA_ARGS__;                                                                       \
+  else if(processor_has_lanes())                                                                   \
+    lanes::__VA_ARGS__;                                                                            \
+  else                                                                                             \
+    plain::__VA_ARGS__
 #else
 #define CGAL_RESTRICTED_LAPLACIAN_3_BEST(...) plain::__VA_ARGS__
+#define CGAL_RESTRICTED_LAPLACIAN_3_WIDEST(...) plain::__VA_ARGS__
 #endif
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_VECTOR_LANES_H

@@ -10,8 +10,8 @@
 
 /// \file
 /// The loops over the rows of panels, which are matrices of eight columns in double precision (some
-/// also in single), stored row by row; for any processor (`plain`) and for vectors of 256 bits
-/// (`lanes`).
+/// also in single), stored row by row; for any processor (`plain`), for vectors of 256 bits (`lanes`)
+/// and of 512 (`wide_lanes`). With vectors of either size the results are the same to the last bit.
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -159,19 +159,113 @@ inline void add_symmetric_column(const double* const* values, const int* rows, s
 
 } // namespace lanes
 
+namespace wide_lanes {
+
+// A row of a panel is a vector. Nothing is passed by value: a vector of this size would go through
+// memory where the caller is compiled for other processors.
+CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_INLINE void load(const double* from, Wide_lanes& to) {
+  std::memcpy(&to, from, sizeof(Wide_lanes));
+}
+CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_INLINE void load(const float* from, Wide_lanes& to) {
+  using Eight_floats = float __attribute__((vector_size(32)));
+  Eight_floats eight;
+  std::memcpy(&eight, from, sizeof(Eight_floats));
+  to = __builtin_convertvector(eight, Wide_lanes);
+}
+CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_INLINE void store(const Wide_lanes& from, double* to) {
+  std::memcpy(to, &from, sizeof(Wide_lanes));
+}
+
+template <class Number>
+CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_FUNCTION void
+add_scalar_products(const Number* q, const double* b, std::size_t rows, double* sums) {
+  Wide_lanes own[8] = {}, from;
+  for(std::size_t row = 0; row < rows; ++row) {
+    load(q + 8 * row, from);
+    for(int j = 0; j < 8; ++j)
+      own[j] += b[8 * row + j] * from;
+  }
+  for(int j = 0; j < 8; ++j) {
+    load(sums + 8 * j, from);
+    from += own[j];
+    store(from, sums + 8 * j);
+  }
+}
+
+// Four rows at a time: a sum takes that many cycles to be ready for the next term.
+inline CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_FUNCTION void
+add_combination(const double* q, const double* c, std::size_t rows, double* sum) {
+  Wide_lanes of_row[8], own[4];
+  for(int i = 0; i < 8; ++i)
+    load(c + 8 * i, of_row[i]);
+  std::size_t row = 0;
+  for(; row + 4 <= rows; row += 4, q += 32, sum += 32) {
+    for(int r = 0; r < 4; ++r)
+      load(sum + 8 * r, own[r]);
+    for(int i = 0; i < 8; ++i)
+      for(int r = 0; r < 4; ++r)
+        own[r] += q[8 * r + i] * of_row[i];
+    for(int r = 0; r < 4; ++r)
+      store(own[r], sum + 8 * r);
+  }
+  for(; row < rows; ++row, q += 8, sum += 8) {
+    load(sum, own[0]);
+    for(int i = 0; i < 8; ++i)
+      own[0] += q[i] * of_row[i];
+    store(own[0], sum);
+  }
+}
+
+template <int N>
+CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_FUNCTION void
+add_symmetric_column_of_eight(const double* const* values, const int* rows, std::size_t count,
+                              const double* x, const double* own, double* const* sums,
+                              std::size_t first_row, double* own_sums) {
+  Wide_lanes x_own, from, to, own_sum[N];
+  load(own, x_own);
+  for(int n = 0; n < N; ++n)
+    load(own_sums + 8 * n, own_sum[n]);
+  for(std::size_t k = 0; k < count; ++k) {
+    const std::size_t row = static_cast<std::size_t>(rows[k]);
+    load(x + 8 * row, from);
+    for(int n = 0; n < N; ++n) {
+      const double value = values[n][k];
+      double* const place = sums[n] + 8 * (row - first_row);
+      own_sum[n] += value * from;
+      load(place, to);
+      to += value * x_own;
+      store(to, place);
+    }
+  }
+  for(int n = 0; n < N; ++n)
+    store(own_sum[n], own_sums + 8 * n);
+}
+
+template <int K, int N>
+inline void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
+                                 const double* x, const double* own, double* const* sums,
+                                 std::size_t first_row, double* own_sums) {
+  if(K == 8)
+    add_symmetric_column_of_eight<N>(values, rows, count, x, own, sums, first_row, own_sums);
+  else
+    plain::add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums);
+}
+
+} // namespace wide_lanes
+
 #endif
 
 /// Adds the scalar product of column `i` of a panel `q` with column `j` of a panel `b` to number
 /// \f$8 j + i\f$ of `sums`.
 template <class Number>
 void add_scalar_products(const Number* q, const double* b, std::size_t rows, double* sums) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_scalar_products(q, b, rows, sums));
+  CGAL_RESTRICTED_LAPLACIAN_3_WIDEST(add_scalar_products(q, b, rows, sums));
 }
 
 /// Adds the product of a panel with the 8 x 8 matrix of the numbers `c`, stored row by row, to
 /// another panel.
 inline void add_combination(const double* q, const double* c, std::size_t rows, double* sum) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_combination(q, c, rows, sum));
+  CGAL_RESTRICTED_LAPLACIAN_3_WIDEST(add_combination(q, c, rows, sum));
 }
 
 /// Adds the products of entries of a column of `N` symmetric matrices, and of their mirror images,
@@ -181,7 +275,7 @@ template <int K, int N>
 void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
                           const double* x, const double* own, double* const* sums,
                           std::size_t first_row, double* own_sums) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(
+  CGAL_RESTRICTED_LAPLACIAN_3_WIDEST(
       add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums));
 }
 
