@@ -10,8 +10,8 @@
 
 /// \file
 /// The loops over the rows of panels, which are matrices of eight columns in double precision (some
-/// also in single), stored row by row; for any processor (`plain`), for vectors of 256 bits (`lanes`)
-/// and of 512 (`wide_lanes`). With vectors of either size the results are the same to the last bit.
+/// also in single), stored row by row. They are there for any processor (`plain`), for vectors of
+/// 256 bits (`lanes`) and of 512 (`wide_lanes`); the latter two give the same to the last bit.
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
