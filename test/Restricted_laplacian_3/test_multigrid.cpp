@@ -886,6 +886,36 @@ TEST_CASE("inverse_of_the_coarsest_level_leaves_the_kernel_out", "[multigrid]") 
   }
 }
 
+TEST_CASE("packed_symmetric_matrices_are_multiplied", "[multigrid]") {
+  for(int size : {1, 2, 5, 8, 9, 15, 16, 27, 36, 47, 64}) {
+    const int stride = (size + 7) / 8 * 8;
+    std::vector<double> lower(static_cast<std::size_t>(stride) * size,
+                              std::numeric_limits<double>::quiet_NaN());
+    Eigen::MatrixXf a(size, size);
+    for(int i = 0; i < size; ++i)
+      for(int j = 0; j <= i; ++j)
+        a(i, j) = a(j, i) =
+            static_cast<float>(lower[stride * i + j] = std::sin(3. * i + 5. * j + 1));
+    RL::internal::Aligned_floats packed(RL::internal::symmetric_size(size) + 8, 7.5f);
+    RL::internal::pack_symmetric(lower.data(), size, stride, packed.data());
+    CHECK(packed[packed.size() - 8] == 7.5f);
+    RL::internal::Aligned_floats x(8 * stride, 0.f), y(8 * stride);
+    for(int i = 0; i < 8 * size; ++i)
+      x[i] = std::cos(2.f * i);
+    RL::internal::Aligned_floats x_1(x.begin(), x.begin() + stride);
+    std::fill(x_1.begin() + size, x_1.end(), 0.f);
+    RL::internal::multiply_symmetric<1>(packed.data(), size, x_1.data(), y.data());
+    CHECK((Eigen::Map<const Eigen::VectorXf>(y.data(), size) -
+           a * Eigen::Map<const Eigen::VectorXf>(x_1.data(), size))
+              .norm() <= 1e-5f * size);
+    using Rows = Eigen::Matrix<float, Eigen::Dynamic, 8, Eigen::RowMajor>;
+    RL::internal::multiply_symmetric<8>(packed.data(), size, x.data(), y.data());
+    CHECK(
+        (Eigen::Map<const Rows>(y.data(), size, 8) - a * Eigen::Map<const Rows>(x.data(), size, 8))
+            .norm() <= 1e-5f * size);
+  }
+}
+
 #ifdef CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
 TEST_CASE("kernels_for_vector_registers_equal_plain_ones", "[multigrid]") {
   if(!RL::internal::processor_has_lanes())
@@ -930,15 +960,24 @@ TEST_CASE("kernels_for_vector_registers_equal_plain_ones", "[multigrid]") {
     compare(sum.data(), same.data(), 8);
   }
   for(int size : {1, 2, 7, 27, 33, 49, 64, 71}) {
-    const int rows = (size + 7) / 8 * 8, number = rows / 8;
-    const auto matrix = random_floats(32 * number * (number + 1)), from = random_floats(8 * rows);
-    auto a = random_floats(8 * rows), b = random_floats(8 * rows);
-    RL::internal::plain::multiply_symmetric<1>(matrix.data(), number, from.data(), a.data());
-    RL::internal::lanes::multiply_symmetric<1>(matrix.data(), number, from.data(), b.data());
-    compare(a.data(), b.data(), rows);
-    RL::internal::plain::multiply_symmetric<8>(matrix.data(), number, from.data(), a.data());
-    RL::internal::lanes::multiply_symmetric<8>(matrix.data(), number, from.data(), b.data());
-    compare(a.data(), b.data(), 8 * rows);
+    const int rows = (size + 7) / 8 * 8;
+    // what is after a matrix, and additional rows, must not matter
+    auto matrix = random_floats(RL::internal::symmetric_size(size) + 7),
+         from = random_floats(8 * rows);
+    std::fill(matrix.end() - 7, matrix.end(), std::numeric_limits<float>::quiet_NaN());
+    for(std::size_t vectors : {1, 8}) {
+      auto x = from;
+      std::fill(x.begin() + vectors * size, x.end(), 0.f);
+      auto a = random_floats(8 * rows), b = random_floats(8 * rows);
+      if(vectors == 1) {
+        RL::internal::plain::multiply_symmetric<1>(matrix.data(), size, x.data(), a.data());
+        RL::internal::lanes::multiply_symmetric<1>(matrix.data(), size, x.data(), b.data());
+      } else {
+        RL::internal::plain::multiply_symmetric<8>(matrix.data(), size, x.data(), a.data());
+        RL::internal::lanes::multiply_symmetric<8>(matrix.data(), size, x.data(), b.data());
+      }
+      compare(a.data(), b.data(), vectors * size);
+    }
     constexpr int vectors = RL::internal::pivots_of_a_sweep;
     std::vector<double> c(static_cast<std::size_t>(rows) * rows, 1.), d = c, p(vectors * rows),
                                                                       q(vectors * rows);

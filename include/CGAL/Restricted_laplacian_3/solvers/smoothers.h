@@ -101,7 +101,7 @@ public:
 /// contains its elements removes it at once. The usual patches are those of `smoothing_patches()`.
 ///
 /// In single precision, with the inverses of the blocks stored: about 600 bytes an unknown for the
-/// matrix and 500 for the inverses.
+/// matrix and 400 for the inverses.
 ///
 /// \cgalModels `MultigridSmoother_3`
 class Patch_smoother : public internal::Group_smoother<internal::Patch_groups> {

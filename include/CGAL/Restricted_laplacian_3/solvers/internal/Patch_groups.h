@@ -43,7 +43,8 @@ public:
                   patches.neighborhoods.empty() ? independent_neighborhoods(a, patches)
                                                 : patches.neighborhoods);
     find_parts(patches);
-    m_inverses = Scratch_memory(sizeof(float) * m_patches.back().inverse);
+    // Products read eight numbers at a time.
+    m_inverses = Scratch_memory(sizeof(float) * (m_patches.back().inverse + lanes_of_floats - 1));
     m_matrix = Cluster_matrix(is_parallel, a, positions, scale, &m_inverses);
     invert_blocks();
   }
@@ -139,47 +140,31 @@ private:
         m_parts.back().mask |= 1u << position % lanes_of_floats;
       }
       m_largest_size = (std::max)(m_largest_size, size);
-      const std::size_t blocks = static_cast<std::size_t>(rounded_up(size, 8) / 8);
-      inverse += 64 * blocks * (blocks + 1) / 2;
+      inverse += static_cast<std::size_t>(symmetric_size(size));
     }
     m_patches.push_back({static_cast<std::uint32_t>(m_parts.size()), 0, inverse});
   }
 
   void invert_blocks() {
     constexpr std::size_t grain = 256;
-    parallel_for(is_parallel, 0, m_patches.size() - 1, grain,
-                 [&](std::size_t begin, std::size_t end) {
-                   Symmetric_inverse invert;
-                   std::vector<double> block;
-                   std::vector<std::uint32_t> unknowns;
-                   for(std::size_t p = begin; p < end; ++p) {
-                     const Patch& patch = m_patches[p];
-                     const int size = static_cast<int>(patch.size), stride = rounded_up(size, 8);
-                     extract(p, stride, unknowns, block);
-                     for(int i = 0; i < size; ++i) {
-                       double& diagonal = block[static_cast<std::size_t>(stride) * i + i];
-                       // Where it is 0 the row is 0, and the unknown remains 0.
-                       diagonal = diagonal > 0 ? diagonal + relative_regularization : 0;
-                     }
-                     invert(block.data(), size, stride, relative_regularization / 2);
-                     pack(block, stride, m_inverses.as<float>() + patch.inverse);
-                   }
-                 });
-  }
-
-  /// the lower triangle of a matrix, as `multiply_symmetric()` wants it
-  static void pack(std::vector<double>& matrix, int stride, float* to) {
-    const auto row = [&matrix, stride](int i) {
-      return matrix.data() + static_cast<std::size_t>(stride) * i;
-    };
-    for(int first = 0; first < stride; first += 8) {
-      for(int i = first; i < first + 8; ++i)
-        for(int j = first; j < i; ++j)
-          row(j)[i] = row(i)[j];
-      for(int column = 0; column <= first; column += 8)
-        for(int i = first; i < first + 8; ++i, to += 8)
-          std::copy(row(i) + column, row(i) + column + 8, to);
-    }
+    parallel_for(
+        is_parallel, 0, m_patches.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
+          Symmetric_inverse invert;
+          std::vector<double> block;
+          std::vector<std::uint32_t> unknowns;
+          for(std::size_t p = begin; p < end; ++p) {
+            const Patch& patch = m_patches[p];
+            const int size = static_cast<int>(patch.size), stride = rounded_up(size, 8);
+            extract(p, stride, unknowns, block);
+            for(int i = 0; i < size; ++i) {
+              double& diagonal = block[static_cast<std::size_t>(stride) * i + i];
+              // Where it is 0 the row is 0, and the unknown remains 0.
+              diagonal = diagonal > 0 ? diagonal + relative_regularization : 0;
+            }
+            invert(block.data(), size, stride, relative_regularization / 2);
+            pack_symmetric(block.data(), size, stride, m_inverses.as<float>() + patch.inverse);
+          }
+        });
   }
 
   /// calls `visit(position)` for the positions of a part
@@ -236,9 +221,9 @@ private:
         if(part.mask >> lane & 1)
           place = std::copy(sum + K * lane, sum + K * lane + K, place);
     }
-    const int blocks = rounded_up(static_cast<int>(patch.size), 8) / 8;
-    std::fill(place, residuals + 8 * K * blocks, 0.f);
-    multiply_symmetric<K>(m_inverses.as<float>() + patch.inverse, blocks, residuals, update);
+    const int size = static_cast<int>(patch.size);
+    std::fill(place, residuals + K * rounded_up(size, 8), 0.f);
+    multiply_symmetric<K>(m_inverses.as<float>() + patch.inverse, size, residuals, update);
     const float* from = update;
     for(std::uint32_t k = first; k < last; ++k)
       for_each_position(m_parts[k], [&](std::uint32_t position) {

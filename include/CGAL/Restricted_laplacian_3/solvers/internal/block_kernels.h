@@ -6,8 +6,10 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 /// \file
 /// The loops in which a cycle spends its time, for any processor (`plain`) and for vectors of 256
@@ -26,6 +28,28 @@ struct Row_entry {
   float value;
 };
 
+/// how many numbers a symmetric matrix of `size` rows has on and below its diagonal
+constexpr int symmetric_size(int size) { return size * (size + 1) / 2; }
+
+/// Writes the `symmetric_size()` numbers of a symmetric matrix, eight columns after the other. Of
+/// these there are first the blocks of eight rows above those of the diagonal, column by column,
+/// then the lower triangle of the block on it, likewise.
+/// \param matrix its lower triangle, row by row, with `stride` numbers each
+inline void pack_symmetric(const double* matrix, int size, int stride, float* to) {
+  for(int first = 0; first < size; first += 8) {
+    const int end = first + 8 < size ? first + 8 : size;
+    const auto row = [matrix, stride](int i) {
+      return matrix + static_cast<std::size_t>(stride) * i;
+    };
+    for(int block = 0; block < first; block += 8)
+      for(int j = first; j < end; ++j)
+        to = std::copy(row(j) + block, row(j) + block + 8, to);
+    for(int j = first; j < end; ++j)
+      for(int i = j; i < end; ++i)
+        *to++ = static_cast<float>(row(i)[j]);
+  }
+}
+
 namespace plain {
 
 template <int K>
@@ -37,19 +61,28 @@ void subtract_columns(const float* values, const std::uint32_t* columns, std::si
         sum[K * i + c] -= values[rows * k + i] * x[K * static_cast<std::size_t>(columns[k]) + c];
 }
 
-template <int K>
-void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
-  for(int i = 0; i < 8 * K * number; ++i)
+template <int K> void multiply_symmetric(const float* a, int size, const float* from, float* to) {
+  for(int i = 0; i < K * size; ++i)
     to[i] = 0;
-  for(int column = 0; column < number; ++column)
-    for(int row = 0; row <= column; ++row, blocks += 64)
-      for(int j = 0; j < 8; ++j)
-        for(int i = 0; i < 8; ++i)
-          for(int c = 0; c < K; ++c) {
-            to[K * (8 * row + i) + c] += blocks[8 * j + i] * from[K * (8 * column + j) + c];
-            if(row != column)
-              to[K * (8 * column + j) + c] += blocks[8 * j + i] * from[K * (8 * row + i) + c];
-          }
+  for(int first = 0; first < size; first += 8) {
+    const int width = size - first < 8 ? size - first : 8;
+    for(int j = first; j < first + width; ++j)
+      for(int i = 0; i < first; ++i) {
+        const float entry = a[width * (i / 8 * 8) + 8 * (j - first) + i % 8];
+        for(int c = 0; c < K; ++c) {
+          to[K * i + c] += entry * from[K * j + c];
+          to[K * j + c] += entry * from[K * i + c];
+        }
+      }
+    a += width * first;
+    for(int j = first; j < first + width; ++j)
+      for(int i = j; i < first + width; ++i, ++a)
+        for(int c = 0; c < K; ++c) {
+          to[K * i + c] += *a * from[K * j + c];
+          if(i != j)
+            to[K * j + c] += *a * from[K * i + c];
+        }
+  }
 }
 
 template <int K>
@@ -130,70 +163,129 @@ inline void subtract_columns(const float* values, const std::uint32_t* columns, 
   }
 }
 
-inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-multiply_one_symmetric(const float* blocks, int number, const float* from, float* to) {
-  for(int i = 0; i < number; ++i)
-    store(Float_lanes{}, to + 8 * i);
-  for(int column = 0; column < number; ++column) {
-    const float* x = from + 8 * column;
-    Float_lanes transposed[8] = {};
-    for(int row = 0; row < column; ++row, blocks += 64) {
-      const Float_lanes x_row = load(from + 8 * row);
-      Float_lanes even = load(to + 8 * row), odd{};
-      for(int j = 0; j < 8; j += 2) {
-        const Float_lanes a = load(blocks + 8 * j), b = load(blocks + 8 * j + 8);
-        even += a * x[j];
-        odd += b * x[j + 1];
-        transposed[j] += a * x_row;
-        transposed[j + 1] += b * x_row;
+/// the numbers of a vector in the lanes from `first` to `end`, 0 in the others
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE Float_lanes some_lanes(const Float_lanes& a, int first,
+                                                                int end) {
+  using Masks = std::int32_t __attribute__((vector_size(32)));
+  Masks bits, mask;
+  std::memcpy(&bits, &a, sizeof(Masks));
+  for(int i = 0; i < 8; ++i)
+    mask[i] = i >= first && i < end ? -1 : 0;
+  bits &= mask;
+  Float_lanes result;
+  std::memcpy(&result, &bits, sizeof(Masks));
+  return result;
+}
+
+// One vector: adds the products of a panel of columns, and of the rows that mirror it.
+template <int width>
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE const float*
+add_panel_of_one(const float* a, int first, const float* from, float* to) {
+  const float* const x = from + first;
+  Float_lanes transposed[8] = {};
+  for(int row = 0; row < first; row += 8, a += 8 * width) {
+    const Float_lanes x_row = load(from + row);
+    Float_lanes even = load(to + row), odd{};
+    for(int j = 0; j < width; j += 2) {
+      const Float_lanes column = load(a + 8 * j);
+      even += column * x[j];
+      transposed[j] += column * x_row;
+      if(j + 1 < width) {
+        const Float_lanes next = load(a + 8 * j + 8);
+        odd += next * x[j + 1];
+        transposed[j + 1] += next * x_row;
       }
-      store(even + odd, to + 8 * row);
     }
-    Float_lanes sum = sums_of_components(transposed), odd{};
-    for(int j = 0; j < 8; j += 2) {
-      sum += load(blocks + 8 * j) * x[j];
-      odd += load(blocks + 8 * j + 8) * x[j + 1];
-    }
-    blocks += 64;
-    store(load(to + 8 * column) + (sum + odd), to + 8 * column);
+    store(even + odd, to + row);
   }
+  // The triangle: a column is read from so far before it that its numbers are in their lanes.
+  const Float_lanes own = load(x);
+  Float_lanes even{}, odd{};
+  for(int j = 0; j < width; ++j, a += width - j + 1) {
+    const Float_lanes column = load(a - j);
+    (j % 2 == 0 ? even : odd) += some_lanes(column, j, width) * x[j];
+    transposed[j] += some_lanes(column, j + 1, width) * own;
+  }
+  store(load(to + first) + (sums_of_components(transposed) + (even + odd)), to + first);
+  return a;
 }
 
 inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-multiply_eight_symmetric(const float* blocks, int number, const float* from, float* to) {
-  const auto block = [blocks](int row, int column) {
-    return blocks + 64 * (column * (column + 1) / 2 + row);
-  };
-  for(int row = 0; row < number; ++row) {
-    Float_lanes sum[8] = {};
-    for(int column = 0; column < row; ++column) {
-      const float* a = block(column, row);
-      for(int j = 0; j < 8; ++j) {
-        const Float_lanes x = load(from + 8 * (8 * column + j));
-        for(int i = 0; i < 8; ++i)
-          sum[i] += a[8 * i + j] * x;
-      }
+multiply_one_symmetric(const float* a, int size, const float* from, float* to) {
+  for(int i = 0; i < size; i += 8)
+    store(Float_lanes{}, to + i);
+  int first = 0;
+  for(; first + 8 <= size; first += 8)
+    a = add_panel_of_one<8>(a, first, from, to);
+  switch(size - first) {
+  case 1: add_panel_of_one<1>(a, first, from, to); break;
+  case 2: add_panel_of_one<2>(a, first, from, to); break;
+  case 3: add_panel_of_one<3>(a, first, from, to); break;
+  case 4: add_panel_of_one<4>(a, first, from, to); break;
+  case 5: add_panel_of_one<5>(a, first, from, to); break;
+  case 6: add_panel_of_one<6>(a, first, from, to); break;
+  case 7: add_panel_of_one<7>(a, first, from, to); break;
+  }
+}
+
+// Eight vectors: the product of eight rows, or of the last ones.
+template <int width>
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_INLINE void
+multiply_rows_of_eight(const float* a, int size, int first, const float* from, float* to) {
+  Float_lanes sum[width] = {};
+  // their own panel, which mirrors what is before the diagonal
+  const float* own = a + symmetric_size(first);
+  for(int column = 0; column < first; ++column) {
+    const Float_lanes x = load(from + 8 * column);
+    const float* const entry = own + width * (column / 8 * 8) + column % 8;
+    for(int i = 0; i < width; ++i)
+      sum[i] += entry[8 * i] * x;
+  }
+  own += width * first;
+  for(int j = 0; j < width; ++j, own += width - j + 1) {
+    const Float_lanes x = load(from + 8 * (first + j));
+    sum[j] += *own * x;
+    for(int i = j + 1; i < width; ++i) {
+      sum[i] += own[i - j] * x;
+      sum[j] += own[i - j] * load(from + 8 * (first + i));
     }
-    for(int column = row; column < number; ++column) {
-      const float* a = block(row, column);
-      for(int j = 0; j < 8; ++j) {
-        const Float_lanes x = load(from + 8 * (8 * column + j));
-        for(int i = 0; i < 8; ++i)
-          sum[i] += a[8 * j + i] * x;
-      }
+  }
+  for(int panel = first + 8; panel < size; panel += 8) {
+    const int columns = size - panel < 8 ? size - panel : 8;
+    const float* entry = a + symmetric_size(panel) + columns * first;
+    for(int j = 0; j < columns; ++j, entry += 8) {
+      const Float_lanes x = load(from + 8 * (panel + j));
+      for(int i = 0; i < width; ++i)
+        sum[i] += entry[i] * x;
     }
-    for(int i = 0; i < 8; ++i)
-      store(sum[i], to + 8 * (8 * row + i));
+  }
+  for(int i = 0; i < width; ++i)
+    store(sum[i], to + 8 * (first + i));
+}
+
+inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
+multiply_eight_symmetric(const float* a, int size, const float* from, float* to) {
+  int first = 0;
+  for(; first + 8 <= size; first += 8)
+    multiply_rows_of_eight<8>(a, size, first, from, to);
+  switch(size - first) {
+  case 1: multiply_rows_of_eight<1>(a, size, first, from, to); break;
+  case 2: multiply_rows_of_eight<2>(a, size, first, from, to); break;
+  case 3: multiply_rows_of_eight<3>(a, size, first, from, to); break;
+  case 4: multiply_rows_of_eight<4>(a, size, first, from, to); break;
+  case 5: multiply_rows_of_eight<5>(a, size, first, from, to); break;
+  case 6: multiply_rows_of_eight<6>(a, size, first, from, to); break;
+  case 7: multiply_rows_of_eight<7>(a, size, first, from, to); break;
   }
 }
 
 template <int K>
-inline void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
+inline void multiply_symmetric(const float* a, int size, const float* from, float* to) {
   static_assert(K == 1 || K == 8);
   if(K == 1)
-    multiply_one_symmetric(blocks, number, from, to);
+    multiply_one_symmetric(a, size, from, to);
   else
-    multiply_eight_symmetric(blocks, number, from, to);
+    multiply_eight_symmetric(a, size, from, to);
 }
 
 inline CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
@@ -257,11 +349,12 @@ void subtract_columns(const float* values, const std::uint32_t* columns, std::si
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(subtract_columns<K>(values, columns, count, rows, x, sum));
 }
 
-/// Product of a symmetric matrix with `K` vectors. The matrix has `number` x `number` blocks of
-/// 8 x 8 numbers, of which the upper triangle is stored, one column of blocks after the other.
-template <int K>
-void multiply_symmetric(const float* blocks, int number, const float* from, float* to) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_symmetric<K>(blocks, number, from, to));
+/// Product of a symmetric matrix of `size` rows with `K` vectors. The matrix is as
+/// `pack_symmetric()` writes it. There has to be room for seven numbers more after it, and for
+/// vectors of a multiple of eight rows; the additional rows of `from` are 0, those of `to` may
+/// change.
+template <int K> void multiply_symmetric(const float* a, int size, const float* from, float* to) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(multiply_symmetric<K>(a, size, from, to));
 }
 
 /// Adds the product of a row of a sparse matrix with `K` vectors, times a factor, to `K` numbers.
