@@ -7,11 +7,13 @@
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -47,17 +49,23 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Smoothing_patches smoothing_patches(const Spl
   }
 
   Smoothing_patches patches;
-  std::vector<internal::Number_lists::Pair> pairs;
-  pairs.reserve(64 * number_of_sheets);
-  std::uint32_t patch = 0;
+  std::vector<std::size_t> first(1, 0);
+  std::vector<std::uint32_t> unknowns, of_patch;
+  first.reserve(number_of_sheets + 1);
   for(const std::vector<Block>& color : blocks) {
     for(const Block& block : color) {
-      for(std::size_t sheet = block.begin; sheet < block.end; ++sheet, ++patch)
+      for(std::size_t sheet = block.begin; sheet < block.end; ++sheet) {
+        of_patch.clear();
         for(std::uint32_t child : octree.children(level - 1, sheet))
           for(std::uint32_t element : space.elements(level, child))
             if(element != Spline_space_3::no_element)
-              pairs.emplace_back(patch, element);
-      patches.groups.push_back(patch);
+              of_patch.push_back(element);
+        std::sort(of_patch.begin(), of_patch.end());
+        unknowns.insert(unknowns.end(), of_patch.begin(),
+                        std::unique(of_patch.begin(), of_patch.end()));
+        first.push_back(unknowns.size());
+      }
+      patches.groups.push_back(static_cast<std::uint32_t>(first.size() - 1));
     }
     patches.colors.push_back(static_cast<std::uint32_t>(patches.groups.size() - 1));
   }
@@ -70,17 +78,28 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Smoothing_patches smoothing_patches(const Spl
       x = (x + 1) >> 1;
     patches.neighborhoods[element] = morton_key(corner);
   }
-  patches.number_of_patches = patch;
-  patches.unknowns = internal::Number_lists(patch, pairs);
+  patches.number_of_patches = number_of_sheets;
+  patches.unknowns = internal::Number_lists(std::move(first), std::move(unknowns));
   return patches;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Multigrid_levels multigrid_levels(const Spline_space_3& space,
                                                                      int coarsest) {
+  // of levels but the coarsest
+  const std::size_t size = static_cast<std::size_t>((std::max)(space.depth() - coarsest, 0));
   Multigrid_levels result;
-  result.prolongations = prolongation_matrices(space, coarsest);
-  for(int level = coarsest + 1; level <= space.depth(); ++level)
-    result.patches.push_back(smoothing_patches(space, level));
+  result.prolongations.resize(size);
+  result.patches.resize(size);
+  // What takes longest comes first.
+  internal::parallel_for(space.options().is_parallel, 0, 2 * size, 1,
+                         [&](std::size_t task, std::size_t) {
+                           const std::size_t i = size - 1 - task / 2;
+                           const int level = coarsest + static_cast<int>(i);
+                           if(task % 2 == 0)
+                             result.patches[i] = smoothing_patches(space, level + 1);
+                           else
+                             prolongation_matrix(space, level).swap(result.prolongations[i]);
+                         });
   return result;
 }
 

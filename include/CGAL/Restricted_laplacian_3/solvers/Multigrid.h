@@ -299,10 +299,14 @@ private:
     for(double& s : inverse_scale)
       s = 1 / s;
     const std::vector<double>& coarse_scale = scale(level - 1);
-    m_levels[level].restriction = internal::Level_matrix::of_transpose(
-        p, positions(level - 1), coarse_scale, positions(level), inverse_scale);
-    m_levels[level].prolongation = internal::Level_matrix::of(p, positions(level), inverse_scale,
-                                                              positions(level - 1), coarse_scale);
+    internal::parallel_for(m_is_parallel, 0, 2, 1, [&](std::size_t which, std::size_t) {
+      if(which == 0)
+        m_levels[level].restriction = internal::Level_matrix::of_transpose(
+            p, positions(level - 1), coarse_scale, positions(level), inverse_scale);
+      else
+        m_levels[level].prolongation = internal::Level_matrix::of(
+            p, positions(level), inverse_scale, positions(level - 1), coarse_scale);
+    });
   }
 
   /// scales the columns to largest entry 1, returns the factors
