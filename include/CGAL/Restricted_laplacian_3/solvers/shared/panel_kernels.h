@@ -118,11 +118,12 @@ add_combination(const double* q, const double* c, std::size_t rows, double* sum)
     }
 }
 
-template <int N>
+template <int K, int N>
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-add_symmetric_column_of_eight(const double* const* values, const int* rows, std::size_t count,
-                              const double* x, const double* own, double* const* sums,
-                              std::size_t first_row, double* own_sums) {
+add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
+                     const double* x, const double* own, double* const* sums, std::size_t first_row,
+                     double* own_sums) {
+  static_assert(K == 8);
   const Lanes low = load(own), high = load(own + 4);
   Lanes low_sum[N], high_sum[N];
   for(int n = 0; n < N; ++n) {
@@ -145,16 +146,6 @@ add_symmetric_column_of_eight(const double* const* values, const int* rows, std:
     store(low_sum[n], own_sums + 8 * n);
     store(high_sum[n], own_sums + 8 * n + 4);
   }
-}
-
-template <int K, int N>
-inline void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
-                                 const double* x, const double* own, double* const* sums,
-                                 std::size_t first_row, double* own_sums) {
-  if(K == 8)
-    add_symmetric_column_of_eight<N>(values, rows, count, x, own, sums, first_row, own_sums);
-  else
-    plain::add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums);
 }
 
 } // namespace lanes
@@ -216,11 +207,12 @@ add_combination(const double* q, const double* c, std::size_t rows, double* sum)
   }
 }
 
-template <int N>
+template <int K, int N>
 CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_FUNCTION void
-add_symmetric_column_of_eight(const double* const* values, const int* rows, std::size_t count,
-                              const double* x, const double* own, double* const* sums,
-                              std::size_t first_row, double* own_sums) {
+add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
+                     const double* x, const double* own, double* const* sums, std::size_t first_row,
+                     double* own_sums) {
+  static_assert(K == 8);
   Wide_lanes x_own, from, to, own_sum[N];
   load(own, x_own);
   for(int n = 0; n < N; ++n)
@@ -239,16 +231,6 @@ add_symmetric_column_of_eight(const double* const* values, const int* rows, std:
   }
   for(int n = 0; n < N; ++n)
     store(own_sum[n], own_sums + 8 * n);
-}
-
-template <int K, int N>
-inline void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
-                                 const double* x, const double* own, double* const* sums,
-                                 std::size_t first_row, double* own_sums) {
-  if(K == 8)
-    add_symmetric_column_of_eight<N>(values, rows, count, x, own, sums, first_row, own_sums);
-  else
-    plain::add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums);
 }
 
 } // namespace wide_lanes
@@ -275,8 +257,11 @@ template <int K, int N>
 void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
                           const double* x, const double* own, double* const* sums,
                           std::size_t first_row, double* own_sums) {
-  CGAL_RESTRICTED_LAPLACIAN_3_WIDEST(
-      add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums));
+  if constexpr(K == 8) {
+    CGAL_RESTRICTED_LAPLACIAN_3_WIDEST(
+        add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums));
+  } else
+    plain::add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums);
 }
 
 } // namespace internal
