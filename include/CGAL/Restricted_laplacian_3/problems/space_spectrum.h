@@ -58,11 +58,12 @@ struct Laplace_spectrum_options {
   /// factor \f$c\f$ of the stabilization, of the stiffness matrix alone; without a value
   /// `default_spectrum_stabilization()`
   std::optional<double> normal_stabilization;
-  /// Whether eigenfunctions are of no use: they are not evaluated at the vertices, and the
-  /// iteration ends at `tolerance_of_eigenvalues`, unless told otherwise.
+  /// Whether eigenfunctions are of no use: they are not evaluated at the vertices, nor made
+  /// orthonormal at the end, and the iteration ends at `tolerance_of_eigenvalues`, unless told
+  /// otherwise.
   bool eigenvalues_only = false;
-  /// those of `Eigensolver::multigrid`; `callback` is called by both eigensolvers, and whether
-  /// several threads are used is a matter of the space
+  /// those of `Eigensolver::multigrid`, with `eigenvalues_only` as above; `callback` is called by
+  /// both eigensolvers, and whether several threads are used is a matter of the space
   Multigrid_eigenpairs_options multigrid;
 
   /// the defaults

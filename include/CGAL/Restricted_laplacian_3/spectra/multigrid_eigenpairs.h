@@ -67,18 +67,17 @@ struct Multigrid_eigenpairs_options {
 /// J. Sci. Comput. 23, 2001), preconditioned by one V-cycle for \f$S + \alpha M\f$, where
 /// \f$\alpha\f$ is half of the tenth eigenvalue. Cycles are applied to eight vectors at a time, in
 /// single precision; everything else is in double precision. About a third more vectors than asked
-/// for are carried along: the last pairs converge the faster, the larger the gap to the first
-/// eigenvalue beyond them is. Pairs that have converged are locked softly; at the end all residuals
-/// are computed once more, from vectors that are orthonormal to rounding, and the iteration goes on
-/// if one is too large.
+/// for are carried along, but no longer improved on the finest level: the last pairs converge the
+/// faster, the larger the gap to the first eigenvalue beyond them is. Pairs that have converged are
+/// locked softly; at the end all residuals are computed once more, from vectors that are
+/// orthonormal to rounding, and the iteration goes on if one is too large.
 ///
 /// The stiffness matrix is to be stabilized, the mass matrix is not, see `assemble_operators()`.
 /// Without stabilization it takes more iterations, or does not get to the tolerance.
 ///
 /// Takes a time of the order of \f$k\f$ cycles and of \f$k^2\f$ times the number of unknowns for
-/// each iteration, of which 5 to 15 are needed on the finest level. Memory: matrices and hierarchy
-/// as in `Poisson_solver`, and about \f$1.4\, k\f$ vectors in double precision and \f$2.4\, k\f$ in
-/// single precision.
+/// each iteration. Memory: matrices and hierarchy as in `Poisson_solver`, and about \f$1.4\, k\f$
+/// vectors in double precision and \f$2.4\, k\f$ in single precision.
 ///
 /// The result is the same for any number of threads.
 ///

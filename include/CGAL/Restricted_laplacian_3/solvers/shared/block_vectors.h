@@ -29,9 +29,9 @@ template <int K> Eigen::Map<const Block_row<K>> row(const Block_vector<K>& x, Ei
   return Eigen::Map<const Block_row<K>>(x.data() + K * i);
 }
 
-/// The sum of what `term(i)` adds to its second argument, an array of numbers, for all rows `i`.
-/// Rows are summed in chunks, which are added in their order, so the result is the same for any
-/// number of threads.
+/// The sum of what `add_term(i, sum)` adds to `sum`, an array of numbers, for all rows `i`. Rows
+/// are summed in chunks, which are added in their order, so the result is the same for any number
+/// of threads.
 template <class Sum, class Term>
 Sum sum_over_rows(bool is_parallel, Eigen::Index rows, const Sum& zero, Term&& add_term) {
   constexpr std::size_t grain = 4096;

@@ -158,7 +158,7 @@ public:
     const Eigen::Index n = static_cast<Eigen::Index>(result.places.size());
     result.s.resize(n, n);
     result.m.resize(n, n);
-    // Without P there may be less of them than vectors.
+    // Without P there may be fewer of them than vectors.
     const Eigen::Index number_known =
         m_known.s.cols() < size() ? m_known.s.cols() : static_cast<Eigen::Index>(known.size());
     for(Eigen::Index j = 0; j < number_known; ++j)
