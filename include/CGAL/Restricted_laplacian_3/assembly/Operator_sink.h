@@ -42,7 +42,7 @@ public:
   virtual bool wants_mass() const { return true; }
 
   /// Adds the blocks of a sheet. With several threads it is called at the same time only for sheets
-  /// that have no element in common, nor elements that are coupled with each other's.
+  /// that have no element in common; elements of one may be coupled with those of another.
   /// \param elements the elements of the sheet, `no_element` where there is none
   /// \param stiffness without unit; not to be read unless `wants_stiffness()`
   /// \param mass in units of area; not to be read unless `wants_mass()`

@@ -7,9 +7,9 @@
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Object_pool.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Object_pool.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,10 +7,12 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Operator_sink.h>
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Element_matrix_pattern.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Object_pool.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -35,7 +37,7 @@ public:
   Sparse_sink(const Spline_space_3& space, int level, std::vector<Target> targets,
               Stored_entries stored = Stored_entries::all)
     : m_targets(std::move(targets)), m_stored(stored), m_is_parallel(space.options().is_parallel),
-      m_numbers(space.dimension(level), not_of_this_sheet) {
+      m_dimension(space.dimension(level)) {
     Element_matrix_pattern(space, level).zero_matrix(stored).swap(*m_targets.front().matrix);
     for(std::size_t i = 1; i < m_targets.size(); ++i)
       *m_targets[i].matrix = *m_targets.front().matrix;
@@ -60,12 +62,37 @@ public:
   /// other sheets: one sum for each row costs less than a search for the rows of this sheet.
   void add_all(const Cell_elements& elements, const Sheet_block& stiffness, const Sheet_block& mass,
                const Sheet_block& plain_mass) override {
+    m_pool.borrow([&] { return Numbers(m_dimension, not_of_this_sheet); },
+                  [&](Numbers& numbers) {
+                    for_each_element(elements, [&](int i, std::uint32_t element) {
+                      numbers[element] = static_cast<unsigned char>(i);
+                    });
+                    add_columns(elements, numbers.data(), stiffness, mass, plain_mass);
+                    for_each_element(elements, [&](int, std::uint32_t element) {
+                      numbers[element] = not_of_this_sheet;
+                    });
+                  });
+  }
+
+  void finish() override {
+    if(m_stored == Stored_entries::upper_half)
+      return;
+    std::vector<Sparse_matrix*> matrices;
+    for(const Target& target : m_targets)
+      matrices.push_back(target.matrix);
+    mirror_upper_half(matrices, m_is_parallel);
+  }
+
+private:
+  /// of each element of the level, its number in the sheet that is added
+  using Numbers = std::vector<unsigned char>;
+  static constexpr unsigned char not_of_this_sheet = Tensor_basis_3::size;
+
+  void add_columns(const Cell_elements& elements, const unsigned char* numbers,
+                   const Sheet_block& stiffness, const Sheet_block& mass,
+                   const Sheet_block& plain_mass) const {
     const int* const outer = m_targets.front().matrix->outerIndexPtr();
     const int* const inner = m_targets.front().matrix->innerIndexPtr();
-    unsigned char* const numbers = m_numbers.data();
-    for_each_element(elements, [&](int i, std::uint32_t element) {
-      numbers[element] = static_cast<unsigned char>(i);
-    });
     for_each_element(elements, [&](int j, std::uint32_t element) {
       const int begin = outer[element];
       const int end = static_cast<int>(
@@ -88,28 +115,13 @@ public:
         add_times(target.plain_mass_factor, plain_mass.upper_half());
       }
     });
-    for_each_element(elements,
-                     [&](int, std::uint32_t element) { numbers[element] = not_of_this_sheet; });
   }
-
-  void finish() override {
-    if(m_stored == Stored_entries::upper_half)
-      return;
-    std::vector<Sparse_matrix*> matrices;
-    for(const Target& target : m_targets)
-      matrices.push_back(target.matrix);
-    mirror_upper_half(matrices, m_is_parallel);
-  }
-
-private:
-  static constexpr unsigned char not_of_this_sheet = Tensor_basis_3::size;
 
   std::vector<Target> m_targets;
   Stored_entries m_stored;
   bool m_is_parallel;
-  // of each element of the level, its number in the sheet that is added. Sheets that are added at
-  // the same time neither write nor read each other's.
-  std::vector<unsigned char> m_numbers;
+  std::size_t m_dimension;
+  Object_pool<Numbers> m_pool;
 };
 
 } // namespace internal

@@ -5,9 +5,9 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_INTERNAL_CLUSTER_MATRIX_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Object_pool.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
-#include <CGAL/Restricted_laplacian_3/solvers/internal/Object_pool.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Symmetric_rows.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/block_kernels.h>
 
