@@ -3,6 +3,7 @@
 
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_function_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver_impl.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_patches_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas_impl.h>

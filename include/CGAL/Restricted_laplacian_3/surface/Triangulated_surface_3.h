@@ -18,12 +18,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+class Surface_patches;
 
 namespace internal {
 
@@ -43,6 +46,10 @@ Vector_3 unit_vector(const Vector_3& v);
 /// a face whose three corners are the point itself: face `i` and vertex `i` are point `i`, and a
 /// function at a location on it is its value at the point. What needs more of a face than its
 /// normal, its area and the values at its corners calls `require_triangles()`.
+///
+/// A surface of triangles may have a smooth patch on each face, see `curved_surface()`. Then points
+/// at locations, normals there and areas are those of the patches; faces, corners and their normals
+/// remain what they are.
 class Triangulated_surface_3 {
 public:
   /// numbers of the three vertices of a triangle, counted from 0
@@ -120,7 +127,7 @@ public:
   /// whether the area of a face is zero, up to `degenerate_height_tolerance`
   bool is_degenerate(std::size_t face) const { return normal(face) == CGAL::NULL_VECTOR; }
 
-  /// area of a face; 0 if it is degenerate
+  /// area of a face, of its patch if it has one; 0 if it is degenerate
   double area(std::size_t face) const {
     CGAL_precondition(face < m_areas.size());
     return m_areas[face];
@@ -140,11 +147,27 @@ public:
   /// longest side of the bounding box
   double extent() const { return m_extent; }
 
-  /// the point at a location, with all that a `Surface_point` holds
+  /// whether the faces have patches
+  bool is_smooth() const { return m_patches != nullptr; }
+  /// the patches; requires `is_smooth()`
+  const Surface_patches& patches() const {
+    CGAL_precondition(is_smooth());
+    return *m_patches;
+  }
+  /// Gives patches to the faces of a surface that has none, made for it; areas become those of the
+  /// patches.
+  void set_patches(std::shared_ptr<const Surface_patches> patches);
+
+  /// The point at a location, with all that a `Surface_point` holds; on a smooth surface that of the
+  /// patch, with the normal there.
   Surface_point surface_point(const Surface_location& location) const {
     Surface_point p;
     static_cast<Surface_location&>(p) = location;
     p.vertices = triangle(location.face);
+    if(is_smooth() && !is_degenerate(location.face)) {
+      set_patch_point(p);
+      return p;
+    }
     p.normal = m_normals[location.face];
     const Point_3 &a = m_points[p.vertices[0]], &b = m_points[p.vertices[1]],
                   &c = m_points[p.vertices[2]];
@@ -162,6 +185,9 @@ private:
 
   Zero_area_error zero_area_error() const;
 
+  /// sets point and normal by the patch
+  void set_patch_point(Surface_point& p) const;
+
   std::vector<Point_3> m_points;
   std::vector<Triangle> m_triangles;
   std::vector<Vector_3> m_normals;
@@ -171,6 +197,7 @@ private:
   double m_area = 0;
   std::size_t m_number_of_degenerate_faces = 0;
   bool m_is_point_set = false;
+  std::shared_ptr<const Surface_patches> m_patches;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Dev

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -141,6 +143,39 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Zero_area_error Triangulated_surface_3::zero_
   return Zero_area_error("the point set has area zero: all of its " +
                          std::to_string(m_points.size()) +
                          (m_extent == 0 ? " points are the same" : " points have area zero"));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Triangulated_surface_3::set_patches(std::shared_ptr<const Surface_patches> patches) {
+  m_patches = std::move(patches);
+  // Radon's rule of degree 5: the center, and three points on the medians at either side of it
+  const double root = std::sqrt(15.);
+  const std::array<double, 2> near = {(6 - root) / 21, (6 + root) / 21},
+                              weights = {(155 - root) / 1200, (155 + root) / 1200};
+  m_area = 0;
+  for(std::size_t f = 0; f < number_of_faces(); ++f) {
+    if(!is_degenerate(f) && !m_patches->is_flat(f)) {
+      const std::array<Point_3, 3> corners = {point(f, 0), point(f, 1), point(f, 2)};
+      double ratio = 9. / 40 * m_patches->evaluate(f, corners, {1. / 3, 1. / 3, 1. / 3}).area_ratio;
+      for(int k = 0; k < 2; ++k)
+        for(int i = 0; i < 3; ++i) {
+          std::array<double, 3> l = {near[k], near[k], near[k]};
+          l[i] = 1 - 2 * near[k];
+          ratio += weights[k] * m_patches->evaluate(f, corners, l).area_ratio;
+        }
+      m_areas[f] *= ratio;
+    }
+    m_area += m_areas[f];
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Triangulated_surface_3::set_patch_point(Surface_point& p) const {
+  const Surface_patches::Patch_point on_patch = m_patches->evaluate(
+      p.face, {m_points[p.vertices[0]], m_points[p.vertices[1]], m_points[p.vertices[2]]},
+      p.barycentric);
+  p.point = on_patch.point;
+  p.normal = on_patch.normal;
 }
 
 } // namespace Restricted_laplacian_3

@@ -79,6 +79,12 @@ public:
   std::size_t size() const { return m_ends.size(); }
   /// the vertices of an edge
   const Ends& ends(std::size_t edge) const { return m_ends[edge]; }
+  /// the number of the edge between two vertices, in ascending order, or `size()`
+  std::size_t find(const Ends& ends) const {
+    const auto edge = std::lower_bound(m_ends.begin(), m_ends.end(), ends);
+    return edge != m_ends.end() && *edge == ends ? static_cast<std::size_t>(edge - m_ends.begin())
+                                                 : size();
+  }
   /// the sides along an edge, sorted by face
   boost::iterator_range<const Side*> sides(std::size_t edge) const {
     return {m_sides.data() + m_first_sides[edge], m_sides.data() + m_first_sides[edge + 1]};
