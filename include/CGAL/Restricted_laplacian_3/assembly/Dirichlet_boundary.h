@@ -106,6 +106,7 @@ private:
   };
 
   void add_side(std::size_t face, int side);
+  void move_to_patch(std::size_t piece, int side, Node& node) const;
   std::size_t sheet_of_piece(const Surface_location& begin, const Surface_location& end) const;
   Tensor_basis_3::Values conormal_derivatives(const Node& node) const;
   double value(const Surface_function_view& g, const Node& node) const;

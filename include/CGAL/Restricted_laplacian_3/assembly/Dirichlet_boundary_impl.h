@@ -30,7 +30,7 @@ namespace internal {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Face_side>
 boundary_sides(const Spline_space_3& space) {
-  const Triangulated_surface_3& surface = space.surface();
+  const Triangulated_surface_3& surface = space.octree().pieces();
   std::vector<Face_side> result;
   const double h = space.octree().cell_width(space.depth());
   const Surface_seams seams(surface, Octree_3::thin_face_height * h,
@@ -145,7 +145,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_side(std::size_t
   // 7 nodes integrate degree 13, products of elements along a line have degree 12
   using Rule = boost::math::quadrature::gauss<double, 7>;
   const Octree_3& octree = m_space.octree();
-  const Triangulated_surface_3& surface = m_space.surface();
+  const Triangulated_surface_3& surface = octree.pieces();
   const int depth = octree.depth(), other = (side + 1) % 3;
   const Point_3 &p = surface.point(face, side), &q = surface.point(face, other);
   const std::vector<double> cuts = internal::wall_crossings(octree.grid_coordinates(depth, p),
@@ -154,7 +154,6 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_side(std::size_t
   if(length == 0)
     return;
   Node node;
-  node.location.face = face;
   // the face lies to the left of its sides, seen from the tip of its normal
   node.conormal = CGAL::cross_product((q - p) / length, surface.normal(face));
   node.beta = node.flux = 0;
@@ -174,10 +173,13 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_side(std::size_t
     const Cell_3 cell = octree.cell(depth, node.sheet);
     const auto add = [&](double s, double weight) {
       node.location = location_at(center + half * s);
-      const auto z = octree.grid_coordinates(depth, surface.surface_point(node.location).point);
+      node.weight = weight * half * length;
+      if(octree.division())
+        move_to_patch(face, side, node);
+      const auto z =
+          octree.grid_coordinates(depth, m_space.surface().surface_point(node.location).point);
       for(int axis = 0; axis < 3; ++axis)
         node.t[axis] = z[axis] - cell.index[axis];
-      node.weight = weight * half * length;
       m_length += node.weight;
       m_nodes.push_back(node);
     };
@@ -187,6 +189,32 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_side(std::size_t
         add(-Rule::abscissa()[k], Rule::weights()[k]);
     }
   }
+}
+
+/// From a side of a piece of a patch to the curve over it: sets the location on the surface, the
+/// weight and the conormal.
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Dirichlet_boundary::move_to_patch(std::size_t piece, int side, Node& node) const {
+  const internal::Divided_surface& division = *m_space.octree().division();
+  const Triangulated_surface_3 &surface = m_space.surface(), &pieces = division.pieces();
+  std::array<double, 3> begin = {0, 0, 0}, end = {0, 0, 0};
+  begin[side] = end[(side + 1) % 3] = 1;
+  const std::array<double, 3> from = division.location(piece, begin).barycentric,
+                              to = division.location(piece, end).barycentric;
+  node.location = division.location(piece, node.location.barycentric);
+  const std::size_t face = node.location.face;
+  if(surface.patches().is_flat(face))
+    return;
+  const Vector_3 tangent = surface.patches().derivative(
+      face, {surface.point(face, 0), surface.point(face, 1), surface.point(face, 2)},
+      node.location.barycentric, {to[0] - from[0], to[1] - from[1], to[2] - from[2]});
+  const double length = std::sqrt(tangent.squared_length()),
+               of_piece =
+                   std::sqrt((pieces.point(piece, (side + 1) % 3) - pieces.point(piece, side))
+                                 .squared_length());
+  node.weight *= length / of_piece;
+  node.conormal =
+      CGAL::cross_product(tangent / length, surface.surface_point(node.location).normal);
 }
 
 /// The sheet of a piece of a side, between two walls. A short one at a corner of a cell, or at the
@@ -199,9 +227,8 @@ Dirichlet_boundary::sheet_of_piece(const Surface_location& begin,
   const int depth = m_space.depth();
   const std::size_t none = m_space.octree().number_of_sheets(depth);
   const auto sheet_at = [&](const Surface_location& location) {
-    return m_space.octree()
-        .locate(depth, m_space.surface().surface_point(location).point, location.face)
-        .first;
+    const Octree_3& octree = m_space.octree();
+    return octree.locate(depth, octree.pieces().surface_point(location).point, location.face).first;
   };
   const auto between = [](const Surface_location& a, const Surface_location& b, double s) {
     Surface_location result = a;
@@ -218,7 +245,9 @@ Dirichlet_boundary::sheet_of_piece(const Surface_location& begin,
   for(double s = 1e-12; s <= 1; s *= 10)
     if(const std::size_t sheet = sheet_at(between(middle, inside, s)); sheet != none)
       return sheet;
-  throw Numerical_error("the boundary at face " + std::to_string(begin.face) +
+  const internal::Divided_surface* const division = m_space.octree().division();
+  throw Numerical_error("the boundary at face " +
+                        std::to_string(division ? division->face(begin.face) : begin.face) +
                         " lies on no part of the surface");
 }
 

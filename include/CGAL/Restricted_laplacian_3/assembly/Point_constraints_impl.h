@@ -25,8 +25,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_loc
   if(!std::isfinite(value))
     throw Parameter_error("constraint_values", "has a value that is not a finite number");
   const int depth = m_space.depth();
-  const auto [sheet, t] =
-      m_space.octree().locate(depth, surface.surface_point(location).point, location.face);
+  const auto [sheet, t] = m_space.octree().locate(depth, location);
   if(sheet == m_space.octree().number_of_sheets(depth))
     throw Location_error("a constraint with face " + std::to_string(location.face) +
                          " is not on the surface");

@@ -18,10 +18,25 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+namespace internal {
+
+/// Samples of the surface that are uniform by area; those of a smooth surface are on its pieces, over
+/// which the area of the patches hardly varies.
+inline std::vector<Surface_location> sample_patches(const Octree_3& octree, std::size_t number,
+                                                    std::uint64_t seed, Sampling sampling) {
+  std::vector<Surface_location> samples = sample_surface(octree.pieces(), number, seed, sampling);
+  if(octree.division())
+    for(Surface_location& location : samples)
+      location = octree.division()->location(location.face, location.barycentric);
+  return samples;
+}
+
+} // namespace internal
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Monte_carlo::Monte_carlo(const Octree_3& octree,
                                                             std::size_t number_of_samples,
                                                             std::uint64_t seed, Sampling sampling)
-  : Monte_carlo(octree, sample_surface(octree.surface(), number_of_samples, seed, sampling)) {}
+  : Monte_carlo(octree, internal::sample_patches(octree, number_of_samples, seed, sampling)) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Monte_carlo::Monte_carlo(const Octree_3& octree, const std::vector<Surface_location>& samples)
@@ -36,8 +51,7 @@ Monte_carlo::Monte_carlo(const Octree_3& octree, const std::vector<Surface_locat
   internal::parallel_for(
       octree.is_parallel(), 0, samples.size(), 1 << 12, [&](std::size_t begin, std::size_t end) {
         for(std::size_t k = begin; k < end; ++k) {
-          std::tie(sheet_of_sample[k], positions[k]) = octree.locate(
-              depth, m_octree->surface().surface_point(samples[k]).point, samples[k].face);
+          std::tie(sheet_of_sample[k], positions[k]) = octree.locate(depth, samples[k]);
           if(sheet_of_sample[k] == number_of_sheets)
             throw Location_error("a sample is not on the surface");
         }

@@ -60,8 +60,33 @@ private:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// How spaces integrate that are given no other integration: by `Triangle_cubature`, or by
-/// `Point_cubature` if the surface is given by points.
+/// Integration over a smooth surface: the nodes of `Triangle_cubature` on the flat pieces of the
+/// patches are moved to the patches, with the area and the normal there. Elements are evaluated by
+/// the polynomial pieces of the cell that has the flat node, perhaps a little outside of it. Flat
+/// patches are integrated as triangles are.
+///
+/// \cgalModels `SurfaceIntegration_3`
+class Patch_cubature {
+public:
+  /// \param octree that of a space; must outlive this object
+  /// \throws Input_error the surface is not smooth
+  explicit Patch_cubature(const Octree_3& octree);
+
+  /// the nodes of the smallest rule that is exact on flat patches up to `degree`, at most 12
+  void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
+
+  /// \cond
+  void add_moments(std::size_t sheet, const internal::Face_weight* weight,
+                   internal::Sheet_integrals& integrals) const;
+  /// \endcond
+
+private:
+  const Octree_3* m_octree;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// How spaces integrate that are given no other integration: by `Triangle_cubature`, by
+/// `Patch_cubature` if the surface is smooth, or by `Point_cubature` if it is given by points.
 /// \param octree must outlive what is returned
 Surface_integration default_integration(const Octree_3& octree);
 

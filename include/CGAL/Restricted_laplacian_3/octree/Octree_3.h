@@ -10,6 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/octree/internal/Octree_level.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 
 #include <CGAL/assertions.h>
 
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -77,6 +79,11 @@ public:
   /// neighbors, see `Surface_seams`.
   static constexpr double thin_face_height = 1e-6;
 
+  /// Most that a patch of a smooth surface deviates from its pieces, in units of the width of the
+  /// finest cells. Half of it changes nothing, with four times of it, errors of eigenvalues of
+  /// spheres grow to 4e-4.
+  static constexpr double piece_tolerance = 8e-3;
+
   /// Number of sheets beyond which an octree is refused instead of filling the memory. About 3
   /// elements belong to a sheet and 75 entries to a row, so more sheets would give matrices of more
   /// than \f$2^{31}\f$ entries.
@@ -88,7 +95,7 @@ public:
   /// \param surface becomes a part of the octree
   /// \param depth \f$d\f$, from 1 to 20
   /// \param cube_scale side of the domain cube over the longest side of the bounding box, from 1 to
-  /// 1e6
+  /// 1e6; the cube of a smooth surface is larger where patches would leave it
   /// \param is_split whether the surface in a cell is split into sheets
   /// \param joining_tolerance of `Surface_seams`, in the unit of the coordinates; negative: do not
   /// join
@@ -105,6 +112,16 @@ public:
   int depth() const { return m_depth; }
   /// the surface, as given to the constructor
   const Triangulated_surface_3& surface() const { return m_surface; }
+
+  /// The flat triangles that are cut by the walls of the cells: the faces of the surface, or, if it
+  /// is smooth, the pieces of its patches.
+  const Triangulated_surface_3& pieces() const {
+    return m_division ? m_division->pieces() : m_surface;
+  }
+  /// \cond
+  // how the patches are divided; null if the surface is not smooth
+  const internal::Divided_surface* division() const { return m_division.get(); }
+  /// \endcond
 
   /// side of the domain cube
   double side() const { return m_side; }
@@ -166,13 +183,13 @@ public:
     return m_levels[level].element_masks[sheet] >> internal::element_bit(dx, dy, dz) & 1;
   }
 
-  /// the faces that have a fragment in a sheet of the finest level, in ascending order
+  /// the faces, or pieces, that have a fragment in a sheet of the finest level, in ascending order
   boost::iterator_range<const std::uint32_t*> faces(std::size_t sheet) const {
     CGAL_precondition(sheet < number_of_sheets(depth()));
     return m_levels[m_depth].faces[sheet];
   }
 
-  /// the sheet in cell number `i` of the finest level that has a fragment of a face, or
+  /// the sheet in cell number `i` of the finest level that has a fragment of a face or piece, or
   /// `number_of_sheets(depth())` if there is none
   std::size_t sheet_of_face(std::size_t i, std::size_t face) const {
     CGAL_precondition(i < number_of_cells(m_depth));
@@ -182,7 +199,7 @@ public:
   /// number of fragments of the finest level
   std::size_t number_of_fragments() const { return m_levels[m_depth].faces.numbers().size(); }
 
-  /// the fragment of a face in a cell of the finest level; its coordinates are in units of the cell
+  /// the fragment of a face or piece in a cell of the finest level; its coordinates are in units of the cell
   /// width, the origin is that of the grid
   Fragment fragment(const Cell_3& cell, std::size_t face) const;
 
@@ -201,9 +218,16 @@ public:
   /// it: the one that is taken owns a fragment of the face, or is an ancestor of one that does. It
   /// has to, because an element that vanishes on a sheet is not listed there, but need not vanish
   /// on another face that touches the cell.
+  /// \param face a face, or a piece
   /// \return the number of sheets of the level as sheet if the point is not on the face
   std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,
                                                        std::size_t face) const;
+
+  /// The same for a location on the surface. If it is smooth, the sheet is that of the point of the
+  /// flat piece, and the coordinates are those of the point of the patch: a little outside of the
+  /// cell, perhaps.
+  std::pair<std::size_t, std::array<double, 3>> locate(int level,
+                                                       const Surface_location& location) const;
 
   /// distance, in units of the cell width of a level, below which a point counts as lying on a wall
   double wall_tolerance(int level) const { return std::ldexp(m_wall_tolerance, level); }
@@ -216,10 +240,14 @@ private:
     return m_levels[level];
   }
 
+  /// makes the domain cube large enough for the pieces
+  void fit_pieces();
+
   /// what cuts the faces into fragments
   Cell_clipper clipper() const;
 
   Triangulated_surface_3 m_surface;
+  std::shared_ptr<const internal::Divided_surface> m_division;
   int m_depth;
   double m_side;
   Point_3 m_center;

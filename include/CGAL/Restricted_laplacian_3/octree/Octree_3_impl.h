@@ -55,7 +55,7 @@ private:
   using Level = Octree_level;
 
   std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance) const {
-    Grid_input input = {m_octree.surface(), grid_points(), m_octree.is_split(), m_limits,
+    Grid_input input = {m_octree.pieces(), grid_points(), m_octree.is_split(), m_limits,
                         m_is_parallel};
     if(m_octree.surface().is_point_set())
       return std::make_unique<Points_in_grid>(std::move(input));
@@ -69,11 +69,11 @@ private:
   std::vector<std::array<double, 3>> grid_points() const {
     const int depth = m_octree.depth();
     const Cell_clipper clipper = m_octree.clipper();
-    std::vector<std::array<double, 3>> points(m_octree.surface().number_of_vertices());
+    std::vector<std::array<double, 3>> points(m_octree.pieces().number_of_vertices());
     const std::array<double, 3> origin = {0, 0, 0};
     parallel_for(m_is_parallel, 0, points.size(), 1 << 15, [&](std::size_t begin, std::size_t end) {
       for(std::size_t v = begin; v < end; ++v) {
-        const auto x = m_octree.grid_coordinates(depth, m_octree.surface().point(v));
+        const auto x = m_octree.grid_coordinates(depth, m_octree.pieces().point(v));
         // Vertices without a face may be anywhere, also at infinity.
         const bool is_inside = std::all_of(x.begin(), x.end(), [depth](double c) {
           return c > -1 && c < static_cast<double>(1 << depth) + 1;
@@ -208,6 +208,11 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
                                               std::to_string(maximum_octree_depth));
   m_side = internal::checked_cube_scale(cube_scale) * m_surface.extent();
   m_center = m_surface.center();
+  if(m_surface.is_smooth()) {
+    m_division = std::make_shared<const internal::Divided_surface>(
+        m_surface, piece_tolerance * cell_width(depth));
+    fit_pieces();
+  }
   double largest = 0;
   for(int axis = 0; axis < 3; ++axis)
     largest = (std::max)({largest, std::abs(m_surface.bounding_box_min()[axis]),
@@ -222,10 +227,10 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fragment Octree_3::fragment(const Cell_3& cell,
                                                                std::size_t face) const {
   CGAL_precondition(cell.level == m_depth && cell.is_inside_grid());
-  CGAL_precondition(face < m_surface.number_of_faces());
-  return clipper().fragment({grid_coordinates(m_depth, m_surface.point(face, 0)),
-                             grid_coordinates(m_depth, m_surface.point(face, 1)),
-                             grid_coordinates(m_depth, m_surface.point(face, 2))},
+  CGAL_precondition(face < pieces().number_of_faces());
+  return clipper().fragment({grid_coordinates(m_depth, pieces().point(face, 0)),
+                             grid_coordinates(m_depth, pieces().point(face, 1)),
+                             grid_coordinates(m_depth, pieces().point(face, 2))},
                             cell.index);
 }
 
@@ -261,6 +266,29 @@ Octree_3::locate(int level, const Point_3& point, std::size_t face) const {
         return {sheet, t};
       }
   return {number_of_sheets(level), {0, 0, 0}};
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::pair<std::size_t, std::array<double, 3>>
+Octree_3::locate(int level, const Surface_location& location) const {
+  const Point_3 point = m_surface.surface_point(location).point;
+  if(!m_division)
+    return locate(level, point, location.face);
+  const Surface_location on_piece = m_division->on_pieces(location);
+  auto [sheet, t] = locate(level, pieces().surface_point(on_piece).point, on_piece.face);
+  if(sheet != number_of_sheets(level)) {
+    const Cell_3 cell = this->cell(level, sheet);
+    t = grid_coordinates(level, point);
+    for(int axis = 0; axis < 3; ++axis)
+      t[axis] -= cell.index[axis];
+  }
+  return {sheet, t};
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Octree_3::fit_pieces() {
+  const Triangulated_surface_3& p = pieces();
+  for(int axis = 0; axis < 3; ++axis)
+    for(double end : {p.bounding_box_min()[axis], p.bounding_box_max()[axis]})
+      m_side = (std::max)(m_side, 2 * std::abs(end - m_center[axis]));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Cell_clipper Octree_3::clipper() const {

@@ -50,7 +50,7 @@ Spline_function_3::gradient(const Surface_location& location) const {
                                      combination(elements, gradients[1], m_coefficients),
                                      combination(elements, gradients[2], m_coefficients)) /
                             m_space.octree().cell_width(m_level);
-  const Vector_3& n = surface().normal(location.face);
+  const Vector_3 n = surface().surface_point(location).normal;
   return in_space - (in_space * n) * n;
 }
 

@@ -70,12 +70,13 @@ struct Smooth_geometry {
 /// Deviations from the flat face are what is stored: 168 bytes a face.
 class Surface_patches {
 public:
-  /// a point of a patch, with the unit normal there, and the area of the patch over that of the
-  /// face there
+  /// A point of a patch, with the unit normal there, and the area that the patch would have if it
+  /// were stretched over its face everywhere as it is there: its mean over the barycentric
+  /// coordinates is the area of the patch.
   struct Patch_point {
     Point_3 point;
     Vector_3 normal;
-    double area_ratio;
+    double area;
   };
 
   /// Takes \f$O(F \log F)\f$ time for \f$F\f$ faces.
@@ -100,7 +101,17 @@ public:
   Patch_point evaluate(std::size_t face, const std::array<Point_3, 3>& corners,
                        const std::array<double, 3>& barycentric) const;
 
+  /// The derivative of the patch along a line in barycentric coordinates.
+  /// \param direction coordinates of the end of the line less those of its begin: their sum is 0
+  Vector_3 derivative(std::size_t face, const std::array<Point_3, 3>& corners,
+                      const std::array<double, 3>& barycentric,
+                      const std::array<double, 3>& direction) const;
+
 private:
+  /// partial derivatives of the deviation by each coordinate
+  std::array<Vector_3, 3> partial_derivatives(std::size_t face,
+                                              const std::array<double, 3>& barycentric) const;
+
   /// Control points less those of the flat triangle: two of each side, at corner `i` and at the
   /// next, then that of the middle.
   using Controls = std::array<Vector_3, 7>;

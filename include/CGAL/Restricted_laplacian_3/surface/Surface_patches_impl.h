@@ -240,7 +240,12 @@ void Surface_patches::make_patches(const Triangulated_surface_3& surface,
   };
   std::vector<Edge_curve> curves(edges.size());
   for(std::size_t edge = 0; edge < edges.size(); ++edge) {
-    curves[edge] = make.edge(edge);
+    const auto sides = edges.sides(edge);
+    const bool has_degenerate_face =
+        std::any_of(sides.begin(), sides.end(), [&](const internal::Surface_edges::Side& side) {
+          return surface.is_degenerate(side.face);
+        });
+    curves[edge] = has_degenerate_face ? Edge_curve{zero, zero} : make.edge(edge);
     const auto [a, b] = edges.ends(edge);
     for(Vector_3& d : curves[edge])
       set_to_zero_if_tiny(d, (surface.point(b) - surface.point(a)).squared_length());
@@ -313,8 +318,8 @@ Surface_patches::folds(const Triangulated_surface_3& surface, std::size_t face) 
     for(int j = 0; i + j <= grid; ++j) {
       const double x = i / double(grid), y = j / double(grid);
       const Patch_point p = evaluate(face, corners, {x, y, 1 - x - y});
-      const double ratio = p.area_ratio * (p.normal * surface.normal(face));
-      if(!(ratio >= least_ratio && p.area_ratio <= largest_ratio))
+      const double ratio = p.area / surface.area(face);
+      if(!(ratio * (p.normal * surface.normal(face)) >= least_ratio && ratio <= largest_ratio))
         return true;
     }
   return false;
@@ -331,15 +336,10 @@ Surface_patches::deviation(std::size_t face, const std::array<double, 3>& baryce
   return sum;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_patches::Patch_point
-Surface_patches::evaluate(std::size_t face, const std::array<Point_3, 3>& corners,
-                          const std::array<double, 3>& barycentric) const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::array<Vector_3, 3>
+Surface_patches::partial_derivatives(std::size_t face,
+                                     const std::array<double, 3>& barycentric) const {
   const auto& l = barycentric;
-  const Vector_3 u = corners[1] - corners[0], v = corners[2] - corners[0];
-  const Point_3 flat(l[0] * corners[0].x() + l[1] * corners[1].x() + l[2] * corners[2].x(),
-                     l[0] * corners[0].y() + l[1] * corners[1].y() + l[2] * corners[2].y(),
-                     l[0] * corners[0].z() + l[1] * corners[1].z() + l[2] * corners[2].z());
-  // partial derivatives of the deviation by each coordinate
   const Controls& c = m_controls[face];
   std::array<Vector_3, 3> d;
   for(int i = 0; i < 3; ++i)
@@ -350,12 +350,34 @@ Surface_patches::evaluate(std::size_t face, const std::array<Point_3, 3>& corner
     d[i] += 3 * y * (2 * x * c[2 * i] + y * c[2 * i + 1]);
     d[j] += 3 * x * (x * c[2 * i] + 2 * y * c[2 * i + 1]);
   }
+  return d;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Vector_3 Surface_patches::derivative(
+    std::size_t face, const std::array<Point_3, 3>& corners,
+    const std::array<double, 3>& barycentric, const std::array<double, 3>& direction) const {
+  const std::array<Vector_3, 3> d = partial_derivatives(face, barycentric);
+  Vector_3 sum =
+      direction[1] * (corners[1] - corners[0]) + direction[2] * (corners[2] - corners[0]);
+  for(int i = 0; i < 3; ++i)
+    sum += direction[i] * d[i];
+  return sum;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_patches::Patch_point
+Surface_patches::evaluate(std::size_t face, const std::array<Point_3, 3>& corners,
+                          const std::array<double, 3>& barycentric) const {
+  const auto& l = barycentric;
+  const Vector_3 u = corners[1] - corners[0], v = corners[2] - corners[0];
+  const Point_3 flat(l[0] * corners[0].x() + l[1] * corners[1].x() + l[2] * corners[2].x(),
+                     l[0] * corners[0].y() + l[1] * corners[1].y() + l[2] * corners[2].y(),
+                     l[0] * corners[0].z() + l[1] * corners[1].z() + l[2] * corners[2].z());
+  const std::array<Vector_3, 3> d = partial_derivatives(face, l);
   const double scale = std::sqrt((std::max)(u.squared_length(), v.squared_length()));
-  const Vector_3 flat_cross = CGAL::cross_product(u / scale, v / scale),
-                 cross = CGAL::cross_product((u + d[1] - d[0]) / scale, (v + d[2] - d[0]) / scale);
+  const Vector_3 cross = CGAL::cross_product((u + d[1] - d[0]) / scale, (v + d[2] - d[0]) / scale);
   const double length = std::sqrt(cross.squared_length());
   return {flat + deviation(face, l), length > 0 ? cross / length : cross,
-          length / std::sqrt(flat_cross.squared_length())};
+          length * scale * scale / 2};
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3

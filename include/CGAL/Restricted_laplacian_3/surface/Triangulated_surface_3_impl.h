@@ -156,14 +156,14 @@ Triangulated_surface_3::set_patches(std::shared_ptr<const Surface_patches> patch
   for(std::size_t f = 0; f < number_of_faces(); ++f) {
     if(!is_degenerate(f) && !m_patches->is_flat(f)) {
       const std::array<Point_3, 3> corners = {point(f, 0), point(f, 1), point(f, 2)};
-      double ratio = 9. / 40 * m_patches->evaluate(f, corners, {1. / 3, 1. / 3, 1. / 3}).area_ratio;
+      double area = 9. / 40 * m_patches->evaluate(f, corners, {1. / 3, 1. / 3, 1. / 3}).area;
       for(int k = 0; k < 2; ++k)
         for(int i = 0; i < 3; ++i) {
           std::array<double, 3> l = {near[k], near[k], near[k]};
           l[i] = 1 - 2 * near[k];
-          ratio += weights[k] * m_patches->evaluate(f, corners, l).area_ratio;
+          area += weights[k] * m_patches->evaluate(f, corners, l).area;
         }
-      m_areas[f] *= ratio;
+      m_areas[f] = area;
     }
     m_area += m_areas[f];
   }

@@ -30,7 +30,7 @@ struct Sheet_point {
   std::array<double, 3> t = {0, 0, 0};
 };
 
-/// the sheet point of a point of a face; `not_on_surface` if the point is not on it
+/// the sheet point of a point of a face, or piece; `not_on_surface` if the point is not on it
 inline Sheet_point locate_on_face(const Spline_space_3& space, int level, const Point_3& point,
                                   std::size_t face) {
   const auto [sheet, t] = space.octree().locate(level, point, face);
@@ -45,12 +45,11 @@ inline Sheet_point locate_on_surface(const Spline_space_3& space, int level,
   const Triangulated_surface_3& surface = space.surface();
   if(location.face >= surface.number_of_faces())
     throw Location_error("there is no face " + std::to_string(location.face));
-  const Sheet_point p =
-      locate_on_face(space, level, surface.surface_point(location).point, location.face);
-  if(p.sheet == Sheet_point::not_on_surface)
+  const auto [sheet, t] = space.octree().locate(level, location);
+  if(sheet == space.octree().number_of_sheets(level))
     throw Location_error("a location with face " + std::to_string(location.face) +
                          " is not on the surface");
-  return p;
+  return {sheet, t};
 }
 
 /// The same for many locations, on several threads if the space was made so.
@@ -73,7 +72,7 @@ class Lost_vertices {
 public:
   Lost_vertices(const Spline_space_3& space, int level, std::vector<Sheet_point>& points,
                 std::vector<char>& is_lost)
-    : m_space(space), m_surface(space.surface()), m_level(level), m_points(points),
+    : m_space(space), m_surface(space.octree().pieces()), m_level(level), m_points(points),
       m_is_lost(is_lost) {}
 
   void find() {
@@ -142,8 +141,9 @@ private:
 };
 
 /// The sheet points of all vertices; `not_on_surface` for those without a face of positive area.
+/// Those of a smooth surface are the first ones of its pieces, and lie on them.
 inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int level) {
-  const Triangulated_surface_3& surface = space.surface();
+  const Triangulated_surface_3& surface = space.octree().pieces();
   const auto none = (std::numeric_limits<std::uint32_t>::max)();
   std::vector<std::uint32_t> first_face(surface.number_of_vertices(), none);
   for(std::size_t f = surface.number_of_faces(); f-- > 0;)
@@ -164,6 +164,7 @@ inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int
   for(std::size_t v = 0; v < points.size(); ++v)
     is_lost[v] = first_face[v] != none && points[v].sheet == Sheet_point::not_on_surface;
   Lost_vertices(space, level, points, is_lost).find();
+  points.resize(space.surface().number_of_vertices());
   return points;
 }
 

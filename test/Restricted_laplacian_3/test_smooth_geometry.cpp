@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Spaces on smooth surfaces: identities hold as on flat ones, and results are those of the surface
+// that the patches stand for.
+
+#include "catch.h"
+#include "matrices.h"
+#include "shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
+#include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = RL::parameters;
+
+RL::Triangulated_surface_3 curved(const shapes::Triangles& t) {
+  return RL::curved_surface(RL::Triangulated_surface_3(t.points, t.faces));
+}
+
+/// a cap of the unit sphere around the z axis, up to an angle, in rings of triangles
+shapes::Triangles cap(int rings, double angle) {
+  shapes::Triangles t;
+  t.points.emplace_back(0, 0, 1);
+  for(int i = 1; i <= rings; ++i)
+    for(int j = 0; j < 6 * i; ++j) {
+      const double a = angle * i / rings, b = 2 * CGAL_PI * j / (6 * i);
+      t.points.emplace_back(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a));
+    }
+  const auto number = [](int i, int j) {
+    return static_cast<std::uint32_t>(i == 0 ? 0 : 1 + 3 * i * (i - 1) + j % (6 * i));
+  };
+  for(int i = 0; i < rings; ++i)
+    for(int sixth = 0; sixth < 6; ++sixth)
+      for(int j = 0; j <= i; ++j) {
+        t.faces.push_back({number(i, i * sixth + j), number(i + 1, (i + 1) * sixth + j),
+                           number(i + 1, (i + 1) * sixth + j + 1)});
+        if(j < i)
+          t.faces.push_back({number(i, i * sixth + j), number(i + 1, (i + 1) * sixth + j + 1),
+                             number(i, i * sixth + j + 1)});
+      }
+  return t;
+}
+
+double largest_error_of_sphere(const Eigen::VectorXd& eigenvalues) {
+  double largest = 0;
+  for(int i = 1; i < eigenvalues.size(); ++i) {
+    const int l = static_cast<int>(std::sqrt(i));
+    largest = (std::max)(largest, std::abs(eigenvalues[i] / (l * (l + 1.)) - 1));
+  }
+  return largest;
+}
+
+} // namespace
+
+TEST_CASE("patches_are_divided_until_they_are_flat") {
+  const shapes::Triangles t = shapes::sphere(2);
+  const RL::Triangulated_surface_3 s = curved(t);
+  for(double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const RL::internal::Divided_surface divided(s, tolerance);
+    const RL::Triangulated_surface_3& pieces = divided.pieces();
+    CHECK(pieces.number_of_faces() > s.number_of_faces());
+    // about one piece for an area of 8 x tolerance x radius; they meet side by side
+    CHECK(static_cast<double>(pieces.number_of_faces()) < 8 * CGAL_PI / (8 * tolerance) * 4);
+    const RL::internal::Surface_edges edges(pieces);
+    for(std::size_t edge = 0; edge < edges.size(); ++edge)
+      CHECK(edges.sides(edge).size() == 2);
+    CHECK(edges.size() + 2 == pieces.number_of_vertices() + pieces.number_of_faces());
+    std::vector<double> fractions(s.number_of_faces(), 0);
+    double largest = 0;
+    for(std::size_t p = 0; p < pieces.number_of_faces(); ++p) {
+      fractions[divided.face(p)] += divided.fraction(p);
+      CHECK(divided.fraction(p) > 0);
+      CHECK(pieces.normal(p) * s.normal(divided.face(p)) > 0);
+      for(const std::array<double, 3>& l :
+          {std::array<double, 3>{0.2, 0.3, 0.5}, std::array<double, 3>{1. / 3, 1. / 3, 1. / 3},
+           std::array<double, 3>{0.5, 0.5, 0}}) {
+        const RL::Surface_location location = divided.location(p, l);
+        largest = (std::max)(largest,
+                             (s.surface_point(location).point - pieces.surface_point({p, l}).point)
+                                 .squared_length());
+        const RL::Surface_location back = divided.on_pieces(location);
+        CHECK((pieces.surface_point(back).point - pieces.surface_point({p, l}).point)
+                  .squared_length() < 1e-28);
+      }
+    }
+    CHECK(std::sqrt(largest) < 1.1 * tolerance);
+    CHECK(std::sqrt(largest) > 0.2 * tolerance);
+    for(double fraction : fractions)
+      CHECK(fraction == Approx(1).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("matrices_of_smooth_surfaces_keep_their_identities") {
+  const auto check = [](const RL::Triangulated_surface_3& s, const auto& np) {
+    const RL::Spline_space_3 space(s, np);
+    const std::vector<RL::Operators> levels =
+        RL::assemble_operators_of_levels(space, 0, space.depth());
+    const RL::Sparse_matrix &stiffness = levels[space.depth()].stiffness,
+                            &mass = levels[space.depth()].mass;
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());
+    // constants have no energy, the mass of 1 is the area of the patches
+    CHECK((stiffness * ones).lpNorm<Eigen::Infinity>() <
+          1e-12 * Eigen::VectorXd(stiffness.diagonal()).maxCoeff());
+    CHECK(ones.dot(mass * ones) == Approx(s.area()).epsilon(1e-7));
+    // coarse matrices are Galerkin products
+    for(int level = space.depth(); level > 1; --level) {
+      const RL::Sparse_matrix p = RL::prolongation_matrix(space, level - 1);
+      const RL::Sparse_matrix product = p.transpose() * levels[level].stiffness * p;
+      const RL::Sparse_matrix difference = product - levels[level - 1].stiffness;
+      CHECK(difference.norm() < 1e-11 * product.norm());
+    }
+  };
+  const auto np = params::octree_depth(4);
+  check(curved(shapes::sphere(2)), np);
+  check(curved(cap(4, 1)), np);
+  check(curved(shapes::box(1, 2, 3, 2, 1)), np);
+}
+
+TEST_CASE("eigenvalues_of_a_sphere_of_512_triangles") {
+  const shapes::Triangles t = shapes::sphere(3);
+  const RL::Triangulated_surface_3 flat(t.points, t.faces), smooth = RL::curved_surface(flat);
+  const auto np = params::octree_depth(4).normal_stabilization(1e-5).relative_tolerance(1e-5);
+  const auto error = [&](const RL::Triangulated_surface_3& s) {
+    return largest_error_of_sphere(
+        RL::laplace_spectrum(RL::Spline_space_3(s, np), 25, np).eigenvalues);
+  };
+  const double of_flat = error(flat), of_smooth = error(smooth);
+  CAPTURE(of_flat, of_smooth);
+  CHECK(of_flat > 1e-2);
+  CHECK(of_smooth < 2e-4);
+}
+
+TEST_CASE("functions_on_smooth_surfaces_are_those_of_the_patches") {
+  const RL::Triangulated_surface_3 s = curved(shapes::sphere(2));
+  const RL::Spline_space_3 space(s, params::octree_depth(4));
+  const auto f = [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); };
+  const RL::Function_fit fit =
+      RL::Function_fitter(space, params::smoothing_weight(0.).relative_tolerance(1e-8)).fit(f);
+  const RL::Spline_function_3 u(space, fit.coefficients.col(0));
+  double of_values = 0, of_gradients = 0, of_vertices = 0;
+  std::mt19937 generator(3);
+  const auto random = [&] { return generator() * std::ldexp(1., -32); };
+  for(int k = 0; k < 2000; ++k) {
+    double x = random(), y = random();
+    if(x + y > 1) {
+      x = 1 - x;
+      y = 1 - y;
+    }
+    const RL::Surface_location location{generator() % s.number_of_faces(), {x, y, 1 - x - y}};
+    const RL::Surface_point p = s.surface_point(location);
+    of_values = (std::max)(of_values, std::abs(u.value(location) - f(p)));
+    const RL::Vector_3 g = u.gradient(location), full(p.point.y(), p.point.x(), 0);
+    CHECK(std::abs(g * p.normal) < 1e-12);
+    of_gradients = (std::max)(
+        of_gradients, std::sqrt((g - full + (full * p.normal) * p.normal).squared_length()));
+  }
+  const std::vector<double> values = u.values_at_vertices();
+  REQUIRE(values.size() == s.number_of_vertices());
+  for(std::size_t v = 0; v < values.size(); ++v)
+    of_vertices = (std::max)(of_vertices, std::abs(values[v] - s.point(v).x() * s.point(v).y()));
+  CAPTURE(of_values, of_gradients, of_vertices);
+  // products of coordinates are splines
+  CHECK(of_values < 1e-6);
+  CHECK(of_vertices < 1e-6);
+  CHECK(of_gradients < 1e-4);
+}
+
+TEST_CASE("prescribed_values_on_the_curved_boundary_of_a_cap") {
+  const double angle = 1;
+  const shapes::Triangles t = cap(5, angle);
+  const RL::Triangulated_surface_3 flat(t.points, t.faces), smooth = RL::curved_surface(flat);
+  CHECK(smooth.area() == Approx(2 * CGAL_PI * (1 - std::cos(angle))).epsilon(1e-5));
+  const auto np = params::octree_depth(4).relative_tolerance(1e-8);
+  CHECK(RL::Dirichlet_boundary(RL::Spline_space_3(smooth, np)).length() ==
+        Approx(2 * CGAL_PI * std::sin(angle)).epsilon(1e-6));
+  // Laplacian of z on the sphere: -2 z
+  const auto error = [&](const RL::Triangulated_surface_3& s) {
+    const auto z = [](const RL::Surface_point& p) { return p.point.z(); };
+    const RL::Spline_space_3 space(s, np);
+    const RL::Poisson_solution u = RL::solve_poisson(
+        space, [&](const RL::Surface_point& p) { return -2 * z(p); }, np.boundary_values(z));
+    double largest = 0;
+    const std::vector<double> values =
+        RL::Spline_function_3(space, u.coefficients).values_at_vertices();
+    for(std::size_t v = 0; v < values.size(); ++v)
+      largest = (std::max)(largest, std::abs(values[v] - s.point(v).z()));
+    return largest;
+  };
+  const double of_flat = error(flat), of_smooth = error(smooth);
+  CAPTURE(of_flat, of_smooth);
+  CHECK(of_smooth < of_flat / 30);
+  CHECK(of_smooth < 1e-4);
+}
+
+TEST_CASE("samples_of_a_smooth_surface_are_uniform_on_the_patches") {
+  const RL::Triangulated_surface_3 s = curved(shapes::sphere(2));
+  const auto np = params::octree_depth(3);
+  const RL::Spline_space_3 space(s, np);
+  const RL::Spline_space_3 sampled =
+      space.integrated_by(RL::Monte_carlo(space.octree(), 40000, 1, RL::Sampling::stratified));
+  const auto square_of_z = [&](const RL::Spline_space_3& by) {
+    return RL::assemble_load(by,
+                             [](const RL::Surface_point& p) { return p.point.z() * p.point.z(); })
+        .sum();
+  };
+  CHECK(square_of_z(space) == Approx(4 * CGAL_PI / 3).epsilon(1e-3));
+  CHECK(square_of_z(sampled) == Approx(square_of_z(space)).epsilon(1e-3));
+}
