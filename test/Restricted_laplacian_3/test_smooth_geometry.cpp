@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -227,4 +228,137 @@ TEST_CASE("samples_of_a_smooth_surface_are_uniform_on_the_patches") {
   };
   CHECK(square_of_z(space) == Approx(4 * CGAL_PI / 3).epsilon(1e-3));
   CHECK(square_of_z(sampled) == Approx(square_of_z(space)).epsilon(1e-3));
+}
+
+TEST_CASE("parameters_of_smooth_geometry") {
+  const shapes::Triangles t = shapes::sphere(2);
+  const shapes::Mesh mesh = shapes::mesh(t);
+  const RL::Triangulated_surface_3 flat(t.points, t.faces);
+  const auto np = params::octree_depth(3);
+  const auto smooth = np.surface_geometry(RL::Surface_geometry::smooth);
+  const double flat_area = flat.area(), smooth_area = RL::curved_surface(flat).area();
+
+  CHECK(RL::Spline_space_3(mesh, np).surface().area() == flat_area);
+  CHECK(
+      RL::Spline_space_3(mesh, np.surface_geometry(RL::Surface_geometry::flat)).surface().area() ==
+      flat_area);
+  CHECK(RL::Spline_space_3(mesh, smooth).surface().area() == smooth_area);
+  CHECK(RL::Spline_space_3(t.points, t.faces, smooth).surface().area() == smooth_area);
+  CHECK(RL::laplace_spectrum(mesh, 3, smooth).area == smooth_area);
+
+  SECTION("creases") {
+    // all edges
+    CHECK(RL::Spline_space_3(mesh, smooth.crease_angle(1.)).surface().area() ==
+          Approx(flat_area).epsilon(1e-12));
+    CHECK_THROWS_AS(RL::Spline_space_3(mesh, smooth.crease_angle(200.)), RL::Parameter_error);
+    // those of the upper half remain straight where many of them meet
+    auto is_feature = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
+    for(auto e : edges(mesh)) {
+      const auto h = halfedge(e, mesh);
+      put(is_feature, e,
+          mesh.point(source(h, mesh)).z() > 0.3 && mesh.point(target(h, mesh)).z() > 0.3);
+    }
+    const RL::Spline_space_3 space(mesh, smooth.edge_is_feature_map(is_feature));
+    CHECK(space.surface().area() < smooth_area - 1e-3);
+    CHECK(space.surface().area() > flat_area + 1e-3);
+  }
+  SECTION("normals") {
+    auto normals = get(CGAL::dynamic_vertex_property_t<RL::Vector_3>(), mesh);
+    std::vector<RL::Vector_3> of_points;
+    for(auto v : vertices(mesh)) {
+      const RL::Point_3& p = mesh.point(v);
+      of_points.emplace_back(p.x(), p.y(), p.z() + 0.1);
+      put(normals, v, of_points.back());
+    }
+    const double tilted =
+        RL::Spline_space_3(mesh, smooth.vertex_normal_map(normals)).surface().area();
+    CHECK(std::abs(tilted - smooth_area) > 1e-4);
+    CHECK(RL::Spline_space_3(t.points, t.faces,
+                             smooth.vertex_normal_map(CGAL::make_property_map(of_points)))
+              .surface()
+              .area() == Approx(tilted).epsilon(1e-12));
+  }
+  SECTION("projections") {
+    const auto to_sphere = [](const RL::Point_3& p) {
+      const RL::Vector_3 v = p - CGAL::ORIGIN;
+      return CGAL::ORIGIN + 2 * v / std::sqrt(v.squared_length());
+    };
+    const auto with_normal = [&](const RL::Point_3& p) {
+      return std::make_pair(to_sphere(p), p - CGAL::ORIGIN);
+    };
+    const double area = RL::Spline_space_3(mesh, np.surface_geometry(to_sphere)).surface().area();
+    CHECK(area == Approx(16 * CGAL_PI).epsilon(1e-3));
+    CHECK(RL::Spline_space_3(mesh, np.surface_geometry(with_normal)).surface().area() == area);
+  }
+  SECTION("points have no geometry") {
+    using Pair = std::pair<RL::Point_3, RL::Vector_3>;
+    std::vector<Pair> distinct;
+    for(const RL::Point_3& p : t.points)
+      distinct.emplace_back(p, p - CGAL::ORIGIN);
+    CHECK_THROWS_AS(
+        RL::Spline_space_3(distinct, smooth.point_map(CGAL::First_of_pair_property_map<Pair>())
+                                         .normal_map(CGAL::Second_of_pair_property_map<Pair>())),
+        RL::Input_error);
+  }
+}
+
+TEST_CASE("smooth_geometry_of_bad_meshes") {
+  const auto np = params::octree_depth(3).surface_geometry(RL::Surface_geometry::smooth);
+  const auto solve = [&](const shapes::Triangles& t, const auto& all) {
+    const RL::Spline_space_3 space(t.points, t.faces, all);
+    const RL::Poisson_solution u = RL::solve_poisson(
+        space, [](const RL::Surface_point& p) { return p.point.x(); }, all);
+    CHECK(u.converged);
+    CHECK(u.coefficients.allFinite());
+    const RL::Sparse_matrix stiffness = RL::assemble_operators(space).stiffness;
+    CHECK((stiffness * Eigen::VectorXd::Ones(space.dimension())).lpNorm<Eigen::Infinity>() <
+          1e-11 * Eigen::VectorXd(stiffness.diagonal()).maxCoeff());
+  };
+  SECTION("one triangle") {
+    shapes::Triangles t;
+    t.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    t.faces = {{0, 1, 2}};
+    solve(t, np);
+  }
+  SECTION("degenerate, duplicate and turned faces, and a fan") {
+    shapes::Triangles t = shapes::sphere(2);
+    const std::size_t n = t.faces.size();
+    for(std::size_t f = 0; f < n; f += 7)
+      std::swap(t.faces[f][0], t.faces[f][1]);
+    t.faces.push_back(t.faces[3]);
+    t.faces.push_back({t.faces[5][0], t.faces[5][1], t.faces[5][1]});
+    t.points.emplace_back(2, 2, 2);
+    t.faces.push_back(
+        {t.faces[8][0], t.faces[8][1], static_cast<std::uint32_t>(t.points.size() - 1)});
+    solve(t, np);
+  }
+  SECTION("a mesh far coarser than the cells") { solve(shapes::sphere(2), np.octree_depth(7)); }
+  SECTION("a cone, and a cube scale of 1") {
+    shapes::Triangles t;
+    t.points.emplace_back(0, 0, 1);
+    const std::uint32_t n = 24;
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const double a = 2 * CGAL_PI * i / n;
+      t.points.emplace_back(std::cos(a), std::sin(a), 0);
+      t.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+    }
+    solve(t, np.cube_scale(1.));
+  }
+  SECTION("noise") {
+    std::mt19937 generator(1);
+    for(double noise : {0.01, 0.1}) {
+      shapes::Triangles t = shapes::sphere(3);
+      for(RL::Point_3& p : t.points)
+        p = p + (p - CGAL::ORIGIN) * (noise * (generator() * std::ldexp(2., -32) - 1));
+      solve(t, np.octree_depth(4));
+    }
+  }
+  SECTION("threads change nothing") {
+    const shapes::Triangles t = cap(6, 2);
+    const RL::Spline_space_3 one(t.points, t.faces, np),
+        two(t.points, t.faces, np.concurrency_tag(CGAL::Parallel_if_available_tag()));
+    const RL::Operators a = RL::assemble_operators(one), b = RL::assemble_operators(two);
+    CHECK((a.stiffness - b.stiffness).norm() == 0);
+    CHECK((a.mass - b.mass).norm() == 0);
+  }
 }

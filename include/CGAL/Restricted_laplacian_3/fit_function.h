@@ -51,6 +51,7 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_mesh
+///   \named_of_geometry
 ///   \named_of_points
 ///   \named_of_fits
 ///   \named_callback

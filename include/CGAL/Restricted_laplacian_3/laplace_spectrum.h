@@ -34,6 +34,7 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_mesh
+///   \named_of_geometry
 ///   \named_of_points
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd

@@ -163,6 +163,7 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_mesh
+///   \named_of_geometry
 ///   \named_of_points
 ///   \named_of_poisson
 /// \cgalNamedParamsEnd
@@ -250,6 +251,7 @@ Poisson_solution solve_poisson(const Spline_space_3& space, const Surface_functi
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_mesh
+///   \named_of_geometry
 ///   \named_of_points
 ///   \named_of_poisson
 /// \cgalNamedParamsEnd

@@ -29,6 +29,9 @@
   PARAMETER(paper_space)                                                                           \
   PARAMETER(split_elements)                                                                        \
   PARAMETER(joining_tolerance)                                                                     \
+  PARAMETER(surface_geometry)                                                                      \
+  PARAMETER(crease_angle)                                                                          \
+  PARAMETER(edge_is_feature_map)                                                                   \
   PARAMETER(relative_tolerance)                                                                    \
   PARAMETER(cycle)                                                                                 \
   PARAMETER(energy_tolerance)                                                                      \

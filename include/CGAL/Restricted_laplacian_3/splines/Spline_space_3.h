@@ -124,6 +124,7 @@ public:
   /// \cgalNamedParamsBegin
   ///   \named_of_space
   ///   \named_of_mesh
+  ///   \named_of_geometry
   ///   \named_of_points
   /// \cgalNamedParamsEnd
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
@@ -145,6 +146,7 @@ public:
   /// \cgalNamedParamsBegin
   ///   \named_of_space
   ///   \named_geom_traits
+  ///   \named_of_geometry
   /// \cgalNamedParamsEnd
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
   template <class PointRange, class TriangleRange,

@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -20,24 +19,6 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 class Surface_edges;
 } // namespace internal
-
-/// \ingroup PkgRestrictedLaplacian3Dev
-/// What a smooth surface through the vertices of a triangulated one is made from.
-struct Smooth_geometry {
-  /// An edge is a crease if the normals of its two faces differ by more than this angle, in
-  /// degrees.
-  double crease_angle = 40;
-  /// Normals at the vertices, of any length; an empty vector, and vectors that are zero or not
-  /// finite, are estimated. One that points to the other side of the faces is turned around. Not
-  /// used at vertices on creases, where there are several normals.
-  std::vector<Vector_3> vertex_normals;
-  /// pairs of vertices whose edges are creases, whatever the angle
-  std::vector<std::array<std::uint32_t, 2>> creases;
-  /// A function that takes a point near the surface to one on it. If there is one, patches
-  /// interpolate it between the vertices, which are expected to be on it, and the members above have
-  /// no effect.
-  std::function<Point_3(const Point_3&)> projection;
-};
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// A smooth surface through the vertices of a triangulated one: a cubic B&eacute;zier triangle on
@@ -126,15 +107,6 @@ private:
   std::vector<char> m_is_flat;
   std::size_t m_number_of_folded_faces = 0;
 };
-
-/// \ingroup PkgRestrictedLaplacian3Dev
-/// The same surface with patches on its faces, see `Triangulated_surface_3::is_smooth()`. If the
-/// geometry has a projection, the vertices are projected, too.
-/// \throws Input_error the surface is a point set
-/// \throws Invalid_vertex_error a vertex of a face is projected to what is not finite
-/// \throws Parameter_error, Invalid_face_error see `Surface_patches`
-Triangulated_surface_3 curved_surface(const Triangulated_surface_3& surface,
-                                      const Smooth_geometry& geometry = Smooth_geometry());
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -381,9 +381,8 @@ Surface_patches::evaluate(std::size_t face, const std::array<Point_3, 3>& corner
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3
-curved_surface(const Triangulated_surface_3& surface, const Smooth_geometry& geometry) {
+curved_surface(Triangulated_surface_3 surface, const Smooth_geometry& geometry) {
   surface.require_triangles("a smooth geometry");
-  Triangulated_surface_3 result = surface;
   if(geometry.projection) {
     std::vector<Point_3> points;
     std::vector<Triangulated_surface_3::Triangle> triangles;
@@ -391,10 +390,10 @@ curved_surface(const Triangulated_surface_3& surface, const Smooth_geometry& geo
       points.push_back(geometry.projection(surface.point(v)));
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       triangles.push_back(surface.triangle(f));
-    result = Triangulated_surface_3(std::move(points), std::move(triangles));
+    surface = Triangulated_surface_3(std::move(points), std::move(triangles));
   }
-  result.set_patches(std::make_shared<const Surface_patches>(result, geometry));
-  return result;
+  surface.set_patches(std::make_shared<const Surface_patches>(surface, geometry));
+  return surface;
 }
 
 } // namespace Restricted_laplacian_3

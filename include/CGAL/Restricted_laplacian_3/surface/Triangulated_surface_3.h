@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 
@@ -19,6 +20,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -201,6 +203,15 @@ private:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Dev
+/// The same surface with patches on its faces, see `Triangulated_surface_3::is_smooth()`. If the
+/// geometry has a projection, the vertices are projected, too.
+/// \throws Input_error the surface is a point set
+/// \throws Invalid_vertex_error a vertex of a face is projected to what is not finite
+/// \throws Parameter_error, Invalid_face_error see `Surface_patches`
+Triangulated_surface_3 curved_surface(Triangulated_surface_3 surface,
+                                      const Smooth_geometry& geometry = Smooth_geometry());
+
+/// \ingroup PkgRestrictedLaplacian3Dev
 /// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.
 ///
 /// \tparam FaceGraph a model of `FaceListGraph`
@@ -208,9 +219,10 @@ private:
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh
+///   \named_of_geometry
 /// \cgalNamedParamsEnd
 /// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
-/// `Triangulated_surface_3` throws
+/// `Triangulated_surface_3` and `curved_surface()` throw
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Triangulated_surface_3 read_surface(const FaceGraph& tm,
@@ -238,14 +250,31 @@ Triangulated_surface_3 read_surface(const FaceGraph& tm,
     triangles.push_back({get(index_map, source(h, tm)), get(index_map, target(h, tm)),
                          get(index_map, target(next(h, tm), tm))});
   }
-  return Triangulated_surface_3(std::move(points), std::move(triangles));
+  Triangulated_surface_3 surface(std::move(points), std::move(triangles));
+  std::optional<Smooth_geometry> geometry = internal::smooth_geometry_of(np);
+  if(!geometry)
+    return surface;
+  if constexpr(internal::is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
+    const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
+    for(Vertex v : vertices(tm))
+      geometry->vertex_normals.push_back(
+          internal::with_coordinates_of<Vector_3>(get(normal_map, v)));
+  }
+  if constexpr(internal::is_given_v<NamedParameters, internal_np::edge_is_feature_map_t>) {
+    const auto feature_map = parameters::get_parameter(np, internal_np::edge_is_feature_map);
+    for(auto e : edges(tm))
+      if(get(feature_map, e))
+        geometry->creases.push_back({get(index_map, source(e, tm)), get(index_map, target(e, tm))});
+  }
+  return curved_surface(std::move(surface), *geometry);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// Reads a triangle soup: a surface that need not be a manifold.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`, each of any integer type
-/// \param np `geom_traits`: as above
+/// \param np `geom_traits`, `surface_geometry`, `crease_angle`: as above; `vertex_normal_map`: its
+/// keys are indices of points
 /// \throws Invalid_face_error if a face is not a triangle or names a point that does not exist, and
 /// what the constructor of `Triangulated_surface_3` throws
 template <class PointRange, class TriangleRange,
@@ -271,7 +300,17 @@ Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRang
     }
     own_triangles.push_back(own);
   }
-  return Triangulated_surface_3(std::move(own_points), std::move(own_triangles));
+  Triangulated_surface_3 surface(std::move(own_points), std::move(own_triangles));
+  std::optional<Smooth_geometry> geometry = internal::smooth_geometry_of(np);
+  if(!geometry)
+    return surface;
+  if constexpr(internal::is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
+    const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
+    for(std::size_t i = 0; i < surface.number_of_vertices(); ++i)
+      geometry->vertex_normals.push_back(
+          internal::with_coordinates_of<Vector_3>(get(normal_map, i)));
+  }
+  return curved_surface(std::move(surface), *geometry);
 }
 
 } // namespace Restricted_laplacian_3

@@ -160,9 +160,12 @@ namespace internal {
 /// a mesh, or a range of oriented points
 template <class Surface, class NamedParameters>
 Triangulated_surface_3 read_mesh_or_points(const Surface& surface, const NamedParameters& np) {
-  if constexpr(is_range_v<Surface>)
-    return read_point_set(surface, np);
-  else
+  if constexpr(is_range_v<Surface>) {
+    const Triangulated_surface_3 points = read_point_set(surface, np);
+    if(smooth_geometry_of(np))
+      points.require_triangles("a smooth geometry");
+    return points;
+  } else
     return read_surface(surface, np);
 }
 
