@@ -38,6 +38,7 @@
 
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>

@@ -24,6 +24,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/Surface_mesh.h>
 

@@ -33,6 +33,7 @@
 
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Real_timer.h>

@@ -28,6 +28,7 @@
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>

@@ -3,6 +3,7 @@
 
 #include <CGAL/Restricted_laplacian_3/geodesic_distances.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>

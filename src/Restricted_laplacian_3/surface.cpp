@@ -6,6 +6,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3_impl.h>
+#include <CGAL/Restricted_laplacian_3/surface/curved_surface_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface_impl.h>

@@ -7,6 +7,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>

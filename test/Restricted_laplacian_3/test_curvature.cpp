@@ -7,6 +7,7 @@
 
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <Eigen/Core>
 

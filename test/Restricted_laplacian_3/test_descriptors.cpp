@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #include <Eigen/Geometry>

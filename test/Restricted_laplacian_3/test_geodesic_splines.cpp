@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/tags.h>

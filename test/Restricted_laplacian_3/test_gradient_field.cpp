@@ -15,6 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <Eigen/Core>
 

@@ -11,12 +11,15 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
+#include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
+#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 
@@ -137,6 +140,21 @@ TEST_CASE("matrices_of_smooth_surfaces_keep_their_identities") {
   check(curved(shapes::sphere(2)), np);
   check(curved(cap(4, 1)), np);
   check(curved(shapes::box(1, 2, 3, 2, 1)), np);
+}
+
+TEST_CASE("the_integration_of_smooth_surfaces_needs_patches") {
+  const shapes::Triangles t = shapes::sphere(2);
+  const RL::Spline_space_3 flat(t.points, t.faces, params::octree_depth(3)),
+      smooth(curved(t), params::octree_depth(3));
+  CHECK_THROWS_AS(RL::Patch_cubature(flat.octree()), RL::Input_error);
+  const RL::Spline_space_3 again = smooth.integrated_by(RL::Patch_cubature(smooth.octree()));
+  CHECK((RL::assemble_operators(again).mass - RL::assemble_operators(smooth).mass).norm() == 0);
+  // nodes say the same as moments
+  const RL::Operators by_nodes =
+                          RL::assemble_operators(smooth.integrated_by(RL::Weighted_integration(
+                              smooth.integration(), [](const RL::Surface_point&) { return 1.; }))),
+                      by_moments = RL::assemble_operators(smooth);
+  CHECK((by_nodes.stiffness - by_moments.stiffness).norm() < 1e-13 * by_moments.stiffness.norm());
 }
 
 TEST_CASE("eigenvalues_of_a_sphere_of_512_triangles") {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 

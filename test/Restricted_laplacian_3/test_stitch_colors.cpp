@@ -8,6 +8,7 @@
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <algorithm>
 #include <array>

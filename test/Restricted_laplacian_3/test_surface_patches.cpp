@@ -9,6 +9,7 @@
 
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@ RL::Triangulated_surface_3 surface(const shapes::Triangles& t) {
   return RL::Triangulated_surface_3(t.points, t.faces);
 }
 
-/// calls `visit(face, barycentric)` at the points of a grid in each face, corners and sides included
+/// calls `visit(face, barycentric)` at the points of a grid in each face, also on its sides
 template <class Visitor>
 void for_each_location(const RL::Triangulated_surface_3& s, Visitor visit) {
   constexpr int n = 6;
@@ -82,8 +83,8 @@ double distance_to_torus(const RL::Point_3& p, double large, double small) {
 } // namespace
 
 TEST_CASE("patches_of_a_sphere_converge_fast") {
-  // In the distance from the sphere, in normals, and in area. Flat triangles: orders 2, 1 and 2, and
-  // a distance of 0.04 with the first.
+  // In the distance from the sphere, in normals, and in area. Flat triangles have the orders 2, 1
+  // and 2, and a distance of 0.04 with the first.
   std::array<double, 3> last = {0, 0, 0};
   for(int n = 2; n <= 4; ++n) {
     const RL::Triangulated_surface_3 s = RL::curved_surface(surface(shapes::sphere(n)));
@@ -164,6 +165,39 @@ TEST_CASE("patches_of_an_irregular_torus") {
     CHECK(error < 1.2 * smooth_error);
     CHECK(of_normals < 1e-12);
     CHECK(of_estimated_normals > 1e-4);
+  }
+}
+
+TEST_CASE("derivatives_of_patches") {
+  const RL::Triangulated_surface_3 s = RL::curved_surface(surface(torus(24, 1, 0.4, 0.2)));
+  for(std::size_t f = 0; f < s.number_of_faces(); f += 13) {
+    const std::array<RL::Point_3, 3> corners = {s.point(f, 0), s.point(f, 1), s.point(f, 2)};
+    const std::array<double, 3> l = {0.2, 0.5, 0.3};
+    const RL::Patch_point p = s.patches().evaluate(f, corners, l);
+    CHECK(p.point == s.surface_point({f, l}).point);
+    // by differences
+    constexpr double e = 1e-6;
+    std::array<RL::Vector_3, 2> differences, derivatives;
+    for(int i = 0; i < 2; ++i) {
+      std::array<double, 3> before = l, after = l, direction = {-1, 0, 0};
+      direction[i + 1] = 1;
+      for(int k = 0; k < 3; ++k) {
+        before[k] -= e * direction[k];
+        after[k] += e * direction[k];
+      }
+      differences[i] =
+          (s.surface_point({f, after}).point - s.surface_point({f, before}).point) / (2 * e);
+      derivatives[i] = s.patches().derivative(f, corners, l, direction);
+      CHECK(std::sqrt((differences[i] - derivatives[i]).squared_length()) < 1e-9);
+    }
+    const RL::Vector_3 cross = CGAL::cross_product(differences[0], differences[1]);
+    CHECK(std::sqrt(cross.squared_length()) / 2 == Approx(p.area).epsilon(1e-6));
+    CHECK(cross * p.normal == Approx(2 * p.area).epsilon(1e-6));
+    CHECK((s.patches().deviation(f, l) -
+           (p.point - RL::Triangulated_surface_3({corners[0], corners[1], corners[2]}, {{0, 1, 2}})
+                          .surface_point({0, l})
+                          .point))
+              .squared_length() < 1e-30);
   }
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/shared/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/Block_evaluation.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

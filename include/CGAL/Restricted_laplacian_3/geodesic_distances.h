@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <boost/graph/graph_traits.hpp>
 

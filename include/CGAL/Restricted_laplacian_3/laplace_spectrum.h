@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/Real_timer.h>
 

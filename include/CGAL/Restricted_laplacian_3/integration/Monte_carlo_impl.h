@@ -20,8 +20,8 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-/// Samples of the surface that are uniform by area; those of a smooth surface are on its pieces, over
-/// which the area of the patches hardly varies.
+/// Samples of the surface that are uniform by area; those of a smooth surface are on its pieces,
+/// over which the area of the patches hardly varies.
 inline std::vector<Surface_location> sample_patches(const Octree_3& octree, std::size_t number,
                                                     std::uint64_t seed, Sampling sampling) {
   std::vector<Surface_location> samples = sample_surface(octree.pieces(), number, seed, sampling);

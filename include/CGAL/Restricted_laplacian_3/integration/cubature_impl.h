@@ -23,8 +23,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangle_cubature::Triangle_cubature(const Oc
 
 namespace internal {
 
-/// Calls `visit(fragment, cell, triangle, point)` for the fragment of a face or piece in a cell: with
-/// the triangle that it is cut from, and what all points on it have in common.
+/// Calls `visit(fragment, cell, triangle, point)` for the fragment of a face or piece in a cell:
+/// with the triangle that it is cut from, and what all points on it have in common.
 template <class Visitor>
 void visit_fragment(const Octree_3& octree, const Cell_3& cell, std::uint32_t face,
                     Visitor&& visit) {
@@ -103,8 +103,7 @@ public:
       p.vertices = m_surface.triangle(m_face);
       if(m_is_flat)
         continue;
-      const Surface_patches::Patch_point on_patch =
-          m_surface.patches().evaluate(m_face, m_corners, p.barycentric);
+      const Patch_point on_patch = m_surface.patches().evaluate(m_face, m_corners, p.barycentric);
       for(int axis = 0; axis < 3; ++axis)
         block.positions[axis][i] += (on_patch.point[axis] - p.point[axis]) / m_h;
       block.weights[i] *= on_patch.area * m_area_factor;

@@ -199,8 +199,8 @@ public:
   /// number of fragments of the finest level
   std::size_t number_of_fragments() const { return m_levels[m_depth].faces.numbers().size(); }
 
-  /// the fragment of a face or piece in a cell of the finest level; its coordinates are in units of the cell
-  /// width, the origin is that of the grid
+  /// the fragment of a face or piece in a cell of the finest level; its coordinates are in units of
+  /// the cell width, the origin is that of the grid
   Fragment fragment(const Cell_3& cell, std::size_t face) const;
 
   /// coordinates of a point in the grid of a level, in units of the cell width. The same point has
@@ -218,6 +218,8 @@ public:
   /// it: the one that is taken owns a fragment of the face, or is an ancestor of one that does. It
   /// has to, because an element that vanishes on a sheet is not listed there, but need not vanish
   /// on another face that touches the cell.
+  /// \param level of the sheet
+  /// \param point on the face
   /// \param face a face, or a piece
   /// \return the number of sheets of the level as sheet if the point is not on the face
   std::pair<std::size_t, std::array<double, 3>> locate(int level, const Point_3& point,

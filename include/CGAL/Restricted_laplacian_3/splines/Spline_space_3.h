@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/assertions.h>
 

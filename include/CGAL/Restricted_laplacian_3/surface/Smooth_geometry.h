@@ -22,7 +22,7 @@ namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Options
 /// Which surface a mesh stands for: its triangles, or the smooth surface through its vertices, see
-/// `Surface_patches`.
+/// `curved_surface()`.
 enum class Surface_geometry { flat, smooth };
 
 /// \ingroup PkgRestrictedLaplacian3Dev
@@ -38,8 +38,7 @@ struct Smooth_geometry {
   /// pairs of vertices whose edges are creases, whatever the angle
   std::vector<std::array<std::uint32_t, 2>> creases;
   /// A function that takes a point near the surface to one on it. If there is one, patches
-  /// interpolate it between the vertices, which are expected to be on it, and the members above have
-  /// no effect.
+  /// interpolate it between the vertices, and the members above have no effect.
   std::function<Point_3(const Point_3&)> projection;
 };
 

@@ -4,325 +4,24 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_PATCHES_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_PATCHES_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Corner_groups.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Smooth_sectors.h>
-#include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
-#include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
-
-#include <CGAL/Kernel/global_functions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
-namespace internal {
-
-/// the deviations of the two inner control points of the curve over an edge, from its lower vertex
-using Edge_curve = std::array<Vector_3, 2>;
-
-/// The first inner control point of the cubic over an edge, less that of the edge: along a unit
-/// tangent. Zero if the tangent is far from the edge.
-inline Vector_3 tangent_deviation(const Vector_3& edge, const Vector_3& tangent) {
-  constexpr double least_cosine = 0.5;
-  const double length = std::sqrt(edge.squared_length()), cosine = edge * tangent / length;
-  if(!(cosine > least_cosine))
-    return {0, 0, 0};
-  return tangent * (2 * length / (3 * (1 + cosine))) - edge / 3;
-}
-
-/// The deviation of the center of a patch, in the mean of three curves: each from a corner to the
-/// middle of the side opposite to it, with the tangents that the normals there give.
-/// \param sides the deviations of the control points of the sides, at corner `i` and at the next
-inline Vector_3 center_deviation(const std::array<Point_3, 3>& corners,
-                                 const std::array<Vector_3, 3>& normals,
-                                 const std::array<Edge_curve, 3>& sides) {
-  Vector_3 sum(0, 0, 0);
-  for(int i = 0; i < 3; ++i) {
-    const int a = (i + 1) % 3, b = (i + 2) % 3;
-    const Vector_3 edge = corners[b] - corners[a], of_middle = 3. / 8 * (sides[a][0] + sides[a][1]),
-                   tangent = unit_or_zero(edge + 3. / 4 * (sides[a][1] - sides[a][0])),
-                   mean_normal = normals[a] + normals[b],
-                   normal = unit_or_zero(mean_normal - (mean_normal * tangent) * tangent),
-                   chord = corners[a] + edge / 2 + of_middle - corners[i];
-    const auto tangential = [&chord](const Vector_3& n) {
-      return unit_or_zero(chord - (chord * n) * n);
-    };
-    // a cubic at 2/3 of its length
-    sum += 2. / 3 * of_middle + 2. / 9 * tangent_deviation(chord, tangential(normals[i])) -
-           4. / 9 * tangent_deviation(chord, tangential(normal));
-  }
-  return sum / 3;
-}
-
-/// Makes the curves over the edges of a surface from normals and creases.
-class Edge_curves {
-public:
-  Edge_curves(const Triangulated_surface_3& surface, const Surface_edges& edges,
-              const Smooth_sectors& sectors, const std::vector<Vector_3>& normals)
-    : m_surface(surface), m_edges(edges), m_sectors(sectors), m_normals(normals) {
-    find_tangents_of_creases();
-  }
-
-  Edge_curve operator()(std::size_t edge) const {
-    const auto [a, b] = m_edges.ends(edge);
-    if(m_surface.point(a) == m_surface.point(b))
-      return {Vector_3(0, 0, 0), Vector_3(0, 0, 0)};
-    return {deviation(edge, a, b), deviation(edge, b, a)};
-  }
-
-private:
-  void find_tangents_of_creases() {
-    const std::size_t n = m_surface.number_of_vertices();
-    std::vector<std::array<std::uint32_t, 2>> neighbors(n);
-    std::vector<std::uint32_t> counts(n, 0);
-    for(std::size_t edge = 0; edge < m_edges.size(); ++edge)
-      if(m_sectors.is_crease(edge))
-        for(int end = 0; end < 2; ++end) {
-          const std::uint32_t v = m_edges.ends(edge)[end];
-          if(counts[v] < 2)
-            neighbors[v][counts[v]] = m_edges.ends(edge)[1 - end];
-          ++counts[v];
-        }
-    m_crease_tangents.assign(n, Vector_3(0, 0, 0));
-    for(std::size_t v = 0; v < n; ++v) {
-      if(counts[v] != 2)
-        continue;
-      const Vector_3 before = m_surface.point(v) - m_surface.point(neighbors[v][0]),
-                     after = m_surface.point(neighbors[v][1]) - m_surface.point(v);
-      const double l1 = std::sqrt(before.squared_length()), l2 = std::sqrt(after.squared_length());
-      if(before * after > m_sectors.crease_cosine() * l1 * l2)
-        m_crease_tangents[v] = unit_or_zero(before * (l2 / l1) + after * (l1 / l2));
-    }
-  }
-
-  /// at the end `a` of an edge
-  Vector_3 deviation(std::size_t edge, std::uint32_t a, std::uint32_t b) const {
-    const Vector_3 chord = m_surface.point(b) - m_surface.point(a);
-    // the sectors of the faces at the edge
-    std::array<std::size_t, 2> groups = {0, 0};
-    int count = 0;
-    for(const Surface_edges::Side& side : m_edges.sides(edge)) {
-      if(m_surface.is_degenerate(side.face))
-        continue;
-      const std::size_t begin = side.number, end = (side.number + 1) % 3,
-                        corner = m_surface.triangle(side.face)[begin] == a ? begin : end,
-                        group = m_sectors.groups().corners[3 * side.face + corner].group;
-      if(count > 0 && (group == groups[0] || (count == 2 && group == groups[1])))
-        continue;
-      if(count == 2)
-        return {0, 0, 0};
-      groups[count++] = group;
-    }
-    if(count == 0)
-      return {0, 0, 0};
-    if(m_sectors.is_crease(edge) && m_crease_tangents[a] != CGAL::NULL_VECTOR) {
-      Vector_3 t = m_crease_tangents[a];
-      for(int k = 0; k < count; ++k)
-        if(m_sectors.is_in_plane(groups[k]))
-          t -= (t * m_normals[groups[k]]) * m_normals[groups[k]];
-      return tangent_deviation(chord, unit_or_zero(t * chord < 0 ? -t : t));
-    }
-    const Vector_3& n = m_normals[groups[0]];
-    if(count == 1)
-      return tangent_deviation(chord, unit_or_zero(chord - (chord * n) * n));
-    constexpr double least_sine = 0.1;
-    const Vector_3 cross = CGAL::cross_product(n, m_normals[groups[1]]);
-    if(!(cross.squared_length() > least_sine * least_sine))
-      return {0, 0, 0};
-    return tangent_deviation(chord, unit_or_zero(cross * chord < 0 ? -cross : cross));
-  }
-
-  const Triangulated_surface_3& m_surface;
-  const Surface_edges& m_edges;
-  const Smooth_sectors& m_sectors;
-  const std::vector<Vector_3>& m_normals;
-  std::vector<Vector_3> m_crease_tangents; // the zero vector where there is none
-};
-
-/// Makes patches from normals and creases.
-class Patches_by_normals {
-public:
-  Patches_by_normals(const Triangulated_surface_3& surface, const Surface_edges& edges,
-                     const Smooth_geometry& geometry)
-    : m_surface(surface), m_sectors(surface, edges, geometry), m_normals(m_sectors.normals()),
-      m_curves(surface, edges, m_sectors, m_normals) {}
-
-  Edge_curve edge(std::size_t edge) const { return m_curves(edge); }
-
-  /// of a face whose sides have these curves
-  Vector_3 center(std::size_t face, const std::array<Edge_curve, 3>& sides) const {
-    std::array<Vector_3, 3> normals;
-    for(int i = 0; i < 3; ++i) {
-      const Corner_groups::Corner& corner = m_sectors.groups().corners[3 * face + i];
-      normals[i] = corner.sign * m_normals[corner.group];
-    }
-    return center_deviation(
-        {m_surface.point(face, 0), m_surface.point(face, 1), m_surface.point(face, 2)}, normals,
-        sides);
-  }
-
-private:
-  const Triangulated_surface_3& m_surface;
-  Smooth_sectors m_sectors;
-  std::vector<Vector_3> m_normals;
-  Edge_curves m_curves;
-};
-
-/// Makes patches that interpolate a projection: at the thirds of the edges, and at the centers.
-class Patches_by_projection {
-public:
-  Patches_by_projection(const Triangulated_surface_3& surface, const Surface_edges& edges,
-                        const Smooth_geometry& geometry)
-    : m_surface(surface), m_edges(edges), m_projection(geometry.projection) {}
-
-  Edge_curve edge(std::size_t edge) const {
-    const std::size_t face = m_edges.sides(edge).front().face;
-    const Point_3 &a = m_surface.point(m_edges.ends(edge)[0]),
-                  &b = m_surface.point(m_edges.ends(edge)[1]);
-    const Vector_3 first = deviation(face, a + (b - a) / 3),
-                   second = deviation(face, b - (b - a) / 3);
-    return {3 * first - 1.5 * second, 3 * second - 1.5 * first};
-  }
-
-  Vector_3 center(std::size_t face, const std::array<Edge_curve, 3>&) const {
-    return deviation(face, CGAL::centroid(m_surface.point(face, 0), m_surface.point(face, 1),
-                                          m_surface.point(face, 2)));
-  }
-
-private:
-  Vector_3 deviation(std::size_t face, const Point_3& p) const {
-    const Point_3 q = m_projection(p);
-    for(int axis = 0; axis < 3; ++axis)
-      if(!std::isfinite(q[axis]))
-        throw Invalid_face_error(face, "has a point whose projection is not finite");
-    return q - p;
-  }
-
-  const Triangulated_surface_3& m_surface;
-  const Surface_edges& m_edges;
-  const std::function<Point_3(const Point_3&)>& m_projection;
-};
-
-} // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Surface_patches::Surface_patches(const Triangulated_surface_3& surface,
-                                 const Smooth_geometry& geometry) {
-  surface.require_triangles("a smooth geometry");
-  const internal::Surface_edges edges(surface);
-  if(geometry.projection)
-    make_patches(surface, edges, internal::Patches_by_projection(surface, edges, geometry));
-  else
-    make_patches(surface, edges, internal::Patches_by_normals(surface, edges, geometry));
-}
-
-template <class Maker>
-void Surface_patches::make_patches(const Triangulated_surface_3& surface,
-                                   const internal::Surface_edges& edges, const Maker& make) {
-  using internal::Edge_curve;
-  const Vector_3 zero(0, 0, 0);
-  // What is below this fraction of an edge is rounding error of coordinates.
-  constexpr double flat_tolerance = 1e-6;
-  const auto set_to_zero_if_tiny = [&](Vector_3& d, double squared_length) {
-    if(!(d.squared_length() > flat_tolerance * flat_tolerance * squared_length))
-      d = zero;
-  };
-  std::vector<Edge_curve> curves(edges.size());
-  for(std::size_t edge = 0; edge < edges.size(); ++edge) {
-    const auto sides = edges.sides(edge);
-    const bool has_degenerate_face =
-        std::any_of(sides.begin(), sides.end(), [&](const internal::Surface_edges::Side& side) {
-          return surface.is_degenerate(side.face);
-        });
-    curves[edge] = has_degenerate_face ? Edge_curve{zero, zero} : make.edge(edge);
-    const auto [a, b] = edges.ends(edge);
-    for(Vector_3& d : curves[edge])
-      set_to_zero_if_tiny(d, (surface.point(b) - surface.point(a)).squared_length());
-  }
-
-  const std::size_t number_of_faces = surface.number_of_faces();
-  m_controls.resize(number_of_faces);
-  m_is_flat.assign(number_of_faces, 0);
-  std::vector<std::array<std::uint32_t, 3>> edges_of_faces(number_of_faces);
-  for(std::size_t edge = 0; edge < edges.size(); ++edge)
-    for(const internal::Surface_edges::Side& side : edges.sides(edge))
-      edges_of_faces[side.face][side.number] = static_cast<std::uint32_t>(edge);
-
-  const auto set_controls = [&](std::size_t face, bool is_flat_inside) {
-    Controls& c = m_controls[face];
-    std::array<Edge_curve, 3> sides;
-    Vector_3 sum = zero;
-    for(int i = 0; i < 3; ++i) {
-      const std::uint32_t edge = edges_of_faces[face][i];
-      const bool is_ascending = edges.ends(edge)[0] == surface.triangle(face)[i];
-      for(int k = 0; k < 2; ++k) {
-        c[2 * i + k] = sides[i][k] = curves[edge][is_ascending ? k : 1 - k];
-        sum += sides[i][k];
-      }
-    }
-    c[6] = zero;
-    if(!is_flat_inside) {
-      c[6] = 4.5 * make.center(face, sides) - sum / 2;
-      set_to_zero_if_tiny(c[6], surface.area(face));
-    }
-    m_is_flat[face] =
-        std::all_of(c.begin(), c.end(), [](const Vector_3& d) { return d == CGAL::NULL_VECTOR; });
-  };
-
-  // A face that folds takes its edges with it, and these may make neighbors fold.
-  std::vector<char> is_folded(number_of_faces, 0);
-  std::vector<std::uint32_t> to_do(number_of_faces);
-  std::iota(to_do.begin(), to_do.end(), 0u);
-  while(!to_do.empty()) {
-    std::vector<std::uint32_t> next;
-    for(std::uint32_t face : to_do) {
-      set_controls(face, is_folded[face] || surface.is_degenerate(face));
-      if(is_folded[face] || surface.is_degenerate(face) || m_is_flat[face] || !folds(surface, face))
-        continue;
-      is_folded[face] = 1;
-      ++m_number_of_folded_faces;
-      next.push_back(face);
-    }
-    const std::vector<std::uint32_t> folded = next;
-    for(std::uint32_t face : folded)
-      for(std::uint32_t edge : edges_of_faces[face]) {
-        curves[edge] = {zero, zero};
-        for(const internal::Surface_edges::Side& side : edges.sides(edge))
-          next.push_back(side.face);
-      }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    to_do.swap(next);
-  }
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE bool
-Surface_patches::folds(const Triangulated_surface_3& surface, std::size_t face) const {
-  // Area against the orientation of the face, or far less or more of it, at points of a grid.
-  constexpr int grid = 4;
-  constexpr double least_ratio = 0.2, largest_ratio = 5;
-  const std::array<Point_3, 3> corners = {surface.point(face, 0), surface.point(face, 1),
-                                          surface.point(face, 2)};
-  for(int i = 0; i <= grid; ++i)
-    for(int j = 0; i + j <= grid; ++j) {
-      const double x = i / double(grid), y = j / double(grid);
-      const Patch_point p = evaluate(face, corners, {x, y, 1 - x - y});
-      const double ratio = p.area / surface.area(face);
-      if(!(ratio * (p.normal * surface.normal(face)) >= least_ratio && ratio <= largest_ratio))
-        return true;
-    }
-  return false;
+Surface_patches::Surface_patches(std::vector<Controls> controls, std::size_t number_of_folded_faces)
+  : m_controls(std::move(controls)), m_number_of_folded_faces(number_of_folded_faces) {
+  for(const Controls& c : m_controls)
+    m_is_flat.push_back(
+        std::all_of(c.begin(), c.end(), [](const Vector_3& d) { return d == CGAL::NULL_VECTOR; }));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Vector_3
@@ -364,7 +63,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Vector_3 Surface_patches::derivative(
   return sum;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_patches::Patch_point
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Patch_point
 Surface_patches::evaluate(std::size_t face, const std::array<Point_3, 3>& corners,
                           const std::array<double, 3>& barycentric) const {
   const auto& l = barycentric;
@@ -378,22 +77,6 @@ Surface_patches::evaluate(std::size_t face, const std::array<Point_3, 3>& corner
   const double length = std::sqrt(cross.squared_length());
   return {flat + deviation(face, l), length > 0 ? cross / length : cross,
           length * scale * scale / 2};
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3
-curved_surface(Triangulated_surface_3 surface, const Smooth_geometry& geometry) {
-  surface.require_triangles("a smooth geometry");
-  if(geometry.projection) {
-    std::vector<Point_3> points;
-    std::vector<Triangulated_surface_3::Triangle> triangles;
-    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-      points.push_back(geometry.projection(surface.point(v)));
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-      triangles.push_back(surface.triangle(f));
-    surface = Triangulated_surface_3(std::move(points), std::move(triangles));
-  }
-  surface.set_patches(std::make_shared<const Surface_patches>(surface, geometry));
-  return surface;
 }
 
 } // namespace Restricted_laplacian_3

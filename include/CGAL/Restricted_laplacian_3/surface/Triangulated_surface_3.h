@@ -6,29 +6,21 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
-#include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 
 #include <CGAL/assertions.h>
-
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
-
-class Surface_patches;
 
 namespace internal {
 
@@ -160,8 +152,8 @@ public:
   /// patches.
   void set_patches(std::shared_ptr<const Surface_patches> patches);
 
-  /// The point at a location, with all that a `Surface_point` holds; on a smooth surface that of the
-  /// patch, with the normal there.
+  /// The point at a location, with all that a `Surface_point` holds; on a smooth surface that of
+  /// the patch, with the normal there.
   Surface_point surface_point(const Surface_location& location) const {
     Surface_point p;
     static_cast<Surface_location&>(p) = location;
@@ -201,117 +193,6 @@ private:
   bool m_is_point_set = false;
   std::shared_ptr<const Surface_patches> m_patches;
 };
-
-/// \ingroup PkgRestrictedLaplacian3Dev
-/// The same surface with patches on its faces, see `Triangulated_surface_3::is_smooth()`. If the
-/// geometry has a projection, the vertices are projected, too.
-/// \throws Input_error the surface is a point set
-/// \throws Invalid_vertex_error a vertex of a face is projected to what is not finite
-/// \throws Parameter_error, Invalid_face_error see `Surface_patches`
-Triangulated_surface_3 curved_surface(Triangulated_surface_3 surface,
-                                      const Smooth_geometry& geometry = Smooth_geometry());
-
-/// \ingroup PkgRestrictedLaplacian3Dev
-/// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.
-///
-/// \tparam FaceGraph a model of `FaceListGraph`
-/// \param tm a mesh of triangles
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_mesh
-///   \named_of_geometry
-/// \cgalNamedParamsEnd
-/// \throws Invalid_face_error if a face is not a triangle, and what the constructor of
-/// `Triangulated_surface_3` and `curved_surface()` throw
-template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0>
-Triangulated_surface_3 read_surface(const FaceGraph& tm,
-                                    const NamedParameters& np = parameters::default_values()) {
-  using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  auto point_map =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                   get_const_property_map(CGAL::vertex_point, tm));
-  const auto traits = internal::geom_traits_of(np);
-  auto index_map = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), tm);
-
-  std::vector<Point_3> points;
-  points.reserve(num_vertices(tm));
-  for(Vertex v : vertices(tm)) {
-    put(index_map, v, static_cast<std::uint32_t>(points.size()));
-    points.push_back(internal::with_coordinates_of<Point_3>(get(point_map, v), traits));
-  }
-
-  std::vector<Triangulated_surface_3::Triangle> triangles;
-  triangles.reserve(num_faces(tm));
-  for(auto f : faces(tm)) {
-    const auto h = halfedge(f, tm);
-    if(next(next(next(h, tm), tm), tm) != h || next(h, tm) == h || next(next(h, tm), tm) == h)
-      throw Invalid_face_error(triangles.size(), "is not a triangle");
-    triangles.push_back({get(index_map, source(h, tm)), get(index_map, target(h, tm)),
-                         get(index_map, target(next(h, tm), tm))});
-  }
-  Triangulated_surface_3 surface(std::move(points), std::move(triangles));
-  std::optional<Smooth_geometry> geometry = internal::smooth_geometry_of(np);
-  if(!geometry)
-    return surface;
-  if constexpr(internal::is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
-    const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
-    for(Vertex v : vertices(tm))
-      geometry->vertex_normals.push_back(
-          internal::with_coordinates_of<Vector_3>(get(normal_map, v)));
-  }
-  if constexpr(internal::is_given_v<NamedParameters, internal_np::edge_is_feature_map_t>) {
-    const auto feature_map = parameters::get_parameter(np, internal_np::edge_is_feature_map);
-    for(auto e : edges(tm))
-      if(get(feature_map, e))
-        geometry->creases.push_back({get(index_map, source(e, tm)), get(index_map, target(e, tm))});
-  }
-  return curved_surface(std::move(surface), *geometry);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Dev
-/// Reads a triangle soup: a surface that need not be a manifold.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`, each of any integer type
-/// \param np `geom_traits`, `surface_geometry`, `crease_angle`: as above; `vertex_normal_map`: its
-/// keys are indices of points
-/// \throws Invalid_face_error if a face is not a triangle or names a point that does not exist, and
-/// what the constructor of `Triangulated_surface_3` throws
-template <class PointRange, class TriangleRange,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<TriangleRange> = 0>
-Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRange& triangles,
-                                    const NamedParameters& np = parameters::default_values()) {
-  const auto traits = internal::geom_traits_of(np);
-  std::vector<Point_3> own_points;
-  for(const auto& p : points)
-    own_points.push_back(internal::with_coordinates_of<Point_3>(p, traits));
-  std::vector<Triangulated_surface_3::Triangle> own_triangles;
-  for(const auto& triangle : triangles) {
-    if(std::distance(std::begin(triangle), std::end(triangle)) != 3)
-      throw Invalid_face_error(own_triangles.size(), "is not a triangle");
-    Triangulated_surface_3::Triangle own;
-    auto corner = own.begin();
-    for(const auto index : triangle) {
-      const auto i = static_cast<long long>(index);
-      if(i < 0 || i >= static_cast<long long>(own_points.size()))
-        throw Invalid_face_error(own_triangles.size(), "names a vertex that does not exist");
-      *corner++ = static_cast<std::uint32_t>(i);
-    }
-    own_triangles.push_back(own);
-  }
-  Triangulated_surface_3 surface(std::move(own_points), std::move(own_triangles));
-  std::optional<Smooth_geometry> geometry = internal::smooth_geometry_of(np);
-  if(!geometry)
-    return surface;
-  if constexpr(internal::is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
-    const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
-    for(std::size_t i = 0; i < surface.number_of_vertices(); ++i)
-      geometry->vertex_normals.push_back(
-          internal::with_coordinates_of<Vector_3>(get(normal_map, i)));
-  }
-  return curved_surface(std::move(surface), *geometry);
-}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -171,7 +171,7 @@ Triangulated_surface_3::set_patches(std::shared_ptr<const Surface_patches> patch
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Triangulated_surface_3::set_patch_point(Surface_point& p) const {
-  const Surface_patches::Patch_point on_patch = m_patches->evaluate(
+  const Patch_point on_patch = m_patches->evaluate(
       p.face, {m_points[p.vertices[0]], m_points[p.vertices[1]], m_points[p.vertices[2]]},
       p.barycentric);
   p.point = on_patch.point;

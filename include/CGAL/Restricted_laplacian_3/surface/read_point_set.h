@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 
 #include <CGAL/property_map.h>

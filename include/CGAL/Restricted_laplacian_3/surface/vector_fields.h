@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
 #include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 

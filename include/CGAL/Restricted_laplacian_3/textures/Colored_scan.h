@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/textures/shared/color_values.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 

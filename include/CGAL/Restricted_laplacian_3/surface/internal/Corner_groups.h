@@ -38,8 +38,8 @@ struct Corner_groups {
   std::vector<Correction> corrections;
 };
 
-/// The unit normals of groups: means with the weights of `vertex_normals()`, corrected by the rule of
-/// chords where that is asked for. The zero vector where nothing counts.
+/// The unit normals of groups: means with the weights of `vertex_normals()`, corrected by the rule
+/// of chords where that is asked for. The zero vector where nothing counts.
 std::vector<Vector_3> group_normals(const Triangulated_surface_3& surface,
                                     const Corner_groups& groups);
 

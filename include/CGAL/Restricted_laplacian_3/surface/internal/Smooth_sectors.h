@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
-#include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
+#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Corner_groups.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
@@ -26,7 +26,7 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// The creases of a surface, and the groups of corners between them: the sectors of its vertices,
-/// see `Surface_patches`.
+/// see `curved_surface()`.
 class Smooth_sectors {
 public:
   /// \param edges of all faces; surface and edges must outlive this object
