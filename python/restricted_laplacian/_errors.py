@@ -11,6 +11,7 @@ from typing import Any, Optional
 ARGUMENTS = {
     "alpha": "alpha",
     "cube_scale": "cube_scale",
+    "crease_angle": "crease_angle",
     "energy_tolerance": "energy_tolerance",
     "joining_tolerance": "joining_tolerance",
     "k": "k",
@@ -22,6 +23,7 @@ ARGUMENTS = {
     "relative_tolerance": "tolerance",
     "screening_weight": "weight",
     "smoothing_weight": "smoothing",
+    "vertex_normal_map": "vertex_normals",
 }
 
 

@@ -86,6 +86,15 @@ class Space:
         default for triangles, and not for points.
     paper : bool
         The space of the paper of 2009, for comparison.
+    geometry : {"flat", "smooth"}
+        Whether the surface consists of the triangles, or is a smooth one through their vertices:
+        for meshes whose vertices lie on such a surface, and not for those whose triangles were
+        fitted to it.
+    crease_angle : float
+        Of a smooth geometry: edges at which normals of faces differ by more, in degrees, are
+        creases.
+    vertex_normals : array_like, (n, 3), optional
+        Of a smooth geometry; estimated by default, and where they are 0 or NaN.
     threads : int, optional
         By default all processors. Results do not depend on it.
 
@@ -99,16 +108,29 @@ class Space:
     >>> S, M = space.operators()
     >>> bool(abs(M.sum() - space.area) < 1e-12)
     True
+
+    The icosphere stands for a sphere, of which it is a coarse mesh:
+
+    >>> smooth = rl.Space(V, F, depth=4, geometry="smooth")
+    >>> bool(space.area < 0.99 * 4 * 3.141593), bool(abs(smooth.area - 4 * 3.141593) < 1e-5)
+    (True, True)
     """
 
     def __init__(self, V: Any, F: Any = None, *, normals: Any = None, areas: Any = None,
                  neighbors: Optional[int] = None, depth: Optional[int] = None,
                  cube_scale: Optional[float] = None, joining_tolerance: Optional[float] = None,
-                 split: Optional[bool] = None, paper: bool = False,
+                 split: Optional[bool] = None, paper: bool = False, geometry: str = "flat",
+                 crease_angle: float = 40, vertex_normals: Any = None,
                  threads: Optional[int] = None) -> None:
         self._threads = number_of_threads(threads)
         self._surface = make_surface(V, F, normals=normals, areas=areas, neighbors=neighbors,
                                      threads=threads)
+        if geometry not in ("flat", "smooth"):
+            raise argument_error("geometry", f"must be flat or smooth, and is {geometry!r}")
+        if geometry == "smooth":
+            if vertex_normals is not None:
+                vertex_normals = numbers(vertex_normals, "vertex_normals")
+            self._surface = self._surface.curved(float(crease_angle), vertex_normals)
         if depth is not None:
             if isinstance(depth, bool) or not isinstance(depth, (int, np.integer)):
                 raise argument_error("depth", f"must be a whole number, and is {depth!r}")
@@ -140,6 +162,11 @@ class Space:
     def area(self) -> float:
         """Area of the surface."""
         return self._surface.area
+
+    @property
+    def folded_faces(self) -> int:
+        """Number of faces of a smooth geometry that remain flat, since they would fold."""
+        return self._surface.number_of_folded_faces
 
     @property
     def number_of_vertices(self) -> int:

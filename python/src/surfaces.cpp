@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
@@ -85,6 +86,17 @@ Surface make_surface(const Array& v, const Array& f) {
   std::vector<Surface::Triangle> faces = read_faces(f, points.size());
   const nb::gil_scoped_release release;
   return Surface(std::move(points), std::move(faces));
+}
+
+// the smooth surface through the vertices
+Surface make_curved_surface(const Surface& surface, double crease_angle,
+                            const std::optional<Array>& vertex_normals) {
+  RL::Smooth_geometry geometry;
+  geometry.crease_angle = crease_angle;
+  if(vertex_normals)
+    geometry.vertex_normals = read_rows<RL::Vector_3>(*vertex_normals, "vertex_normals");
+  const nb::gil_scoped_release release;
+  return RL::curved_surface(surface, geometry);
 }
 
 // a file of a format that CGAL reads; faces that are not triangles are divided
@@ -224,6 +236,10 @@ void add_surfaces(nb::module_& m) {
       .def_static("of_file", &read_mesh, "file"_a)
       .def_static("of_points", &make_point_surface, "V"_a, "normals"_a, "areas"_a.none(),
                   "neighbors"_a, "threads"_a)
+      .def("curved", &make_curved_surface, "crease_angle"_a, "vertex_normals"_a.none())
+      .def_prop_ro(
+          "number_of_folded_faces",
+          [](const Surface& s) { return s.is_smooth() ? s.patches().number_of_folded_faces() : 0; })
       .def_prop_ro("number_of_vertices", &Surface::number_of_vertices)
       .def_prop_ro("number_of_faces", &Surface::number_of_faces)
       .def_prop_ro("number_of_degenerate_faces", &Surface::number_of_degenerate_faces)

@@ -247,3 +247,28 @@ def test_nodes_of_callables_are_as_many_as_the_manual_says():
 
     rl.solve_poisson(V, F, f)
     assert 100 < number / len(F) < 200
+
+
+def test_smooth_geometry():
+    points, faces = rl.icosphere(3)
+    sphere = 4 * np.pi
+    flat = rl.Space(points, faces, depth=4)
+    smooth = rl.Space(points, faces, depth=4, geometry="smooth")
+    assert flat.area < 0.995 * sphere and abs(smooth.area / sphere - 1) < 1e-6
+    assert flat.folded_faces == smooth.folded_faces == 0
+    exact = np.array([0, 2, 2, 2, 6, 6, 6, 6, 6])
+    errors = [np.abs(rl.eigs(space, None, 9, tolerance=1e-5)[0] - exact).max()
+              for space in (flat, smooth)]
+    assert errors[0] > 2e-2 and errors[1] < 2e-4
+    # all edges are creases
+    creased = rl.Space(points, faces, depth=4, geometry="smooth", crease_angle=0)
+    assert abs(creased.area - flat.area) < 1e-9
+    given = rl.Space(points, faces, depth=4, geometry="smooth", vertex_normals=-2 * points)
+    assert abs(given.area - smooth.area) < 1e-6
+    for argument, value in [("geometry", "round"), ("crease_angle", 181.0),
+                            ("vertex_normals", points[1:])]:
+        with pytest.raises(rl.InputError) as e:
+            rl.Space(points, faces, **{"geometry": "smooth", argument: value})
+        assert e.value.argument == argument
+    with pytest.raises(rl.InputError):
+        rl.Space(points, normals=points, geometry="smooth")

@@ -39,6 +39,15 @@ po::options_description space_options(Common_options& o) {
       "join sides of faces that have no other face, where they run along each other at a "
       "distance of T or less, in the unit of the coordinates; unsplit elements do not depend on "
       "this");
+  add("geometry", po::value(&o.space.geometry)->value_name("KIND")->default_value(o.space.geometry),
+      "flat: the surface consists of the triangles; smooth: it is a smooth one through the "
+      "vertices, for meshes whose vertices lie on such a surface, and not for those whose "
+      "triangles "
+      "were fitted to it");
+  add("crease-angle",
+      po::value(&o.space.crease_angle)->value_name("A")->default_value(o.space.crease_angle),
+      "for --geometry smooth: edges at which normals of faces differ by more than A degrees are "
+      "creases");
   add("paper", po::bool_switch(&o.space.paper_space),
       "the space of the paper: only elements that are centered in the 2^D grid, unsplit");
   return description;
@@ -194,6 +203,8 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
   require(given.count("join") == 0 ||
               (o.space.joining_tolerance >= 0 && std::isfinite(o.space.joining_tolerance)),
           "the argument of --join must be a number that is not negative");
+  require(o.space.geometry == "flat" || o.space.geometry == "smooth",
+          "the argument of --geometry must be flat or smooth");
   if(given.count("assembly"))
     check_integration_options(o, given);
   require_positive(given, "threads", o.threads);

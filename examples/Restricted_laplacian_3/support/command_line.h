@@ -28,6 +28,8 @@ struct Space_options {
   double cube_scale = 0;           // the default
   double joining_tolerance = -1;   // not joined
   bool paper_space = false, split_elements = true, split_point_set = false;
+  std::string geometry = "flat";
+  double crease_angle = 40;
 };
 
 struct Common_options {

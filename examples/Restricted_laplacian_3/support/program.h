@@ -64,6 +64,7 @@ inline void print_error(const std::string& program, std::string message) {
 inline std::string message_of(const RL::Parameter_error& e) {
   static const std::map<std::string, std::string> options = {
       {"alpha", "alpha"},
+      {"crease_angle", "crease-angle"},
       {"cube_scale", "cube-scale"},
       {"eigensolver", "eigensolver"},
       {"energy_tolerance", "energy-tolerance"},

@@ -45,7 +45,7 @@ public:
   using Triangle = RL::Triangulated_surface_3::Triangle;
 
   Surface_refinement(const RL::Triangulated_surface_3& surface, double longest_side)
-    : m_longest_square(longest_side * longest_side) {
+    : m_surface(surface), m_longest_square(longest_side * longest_side) {
     for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
       m_points.push_back(surface.point(v));
     m_locations.resize(m_points.size());
@@ -86,25 +86,28 @@ private:
       return;
     }
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const std::uint32_t middle = midpoint(t[j], t[k]);
     Location location = at[j];
     for(int c = 0; c < 3; ++c)
       location.barycentric[c] = (at[j].barycentric[c] + at[k].barycentric[c]) / 2;
+    const std::uint32_t middle = midpoint(t[j], t[k], location);
     divide({t[i], t[j], middle}, {at[i], at[j], location});
     divide({t[i], middle, t[k]}, {at[i], location, at[k]});
   }
 
-  std::uint32_t midpoint(std::uint32_t a, std::uint32_t b) {
+  std::uint32_t midpoint(std::uint32_t a, std::uint32_t b, const Location& location) {
     const auto [it, is_new] =
         m_midpoints.insert({std::minmax(a, b), static_cast<std::uint32_t>(m_points.size())});
     if(is_new) {
-      m_points.push_back(CGAL::midpoint(m_points[it->first.first], m_points[it->first.second]));
+      m_points.push_back(m_surface.is_smooth() ? m_surface.surface_point(location).point
+                                               : CGAL::midpoint(m_points[it->first.first],
+                                                                m_points[it->first.second]));
       m_locations.emplace_back();
       m_is_located.push_back(0);
     }
     return it->second;
   }
 
+  const RL::Triangulated_surface_3& m_surface;
   double m_longest_square;
   std::vector<RL::Point_3> m_points;
   std::vector<Triangle> m_triangles;

@@ -13,13 +13,28 @@
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
+#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace examples {
+
+// The surface that the options take a mesh for.
+inline RL::Triangulated_surface_3 with_geometry(RL::Triangulated_surface_3 surface,
+                                                const Space_options& o) {
+  if(o.geometry == "flat")
+    return surface;
+  require(!surface.is_point_set(), "--geometry smooth needs a mesh with triangles, not points");
+  RL::Smooth_geometry geometry;
+  geometry.crease_angle = o.crease_angle;
+  return RL::curved_surface(std::move(surface), geometry);
+}
 
 // The space that the options ask for, with their way to integrate.
 inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
@@ -50,6 +65,9 @@ inline void add_space(Summary& summary, const RL::Spline_space_3& space,
   const RL::Octree_3& octree = space.octree();
   summary.add("depth", space.depth());
   summary.add("dimension", space.dimension());
+  if(space.surface().is_smooth())
+    summary.add_explained("folded faces", space.surface().patches().number_of_folded_faces(),
+                          ", they remain flat");
   summary.add_detail("cells", octree.number_of_cells(space.depth()));
   summary.add_detail("sheets", octree.number_of_sheets(space.depth()));
   summary.add_detail("split_elements", space.number_of_split_elements(space.depth()));

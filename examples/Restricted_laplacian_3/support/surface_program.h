@@ -248,7 +248,7 @@ int run_on_surface(const std::string& program, const Options& o, const po::varia
   const Progress progress(o.quiet, o.verbose || o.progress);
   const Thread_limit threads(o.threads);
   progress.show("reading " + o.mesh);
-  const Mesh_input input = [&] {
+  Mesh_input input = [&] {
     if constexpr(std::is_base_of_v<Point_options, Options>)
       return read_mesh_or_points(o, o, given);
     else
@@ -257,6 +257,7 @@ int run_on_surface(const std::string& program, const Options& o, const po::varia
   require(o.refine == 0 || !input.surface.is_point_set(), "--refine needs a mesh, not points");
   require(o.assembly == "cubature" || !input.surface.is_point_set(),
           "--assembly " + o.assembly + " needs a mesh with triangles, not points");
+  input.surface = with_geometry(std::move(input.surface), o.space);
   Summary summary(input);
   summary.add_detail("threads", threads.number());
   Job job(o, input.surface, summary, progress);
