@@ -351,6 +351,27 @@ TEST_CASE("smooth_geometry_of_bad_meshes") {
     solve(t, np);
   }
   SECTION("a mesh far coarser than the cells") { solve(shapes::sphere(2), np.octree_depth(7)); }
+  SECTION("facets in a wall between cells, and patches that leave it") {
+    shapes::Triangles t;
+    const std::uint32_t n = 6;
+    std::vector<RL::Vector_3> normals;
+    for(std::uint32_t j = 0; j <= n; ++j)
+      for(std::uint32_t i = 0; i <= n; ++i) {
+        t.points.emplace_back(i / 6., j / 6., 0);
+        normals.emplace_back(0.05 * std::sin(2. * i), 0.05 * std::cos(3. * j), 1);
+      }
+    for(std::uint32_t j = 0; j < n; ++j)
+      for(std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = a + n + 1;
+        t.faces.push_back({a, b, c});
+        t.faces.push_back({a, c, d});
+      }
+    // all pieces are the faces
+    const auto all = np.vertex_normal_map(CGAL::make_property_map(normals)).octree_depth(1);
+    CHECK(RL::Spline_space_3(t.points, t.faces, all).octree().pieces().number_of_faces() ==
+          t.faces.size());
+    solve(t, all);
+  }
   SECTION("a cone, and a cube scale of 1") {
     shapes::Triangles t;
     t.points.emplace_back(0, 0, 1);

@@ -55,8 +55,8 @@ private:
   using Level = Octree_level;
 
   std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance) const {
-    Grid_input input = {m_octree.pieces(), grid_points(), m_octree.is_split(), m_limits,
-                        m_is_parallel};
+    Grid_input input = {m_octree.pieces(), m_octree.division(), grid_points(), m_octree.is_split(),
+                        m_limits,          m_is_parallel};
     if(m_octree.surface().is_point_set())
       return std::make_unique<Points_in_grid>(std::move(input));
     return std::make_unique<Triangles_in_grid>(
@@ -209,8 +209,10 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
   m_side = internal::checked_cube_scale(cube_scale) * m_surface.extent();
   m_center = m_surface.center();
   if(m_surface.is_smooth()) {
-    m_division = std::make_shared<const internal::Divided_surface>(
-        m_surface, piece_tolerance * cell_width(depth));
+    const double h = cell_width(depth);
+    internal::Octree_limits{depth, maximum_number_of_sheets, maximum_number_of_fragments}
+        .check_area(m_surface.area() / (h * h));
+    m_division = std::make_shared<const internal::Divided_surface>(m_surface, piece_tolerance * h);
     fit_pieces();
   }
   double largest = 0;

@@ -35,6 +35,12 @@ struct Octree_limits {
   void check_sheets(std::size_t number) const { refuse_if(number > number_of_sheets); }
   void check_fragments(std::size_t number) const { refuse_if(number > number_of_fragments); }
 
+  /// A plane section of a cube has at most the area sqrt(2) h^2: this is known before any work.
+  /// \param area of triangles, in units of the squared width of the finest cells
+  void check_area(double area) const {
+    refuse_if(area > 1.4143 * static_cast<double>(number_of_fragments));
+  }
+
   void refuse_if(bool is_too_large) const {
     if(is_too_large)
       throw Parameter_error("octree_depth", "is " + std::to_string(depth) +

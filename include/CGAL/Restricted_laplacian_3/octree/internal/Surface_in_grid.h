@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Octree_level.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 
 #include <array>
 #include <cstdint>
@@ -21,6 +22,8 @@ namespace internal {
 /// What a `Surface_in_grid` is made of.
 struct Grid_input {
   const Triangulated_surface_3& surface;
+  /// whose pieces the surface consists of; null if it is not smooth
+  const Divided_surface* division;
   /// of the vertices in the grid of the finest cells, as the clipper has snapped them
   std::vector<std::array<double, 3>> points;
   /// whether fragments will be joined and linked

@@ -38,9 +38,7 @@ public:
   Triangles_in_grid(Grid_input input, double cell_width, const Cell_clipper& clipper,
                     double thin_face_height, double joining_tolerance)
     : m_input(std::move(input)), m_clipper(clipper) {
-    // A plane section of a cube has at most the area sqrt(2) h^2: refuse before any work.
-    m_input.limits.refuse_if(m_input.surface.area() / (cell_width * cell_width) >
-                             1.4143 * static_cast<double>(m_input.limits.number_of_fragments));
+    m_input.limits.check_area(m_input.surface.area() / (cell_width * cell_width));
     if(!m_input.is_split)
       return;
     m_seams.emplace(m_input.surface, thin_face_height * cell_width, joining_tolerance);
@@ -99,8 +97,11 @@ private:
           Place place;
           if(has_places)
             place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
+          // A patch may leave the walls in which its piece lies.
+          const bool is_flat = !m_input.division || m_input.division->is_flat(face);
           const std::uint32_t mask =
-              element_mask_of_range([&](int axis) { return range(fragment, axis); }, cell);
+              is_flat ? element_mask_of_range([&](int axis) { return range(fragment, axis); }, cell)
+                      : all_elements;
           fragments.push_back({morton_key(cell), static_cast<std::uint32_t>(face), mask, place});
         });
   }

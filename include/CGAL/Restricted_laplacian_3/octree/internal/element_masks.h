@@ -25,13 +25,16 @@ inline std::uint32_t elements_at_offset(int axis, int offset) {
   return lowest[axis] << (shift[axis] * (offset + 1));
 }
 
+/// the bits of all of them
+constexpr std::uint32_t all_elements = (1u << 27) - 1;
+
 /// The element pieces of offsets -1, 0, 1 are (1-t)^2/2, 1/2+t-t^2 and t^2/2: with all of a
 /// piece at t = 0 the last, with all of it at t = 1 the first vanishes on it.
 /// \param range_along lowest and highest coordinate along an axis
 template <class Range_along>
 std::uint32_t element_mask_of_range(const Range_along& range_along,
                                     const std::array<int, 3>& cell) {
-  std::uint32_t mask = (1u << 27) - 1;
+  std::uint32_t mask = all_elements;
   for(int axis = 0; axis < 3; ++axis) {
     const std::array<double, 2> range = range_along(axis);
     if(!(range[0] < cell[axis] + 1))

@@ -35,6 +35,8 @@ public:
 
   /// the face of which a piece is a part
   std::size_t face(std::size_t piece) const { return m_faces[piece]; }
+  /// whether a piece belongs to a flat patch, so that it is a part of the surface itself
+  bool is_flat(std::size_t piece) const { return m_is_flat[piece] != 0; }
   /// the location on the surface of a point of a piece
   Surface_location location(std::size_t piece, const std::array<double, 3>& barycentric) const {
     Surface_location result;
@@ -58,11 +60,12 @@ public:
 private:
   friend class Patch_divider;
 
-  Triangulated_surface_3 m_pieces;
   std::vector<std::uint32_t> m_first_pieces; // of faces, and one more
   std::vector<std::uint32_t> m_faces;
+  std::vector<char> m_is_flat;
   // two barycentric coordinates in the face
   std::vector<std::array<std::array<double, 2>, 3>> m_corners;
+  Triangulated_surface_3 m_pieces; // made after the others
 };
 
 } // namespace internal

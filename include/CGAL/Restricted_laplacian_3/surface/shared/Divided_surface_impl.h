@@ -30,8 +30,8 @@ public:
     : m_surface(surface), m_patches(surface.patches()), m_squared_tolerance(tolerance * tolerance),
       m_result(result), m_edges(surface) {}
 
-  /// returns points and triangles of the pieces
-  std::pair<std::vector<Point_3>, std::vector<Triangulated_surface_3::Triangle>> run() {
+  /// returns the pieces
+  Triangulated_surface_3 run() {
     for(std::size_t v = 0; v < m_surface.number_of_vertices(); ++v)
       m_points.push_back(m_surface.point(v));
     divide_edges();
@@ -40,7 +40,7 @@ public:
       divide_face();
     }
     m_result.m_first_pieces.push_back(static_cast<std::uint32_t>(m_triangles.size()));
-    return {std::move(m_points), std::move(m_triangles)};
+    return Triangulated_surface_3(std::move(m_points), std::move(m_triangles));
   }
 
 private:
@@ -202,6 +202,7 @@ private:
     } else {
       m_triangles.push_back({c[0].vertex, c[1].vertex, c[2].vertex});
       m_result.m_faces.push_back(static_cast<std::uint32_t>(m_face));
+      m_result.m_is_flat.push_back(m_patches.is_flat(m_face) ? 1 : 0);
       m_result.m_corners.push_back({{{c[0].place[0], c[0].place[1]},
                                      {c[1].place[0], c[1].place[1]},
                                      {c[2].place[0], c[2].place[1]}}});
@@ -237,10 +238,7 @@ private:
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Divided_surface::Divided_surface(const Triangulated_surface_3& surface, double tolerance)
-  : m_pieces(surface) {
-  auto [points, triangles] = Patch_divider(surface, tolerance, *this).run();
-  m_pieces = Triangulated_surface_3(std::move(points), std::move(triangles));
-}
+  : m_pieces(Patch_divider(surface, tolerance, *this).run()) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_location
 Divided_surface::on_pieces(const Surface_location& location) const {
