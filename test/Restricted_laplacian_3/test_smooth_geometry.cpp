@@ -14,6 +14,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
@@ -231,6 +232,30 @@ TEST_CASE("prescribed_values_on_the_curved_boundary_of_a_cap") {
   CAPTURE(of_flat, of_smooth);
   CHECK(of_smooth < of_flat / 30);
   CHECK(of_smooth < 1e-4);
+}
+
+TEST_CASE("curvature_of_a_coarse_sphere") {
+  const shapes::Triangles t = shapes::sphere(3);
+  const RL::Triangulated_surface_3 flat(t.points, t.faces), smooth = RL::curved_surface(flat);
+  const auto np = params::octree_depth(4).smoothing_weight(0.);
+  for(const RL::Curvature_method method :
+      {RL::Curvature_method::normals, RL::Curvature_method::face_normals,
+       RL::Curvature_method::coordinates}) {
+    const auto error = [&](const RL::Triangulated_surface_3& s) {
+      const RL::Spline_space_3 space(s, np);
+      double largest = 0;
+      for(const RL::Surface_curvature& c :
+          RL::estimate_curvature(space, np.curvature_method(method)).at_vertices())
+        largest = (std::max)(largest, std::abs(c.mean - 1));
+      return largest;
+    };
+    const double of_flat = error(flat), of_smooth = error(smooth);
+    CAPTURE(static_cast<int>(method), of_flat, of_smooth);
+    // what remains is the error of the splines; interpolated normals of a sphere have no other
+    CHECK(of_smooth < 8e-3);
+    if(method != RL::Curvature_method::normals)
+      CHECK(of_smooth < of_flat / 5);
+  }
 }
 
 TEST_CASE("samples_of_a_smooth_surface_are_uniform_on_the_patches") {

@@ -128,12 +128,18 @@ inline Eigen::MatrixXd coordinate_laplacian_loads(const Spline_space_3& space) {
   return loads;
 }
 
+/// the normal of the surface: constant on faces, unless they have patches
+inline auto surface_normal(const Triangulated_surface_3& surface) {
+  return function_of_degree([](const Surface_point& p) { return p.normal; },
+                            surface.is_smooth() ? default_degree_on_triangles : 0);
+}
+
 /// the curvature by the Laplacian of the coordinates, in the weak form
 inline Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
                                              const Function_fit_options& options,
                                              const Progress& progress) {
   progress(0);
-  const auto normal = function_of_degree([](const Surface_point& p) { return p.normal; }, 0);
+  const auto normal = surface_normal(space.surface());
   Eigen::MatrixXd loads(static_cast<Eigen::Index>(space.dimension()), 6);
   loads.leftCols(3) = assemble_component_loads(space, normal, space.depth());
   loads.rightCols(3) = coordinate_laplacian_loads(space);
@@ -157,9 +163,10 @@ estimate_curvature(const Spline_space_3& space, const Curvature_options& options
                                       space, internal::curvature_fit_options(space, options, false),
                                       internal::Progress(options.callback)));
   case Curvature_method::face_normals:
-    return estimate_curvature(
-        space, function_of_degree([](const Surface_point& p) { return p.normal; }, 0), options);
+    return estimate_curvature(space, internal::surface_normal(space.surface()), options);
   default:
+    if(space.surface().is_smooth())
+      return estimate_curvature(space, internal::surface_normal(space.surface()), options);
     return estimate_curvature(
         space, internal::Interpolated_normals(vertex_normals(space.surface())), options);
   }
