@@ -84,6 +84,8 @@ spectrum_study           spectrum_study --output spectrum_study sphere
 spectrum_study           spectrum_study --output spectrum_study series
 spectrum_study           spectrum_study --output spectrum_study armadillo
 spectrum_study           spectrum_study --output spectrum_study thin
+smooth_geometry          smooth_geometry
+smooth_geometry          smooth_geometry --simplified bunny_closed_70k armadillo bimba_46k
 thin_features            thin_features
 thin_features            thin_features --gaps
 compile_times            compile_times.sh"

@@ -5,6 +5,8 @@
 
 #include "mesh_types.h"
 
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>

@@ -16,6 +16,8 @@
 
 #include "mesh_types.h"
 
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+
 #include <array>
 #include <vector>
 

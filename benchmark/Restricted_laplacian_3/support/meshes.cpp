@@ -5,6 +5,8 @@
 
 #include "built_from.h"
 
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 
 #include <cstdio>

@@ -42,8 +42,7 @@ po::options_description space_options(Common_options& o) {
   add("geometry", po::value(&o.space.geometry)->value_name("KIND")->default_value(o.space.geometry),
       "flat: the surface consists of the triangles; smooth: it is a smooth one through the "
       "vertices, for meshes whose vertices lie on such a surface, and not for those whose "
-      "triangles "
-      "were fitted to it");
+      "triangles were fitted to it");
   add("crease-angle",
       po::value(&o.space.crease_angle)->value_name("A")->default_value(o.space.crease_angle),
       "for --geometry smooth: edges at which normals of faces differ by more than A degrees are "
