@@ -35,7 +35,7 @@ std::unique_ptr<internal::Surface_in_grid> in_grid(const RL::Octree_3& octree,
   std::vector<std::array<double, 3>> points;
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     points.push_back(octree.grid_coordinates(depth, surface.point(v)));
-  internal::Grid_input input = {surface, std::move(points), true, limits, false};
+  internal::Grid_input input = {surface, nullptr, std::move(points), true, limits, false};
   if(surface.is_point_set())
     return std::make_unique<internal::Points_in_grid>(std::move(input));
   return std::make_unique<internal::Triangles_in_grid>(std::move(input), octree.cell_width(depth),
