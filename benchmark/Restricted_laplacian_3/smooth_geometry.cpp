@@ -9,11 +9,11 @@
 // First eigenvalues of shapes with flat facets, with smooth patches by estimated normals, and with
 // patches by a projection to the shape: the largest relative error of some eigenvalues, the seconds
 // of the space with its matrices, and those of all. Exact eigenvalues are those of spheres; those
-// of the other shapes are computed on a fine mesh with patches, one depth deeper.
+// of the other shapes are computed on a fine mesh with patches, at depth 7.
 //
-// With --simplified: meshes (files, or names in the folder of shared meshes) whose facets are fitted
-// to the surface by QSlim. The mean change of 39 eigenvalues, times area, against the original mesh,
-// by its facets, with facets and with patches.
+// With --simplified: meshes (files, or names in the folder of shared meshes) whose facets are
+// fitted to the surface by QSlim. The mean change of 39 eigenvalues, times area, against the
+// original mesh with its facets: by facets, and by patches.
 
 #include "sphere.h"
 #include "support/curved_shapes.h"

@@ -12,6 +12,7 @@
 #include <Eigen/Dense>
 #include <boost/range/iterator_range_core.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -98,20 +99,19 @@ group_normals(const Triangulated_surface_3& surface, const Corner_groups& groups
   // Neighbors change too, hence some sweeps, each from the normals of the last.
   constexpr int sweeps = 10;
   const Number_lists neighbors(normals.size(), pairs);
+  const auto& corrections = groups.corrections;
   for(const auto least :
-      {Corner_groups::Correction::at_boundary, Corner_groups::Correction::inside})
-    for(int sweep = 0; sweep < sweeps && !neighbors.numbers().empty(); ++sweep) {
+      {Corner_groups::Correction::at_boundary, Corner_groups::Correction::inside}) {
+    if(std::find(corrections.begin(), corrections.end(), least) == corrections.end())
+      continue;
+    for(int sweep = 0; sweep < sweeps; ++sweep) {
       std::vector<Vector_3> next = normals;
-      bool is_done = true;
       for(std::size_t g = 0; g < normals.size(); ++g)
-        if(groups.corrections[g] >= least && !neighbors[g].empty()) {
+        if(corrections[g] >= least && !neighbors[g].empty())
           next[g] = normal_by_chords(surface, groups, g, normals, neighbors[g]);
-          is_done = false;
-        }
       normals.swap(next);
-      if(is_done)
-        break;
     }
+  }
   return normals;
 }
 
