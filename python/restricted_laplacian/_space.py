@@ -111,9 +111,10 @@ class Space:
 
     The icosphere stands for a sphere, of which it is a coarse mesh:
 
+    >>> import math
     >>> smooth = rl.Space(V, F, depth=4, geometry="smooth")
-    >>> bool(space.area < 0.99 * 4 * 3.141593), bool(abs(smooth.area - 4 * 3.141593) < 1e-5)
-    (True, True)
+    >>> round(space.area, 3), round(smooth.area, 3), round(4 * math.pi, 3)
+    (12.506, 12.566, 12.566)
     """
 
     def __init__(self, V: Any, F: Any = None, *, normals: Any = None, areas: Any = None,
