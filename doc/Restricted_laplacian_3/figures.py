@@ -630,6 +630,24 @@ for name, value, text in [("unknowns", "unknowns", whole), ("largest", "largest_
               lambda r, v=value, t=text: "reference" if "reference" in r.remark and t is percent else t(r[v]))
 
 
+# ---- smooth geometry
+
+
+def geometry(r):
+    return f"{r['geometry']}, depth {r['depth']}"
+
+
+for name, value, text in [("errors", "largest", error), ("seconds", "matrices_s", seconds)]:
+    add_table("smooth_" + name, "smooth_geometry", ["shape", "geometry", "largest"],
+              {"Shape": "shape", "Triangles": "triangles"}, geometry, value, text, 2,
+              [f"{kind}, depth {depth}" for depth in (5, 6) for kind in ("flat", "smooth", "projected")])
+TABLES["smooth_simplified"] = lambda: table(
+    ["Mesh", "Vertices kept", "Triangles", "flat", "smooth", "Folded faces"],
+    [[r["mesh"], f"{r['percent']} %", whole(r["triangles"]), error(r["flat"]) if r["flat"] else "-",
+      error(r["smooth"]), whole(r["folded"])]
+     for r in rows("smooth_geometry", "mesh", "percent", "smooth")], 1)
+
+
 # ---- curvature
 
 
