@@ -271,6 +271,29 @@ TEST_CASE("creases_and_boundaries_are_curves") {
   CHECK(std::abs(s.area() - 2 * angle) < 2e-4);
 }
 
+TEST_CASE("the_boundary_of_a_disc_is_round") {
+  // normals say nothing about it
+  shapes::Triangles t;
+  const std::uint32_t n = 24;
+  t.points.emplace_back(0, 0, 0);
+  for(std::uint32_t i = 0; i < n; ++i) {
+    const double a = 2 * CGAL_PI * i / n;
+    t.points.emplace_back(std::cos(a), std::sin(a), 0);
+    t.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  const RL::Triangulated_surface_3 flat = surface(t), s = RL::curved_surface(flat);
+  CHECK(std::abs(flat.area() / CGAL_PI - 1) > 1e-2);
+  CHECK(std::abs(s.area() / CGAL_PI - 1) < 1e-6);
+  double error = 0;
+  for_each_location(s, [&](std::size_t f, const std::array<double, 3>& l) {
+    const RL::Point_3 p = s.surface_point({f, l}).point;
+    CHECK(p.z() == 0);
+    if(l[0] == 0) // the side opposite to the center
+      error = (std::max)(error, std::abs(std::hypot(p.x(), p.y()) - 1));
+  });
+  CHECK(error < 1e-6);
+}
+
 TEST_CASE("planes_beside_smooth_parts_remain_planes") {
   // A quarter of a cylinder between two planes that touch it, all in squares. The planes have
   // vertices inside, the strips of the cylinder do not.
