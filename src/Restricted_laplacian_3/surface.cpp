@@ -10,4 +10,5 @@
 #include <CGAL/Restricted_laplacian_3/surface/point_areas_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface_impl.h>
+#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals_impl.h>

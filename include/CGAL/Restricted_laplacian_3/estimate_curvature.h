@@ -43,6 +43,9 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_mesh
+///   \named_surface_geometry
+///   \named_crease_angle
+///   \named_edge_is_feature_map
 ///   \named_of_points
 ///   \named_curvature_method
 ///   \named_vertex_normal_map
@@ -75,6 +78,8 @@ Fit_report estimate_curvature(const FaceGraph& tm, VertexMap curvatures,
 ///   \named_vertex_normal_map
 ///   \named_of_curvature
 ///   \named_geom_traits
+///   \named_surface_geometry
+///   \named_crease_angle
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors of the fit, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter

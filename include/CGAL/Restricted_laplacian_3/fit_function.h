@@ -40,10 +40,10 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 /// `read_point_set()`
 /// \param tm the surface, a mesh or a range of oriented points
 /// \param f a function object that takes a `const Surface_point&`, or a model of
-/// `ReadablePropertyMap` with the vertex descriptor as key (linear in each triangle), the halfedge
-/// descriptor (the same, with the value of a halfedge at its target, in its face) or the face
-/// descriptor (constant in each triangle). Values are numbers, `std::array`s of numbers, vectors of
-/// Eigen of a fixed size, or 3D vectors or points of \cgal.
+/// `ReadablePropertyMap` with the vertex descriptor as key (linear in each triangle, or what
+/// `vertex_data` says), the halfedge descriptor (linear, with the value of a halfedge at its target,
+/// in its face) or the face descriptor (constant in each triangle). Values are numbers,
+/// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and such a value,
 /// with as many components, receives the values of the fit; NaN at vertices without a face of
 /// positive area
@@ -52,6 +52,7 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 ///   \named_of_space
 ///   \named_of_mesh
 ///   \named_of_geometry
+///   \named_vertex_data
 ///   \named_of_points
 ///   \named_of_fits
 ///   \named_callback
@@ -75,8 +76,8 @@ Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
 /// \param f a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`,
-/// interpolated linearly, or a function object that takes a `const Surface_point&`; values as on a
-/// mesh
+/// interpolated as `vertex_data` says, or a function object that takes a `const Surface_point&`;
+/// values as on a mesh
 /// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`,
 /// receives the values of the fit
 /// \param np optional named parameters:
@@ -85,6 +86,8 @@ Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
 ///   \named_of_fits
 ///   \named_callback
 ///   \named_geom_traits
+///   \named_of_soup_geometry
+///   \named_vertex_data
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
@@ -146,8 +149,9 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
   progress_of(np)(0);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
-  Function_fit fit =
-      Restricted_laplacian_3::fit_function(space, components_on_surface(source, f), np);
+  Function_fit fit = Restricted_laplacian_3::fit_function(
+      space, components_on_surface(source, f, vertex_interpolation(source, space.surface(), np)),
+      np);
   put_at_vertices(source, space, fit.coefficients, u);
   fit.space_seconds = space_seconds;
   return static_cast<const Fit_report&>(fit);

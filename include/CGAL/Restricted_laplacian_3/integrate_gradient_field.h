@@ -68,18 +68,19 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   timer.start();
   const Progress progress = progress_of(np);
   progress(0);
-  const auto field = vector_field_on_surface(source, v);
-  static_assert(Components::number == Channels_of<std::decay_t<decltype(field)>>::number,
-                "u needs as many components as v has channels");
-  const auto target =
-      optional_function(parameters::get_parameter(np, internal_np::target_values),
-                        [&](const auto& f) { return components_on_surface(source, f); });
-  const auto weight =
-      optional_function(parameters::get_parameter(np, internal_np::screening_weight),
-                        [&](const auto& f) { return numbers_on_surface(source, f); });
-  const Gradient_options options = gradient_options(target, weight, np);
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
+  const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
+  const auto field = vector_field_on_surface(source, v, interpolation);
+  static_assert(Components::number == Channels_of<std::decay_t<decltype(field)>>::number,
+                "u needs as many components as v has channels");
+  const auto target = optional_function(
+      parameters::get_parameter(np, internal_np::target_values),
+      [&](const auto& f) { return components_on_surface(source, f, interpolation); });
+  const auto weight = optional_function(
+      parameters::get_parameter(np, internal_np::screening_weight),
+      [&](const auto& f) { return numbers_on_surface(source, f, interpolation); });
+  const Gradient_options options = gradient_options(target, weight, np);
   bool with_details = false;
   read_parameter(np, internal_np::vertex_details, with_details);
   const double end_of_splines = with_details ? 0.8 : 1;
@@ -137,15 +138,18 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal
 /// (one channel), a `std::array` of such vectors, or an `Eigen::Matrix<double, 3, K>`, whose
 /// columns are the channels; or a model of `ReadablePropertyMap` with such values. Its key is the
-/// vertex descriptor: the field is linear in each triangle, and continuous up to the projection to
-/// the tangent planes; the halfedge descriptor: it is linear in each triangle, with the value of a
-/// halfedge at its target, in its face; or the face descriptor: it is constant in each triangle.
+/// vertex descriptor: the field is linear in each triangle, or what `vertex_data` says, and
+/// continuous up to the projection to the tangent planes; the halfedge descriptor: it is linear in
+/// each triangle, with the value of a halfedge at its target, in its face; or the face descriptor:
+/// it is constant in each triangle.
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key, and values as
 /// `target_values` has, receives the values; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_mesh
+///   \named_of_geometry
+///   \named_vertex_data
 ///   \named_of_points
 ///   \named_of_gradients
 ///   \named_vertex_details{`false`}
@@ -177,6 +181,8 @@ Gradient_report integrate_gradient_field(const FaceGraph& tm, const VectorField&
 ///   \named_of_gradients
 ///   \named_vertex_details{`false`}
 ///   \named_geom_traits
+///   \named_of_soup_geometry
+///   \named_vertex_data
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter

@@ -60,6 +60,7 @@ Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
 ///   \named_of_space
 ///   \named_of_spectrum
 ///   \named_geom_traits
+///   \named_of_soup_geometry
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if the callback returned `false`

@@ -102,9 +102,10 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const Spline_space_3 space = source.space(np);
   const double space_seconds = timer.time();
 
-  const auto right_hand_side = numbers_on_surface(source, f);
-  const auto weight = numbers_on_surface(source, alpha);
-  const auto boundary_values = numbers_on_surface(source, boundary_values_of(np));
+  const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
+  const auto right_hand_side = numbers_on_surface(source, f, interpolation);
+  const auto weight = numbers_on_surface(source, alpha, interpolation);
+  const auto boundary_values = numbers_on_surface(source, boundary_values_of(np), interpolation);
   Poisson_problem problem = poisson_problem(right_hand_side, weight, boundary_values, np,
                                             progress.part(part_of_space, 1));
   if constexpr(is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>)
@@ -155,8 +156,9 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// \param tm the surface, a mesh or a range of oriented points
 /// \param f a function object that takes a `const Surface_point&` and returns a number; or a model
 /// of `ReadablePropertyMap` with a number as value. Its key is the vertex descriptor: \f$f\f$ is
-/// linear in each triangle; the halfedge descriptor: the same, with the value of a halfedge at its
-/// target, in its face; or the face descriptor: \f$f\f$ is constant in each triangle.
+/// linear in each triangle, or what `vertex_data` says; the halfedge descriptor: linear, with the
+/// value of a halfedge at its target, in its face; or the face descriptor: \f$f\f$ is constant in
+/// each triangle.
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point
 /// number as value, receives the solution; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
@@ -164,6 +166,7 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 ///   \named_of_space
 ///   \named_of_mesh
 ///   \named_of_geometry
+///   \named_vertex_data
 ///   \named_of_points
 ///   \named_of_poisson
 /// \cgalNamedParamsEnd
@@ -189,7 +192,7 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
 /// \param f a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`, and
-/// a number as value, interpolated linearly; or a function object that takes a
+/// a number as value, interpolated as `vertex_data` says; or a function object that takes a
 /// `const Surface_point&` and returns a number
 /// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`, and
 /// a floating-point number as value, receives the solution
@@ -198,6 +201,8 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
 ///   \named_of_space
 ///   \named_of_poisson
 ///   \named_geom_traits
+///   \named_of_soup_geometry
+///   \named_vertex_data
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
@@ -252,6 +257,7 @@ Poisson_solution solve_poisson(const Spline_space_3& space, const Surface_functi
 ///   \named_of_space
 ///   \named_of_mesh
 ///   \named_of_geometry
+///   \named_vertex_data
 ///   \named_of_points
 ///   \named_of_poisson
 /// \cgalNamedParamsEnd
@@ -276,8 +282,8 @@ Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, cons
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
 /// \param f the right-hand side: a model of `ReadablePropertyMap` with the index of a point as key,
-/// a `std::size_t`, and a number as value, interpolated linearly; or a function object that takes a
-/// `const Surface_point&` and returns a number
+/// a `std::size_t`, and a number as value, interpolated as `vertex_data` says; or a function object
+/// that takes a `const Surface_point&` and returns a number
 /// \param alpha in units of 1 / area: a positive number; or weights that are not negative, given as
 /// `f` is
 /// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`, and
@@ -287,6 +293,8 @@ Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, cons
 ///   \named_of_space
 ///   \named_of_poisson
 ///   \named_geom_traits
+///   \named_of_soup_geometry
+///   \named_vertex_data
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter

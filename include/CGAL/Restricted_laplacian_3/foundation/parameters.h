@@ -32,6 +32,7 @@
   PARAMETER(surface_geometry)                                                                      \
   PARAMETER(crease_angle)                                                                          \
   PARAMETER(edge_is_feature_map)                                                                   \
+  PARAMETER(vertex_data)                                                                           \
   PARAMETER(relative_tolerance)                                                                    \
   PARAMETER(cycle)                                                                                 \
   PARAMETER(energy_tolerance)                                                                      \

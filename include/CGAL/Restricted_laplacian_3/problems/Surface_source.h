@@ -5,8 +5,10 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SURFACE_SOURCE_H
 
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <cstddef>
 #include <iterator>
@@ -29,6 +31,10 @@ public:
 
   template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
     return Spline_space_3(m_mesh, np);
+  }
+  template <class NamedParameters>
+  Smooth_geometry smooth_geometry(const NamedParameters& np) const {
+    return smooth_geometry_of_mesh(m_mesh, np);
   }
   /// calls `visit(i, v)` for all vertices in the order in which they are numbered
   template <class Visitor> void for_each_vertex(Visitor&& visit) const {
@@ -65,6 +71,10 @@ public:
   template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
     return Spline_space_3(m_points, m_triangles, np);
   }
+  template <class NamedParameters>
+  Smooth_geometry smooth_geometry(const NamedParameters& np) const {
+    return smooth_geometry_of_soup(size(), np);
+  }
   template <class Visitor> void for_each_vertex(Visitor&& visit) const {
     for(std::size_t i = 0; i < size(); ++i)
       visit(i, i);
@@ -87,6 +97,9 @@ public:
 
   template <class NamedParameters> Spline_space_3 space(const NamedParameters& np) const {
     return Spline_space_3(m_points, np);
+  }
+  template <class NamedParameters> Smooth_geometry smooth_geometry(const NamedParameters&) const {
+    return {};
   }
   template <class Visitor> void for_each_vertex(Visitor&& visit) const {
     for_each_point_key(m_points, [&](const auto& key) { visit(key.position, key); });

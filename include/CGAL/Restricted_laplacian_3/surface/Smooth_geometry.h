@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -55,23 +54,29 @@ template <class T> Point_3 projected_point(const T& projected) {
     return with_coordinates_of<Point_3>(projected);
 }
 
-/// The geometry that `surface_geometry` and `crease_angle` ask for; none if it is flat.
-template <class NamedParameters>
-std::optional<Smooth_geometry> smooth_geometry_of(const NamedParameters& np) {
+/// whether `surface_geometry` asks for another surface than the triangles
+template <class NamedParameters> bool asks_for_smooth_geometry(const NamedParameters& np) {
+  if constexpr(is_given_v<NamedParameters, internal_np::surface_geometry_t>) {
+    const auto value = parameters::get_parameter(np, internal_np::surface_geometry);
+    if constexpr(std::is_same_v<std::decay_t<decltype(value)>, Surface_geometry>)
+      return value == Surface_geometry::smooth;
+    else
+      return true;
+  }
+  return false;
+}
+
+/// The geometry that `surface_geometry` and `crease_angle` describe, without the parameters whose
+/// values are property maps.
+template <class NamedParameters> Smooth_geometry smooth_geometry_of(const NamedParameters& np) {
   Smooth_geometry result;
   read_parameter(np, internal_np::crease_angle, result.crease_angle);
   if constexpr(is_given_v<NamedParameters, internal_np::surface_geometry_t>) {
     const auto value = parameters::get_parameter(np, internal_np::surface_geometry);
-    using Value = std::decay_t<decltype(value)>;
-    if constexpr(std::is_same_v<Value, Surface_geometry>) {
-      if(value == Surface_geometry::flat)
-        return {};
-    } else {
+    if constexpr(!std::is_same_v<std::decay_t<decltype(value)>, Surface_geometry>)
       result.projection = [value](const Point_3& p) { return projected_point(value(p)); };
-    }
-    return result;
   }
-  return {};
+  return result;
 }
 
 } // namespace internal

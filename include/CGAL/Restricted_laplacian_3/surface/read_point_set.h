@@ -163,7 +163,7 @@ template <class Surface, class NamedParameters>
 Triangulated_surface_3 read_mesh_or_points(const Surface& surface, const NamedParameters& np) {
   if constexpr(is_range_v<Surface>) {
     const Triangulated_surface_3 points = read_point_set(surface, np);
-    if(smooth_geometry_of(np))
+    if(asks_for_smooth_geometry(np))
       points.require_triangles("a smooth geometry");
     return points;
   } else

@@ -16,12 +16,49 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+/// the geometry that named parameters describe, with the property maps of a mesh
+template <class FaceGraph, class NamedParameters>
+Smooth_geometry smooth_geometry_of_mesh(const FaceGraph& tm, const NamedParameters& np) {
+  Smooth_geometry geometry = smooth_geometry_of(np);
+  if constexpr(is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
+    const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
+    for(auto v : vertices(tm))
+      geometry.vertex_normals.push_back(with_coordinates_of<Vector_3>(get(normal_map, v)));
+  }
+  if constexpr(is_given_v<NamedParameters, internal_np::edge_is_feature_map_t>) {
+    const auto feature_map = parameters::get_parameter(np, internal_np::edge_is_feature_map);
+    auto index_map = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), tm);
+    std::uint32_t number = 0;
+    for(auto v : vertices(tm))
+      put(index_map, v, number++);
+    for(auto e : edges(tm))
+      if(get(feature_map, e))
+        geometry.creases.push_back({get(index_map, source(e, tm)), get(index_map, target(e, tm))});
+  }
+  return geometry;
+}
+
+/// the same for a triangle soup, whose property maps have indices of points as keys
+template <class NamedParameters>
+Smooth_geometry smooth_geometry_of_soup(std::size_t number_of_points, const NamedParameters& np) {
+  Smooth_geometry geometry = smooth_geometry_of(np);
+  if constexpr(is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
+    const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
+    for(std::size_t i = 0; i < number_of_points; ++i)
+      geometry.vertex_normals.push_back(with_coordinates_of<Vector_3>(get(normal_map, i)));
+  }
+  return geometry;
+}
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// Reads a mesh. Vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`.
@@ -63,22 +100,9 @@ Triangulated_surface_3 read_surface(const FaceGraph& tm,
                          get(index_map, target(next(h, tm), tm))});
   }
   Triangulated_surface_3 surface(std::move(points), std::move(triangles));
-  std::optional<Smooth_geometry> geometry = internal::smooth_geometry_of(np);
-  if(!geometry)
+  if(!internal::asks_for_smooth_geometry(np))
     return surface;
-  if constexpr(internal::is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
-    const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
-    for(Vertex v : vertices(tm))
-      geometry->vertex_normals.push_back(
-          internal::with_coordinates_of<Vector_3>(get(normal_map, v)));
-  }
-  if constexpr(internal::is_given_v<NamedParameters, internal_np::edge_is_feature_map_t>) {
-    const auto feature_map = parameters::get_parameter(np, internal_np::edge_is_feature_map);
-    for(auto e : edges(tm))
-      if(get(feature_map, e))
-        geometry->creases.push_back({get(index_map, source(e, tm)), get(index_map, target(e, tm))});
-  }
-  return curved_surface(std::move(surface), *geometry);
+  return curved_surface(std::move(surface), internal::smooth_geometry_of_mesh(tm, np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Dev
@@ -113,16 +137,11 @@ Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRang
     own_triangles.push_back(own);
   }
   Triangulated_surface_3 surface(std::move(own_points), std::move(own_triangles));
-  std::optional<Smooth_geometry> geometry = internal::smooth_geometry_of(np);
-  if(!geometry)
+  if(!internal::asks_for_smooth_geometry(np))
     return surface;
-  if constexpr(internal::is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
-    const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
-    for(std::size_t i = 0; i < surface.number_of_vertices(); ++i)
-      geometry->vertex_normals.push_back(
-          internal::with_coordinates_of<Vector_3>(get(normal_map, i)));
-  }
-  return curved_surface(std::move(surface), *geometry);
+  const Smooth_geometry geometry =
+      internal::smooth_geometry_of_soup(surface.number_of_vertices(), np);
+  return curved_surface(std::move(surface), geometry);
 }
 
 } // namespace Restricted_laplacian_3
