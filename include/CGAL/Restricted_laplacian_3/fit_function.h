@@ -41,8 +41,8 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 /// \param tm the surface, a mesh or a range of oriented points
 /// \param f a function object that takes a `const Surface_point&`, or a model of
 /// `ReadablePropertyMap` with the vertex descriptor as key (linear in each triangle, or what
-/// `vertex_data` says), the halfedge descriptor (linear, with the value of a halfedge at its target,
-/// in its face) or the face descriptor (constant in each triangle). Values are numbers,
+/// `vertex_data` says), the halfedge descriptor (linear, with the value of a halfedge at its
+/// target, in its face) or the face descriptor (constant in each triangle). Values are numbers,
 /// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and such a value,
 /// with as many components, receives the values of the fit; NaN at vertices without a face of
