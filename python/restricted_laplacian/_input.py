@@ -145,10 +145,13 @@ class Corners:
             raise argument_error("values", "must have the shape (m, 3), (m, 3, 3) or (m, 3, 3, K)")
 
 
-def as_function(f: Any, surface: _core.Surface, name: str, vectors: bool = False) -> _core.Function:
+def as_function(f: Any, surface: _core.Surface, name: str, vectors: bool = False,
+                smooth: Optional[Callable[[np.ndarray], _core.Function]] = None
+                ) -> _core.Function:
     """A function on a surface: an array at vertices or faces, a number, or a callable.
 
     With `vectors` an array has the shape (n, 3), or (n, 3, K) with a vector for each channel.
+    `smooth` makes a function of an array at vertices that is not linear between them.
     """
     if callable(f):
         probe = np.ascontiguousarray(surface.points()[:3])
@@ -187,4 +190,7 @@ def as_function(f: Any, surface: _core.Surface, name: str, vectors: bool = False
         raise argument_error(name, f"has {array.ndim} dimensions")
     if array.ndim == 1:
         array = array[:, np.newaxis]
-    return _core.array_function(np.ascontiguousarray(array.reshape(length, -1)), at)
+    array = np.ascontiguousarray(array.reshape(length, -1))
+    if smooth is not None and at == "vertices":
+        return smooth(array)
+    return _core.array_function(array, at)

@@ -6,7 +6,7 @@
 All functions take the surface as `V` and `F`, as `Space` does (a mesh object, or points with
 ``normals=`` and None for `F`), or a `Space` as `V` and None for `F`. They share these arguments:
 
-depth, joining_tolerance : of `Space`.
+depth, joining_tolerance, geometry, vertex_data : of `Space`.
 threads : int, optional
     All processors by default. Results do not depend on it.
 progress : bool or callable
@@ -26,7 +26,7 @@ import numpy as np
 
 from . import _core
 from ._errors import argument_error
-from ._input import Progress, as_function, listener, number_of_threads, numbers
+from ._input import Progress, listener, number_of_threads, numbers
 from ._space import PoissonSolver, SplineFunction, checked, solver_options, space_of
 
 
@@ -47,16 +47,16 @@ def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints
            constraint_weight: float, options: dict, space_options: dict, threads: Optional[int],
            progress: Progress, check: bool, return_report: bool, as_spline: bool) -> Any:
     space = space_of(V, F, threads, **space_options)
-    surface, n = space._surface, number_of_threads(threads)
-    right = as_function(f, surface, "f")
+    n = number_of_threads(threads)
+    right = space._function(f, "f")
     weight, weight_function = 0.0, None
     if np.ndim(alpha) == 0 and not callable(alpha):
         weight = float(alpha)
     else:
-        weight_function = as_function(alpha, surface, "alpha")
+        weight_function = space._function(alpha, "alpha")
     boundary = None
     if boundary_values is not None:
-        boundary = as_function(boundary_values, surface, "boundary_values")
+        boundary = space._function(boundary_values, "boundary_values")
     constrained = _constraints(constraints, constraint_weight)
     is_vector = callable(f) and right.components == 1 or np.ndim(f) < 2
     if right.components == 1:
@@ -82,7 +82,8 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constr
                   energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
                   cycle: str = "v", smoother: str = "patch", max_iterations: Optional[int] = None,
                   normals: Any = None, depth: Optional[int] = None,
-                  joining_tolerance: Optional[float] = None, threads: Optional[int] = None,
+                  joining_tolerance: Optional[float] = None, geometry: Any = None,
+                  vertex_data: Optional[str] = None, threads: Optional[int] = None,
                   progress: Progress = None, check: bool = True, return_report: bool = False,
                   as_spline: bool = False) -> Any:
     """Solve Laplacian u = f. The Laplacian is negative: on the unit sphere f = z gives u = -z / 2.
@@ -92,7 +93,7 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constr
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data
         The surface, see `Space`.
     f : array_like or callable
         (n,) at vertices, (m,) on faces, a number, `Corners`, or a callable on points (N, 3). (n, K)
@@ -138,8 +139,9 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constr
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
                              max_iterations)
     return _solve(V, F, f, 0, boundary_values, constraints, constraint_weight, options,
-                  dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance), threads,
-                  progress, check, return_report, as_spline)
+                  dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
+                       geometry=geometry, vertex_data=vertex_data),
+                  threads, progress, check, return_report, as_spline)
 
 
 def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_values: Any = None,
@@ -149,10 +151,10 @@ def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_value
                            stabilization: Optional[float] = None, cycle: str = "v",
                            smoother: str = "patch", max_iterations: Optional[int] = None,
                            normals: Any = None, depth: Optional[int] = None,
-                           joining_tolerance: Optional[float] = None,
-                           threads: Optional[int] = None, progress: Progress = None,
-                           check: bool = True, return_report: bool = False,
-                           as_spline: bool = False) -> Any:
+                           joining_tolerance: Optional[float] = None, geometry: Any = None,
+                           vertex_data: Optional[str] = None, threads: Optional[int] = None,
+                           progress: Progress = None, check: bool = True,
+                           return_report: bool = False, as_spline: bool = False) -> Any:
     """Solve alpha u - Laplacian u = f. Note the sign of f, which is not that of `solve_poisson`.
 
     Parameters
@@ -162,6 +164,8 @@ def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_value
     V, F, f, boundary_values, constraints, constraint_weight, tolerance, energy_tolerance
         See `solve_poisson`.
     stabilization, cycle, smoother, max_iterations, normals, depth, joining_tolerance
+        See `solve_poisson`.
+    geometry, vertex_data
         See `solve_poisson`.
     threads, progress, check, return_report, as_spline
         See `solve_poisson`.
@@ -184,15 +188,17 @@ def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_value
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
                              max_iterations)
     return _solve(V, F, f, alpha, boundary_values, constraints, constraint_weight, options,
-                  dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance), threads,
-                  progress, check, return_report, as_spline)
+                  dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
+                       geometry=geometry, vertex_data=vertex_data),
+                  threads, progress, check, return_report, as_spline)
 
 
 def fit_function(V: Any, F: Any, f: Any, *, smoothing: float = 0, refinements: int = 0,
                  tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
                  stabilization: Optional[float] = None, max_iterations: Optional[int] = None,
                  normals: Any = None, depth: Optional[int] = None,
-                 joining_tolerance: Optional[float] = None, threads: Optional[int] = None,
+                 joining_tolerance: Optional[float] = None, geometry: Any = None,
+                 vertex_data: Optional[str] = None, threads: Optional[int] = None,
                  progress: Progress = None, check: bool = True, return_report: bool = False,
                  as_spline: bool = False) -> Any:
     """Fit a function by splines: that for which the integral of the squared difference is least.
@@ -205,7 +211,7 @@ def fit_function(V: Any, F: Any, f: Any, *, smoothing: float = 0, refinements: i
         Weight of the squared gradient, in units of squared length.
     refinements : int
         How often what the fit leaves is fitted and added.
-    V, F, normals, depth, joining_tolerance
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data
         The surface, see `Space`.
     tolerance, energy_tolerance, stabilization, max_iterations
         When the iteration ends, and how much is stabilized; by default what does not show.
@@ -226,8 +232,9 @@ def fit_function(V: Any, F: Any, f: Any, *, smoothing: float = 0, refinements: i
     True
     """
     space = space_of(V, F, threads, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance)
-    own = as_function(f, space._surface, "f")
+                     joining_tolerance=joining_tolerance, geometry=geometry,
+                     vertex_data=vertex_data)
+    own = space._function(f, "f")
     options = solver_options(tolerance, energy_tolerance, stabilization,
                              max_iterations=max_iterations, smoothing=smoothing,
                              refinements=refinements)
@@ -257,8 +264,8 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
               energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
               max_iterations: Optional[int] = None, normals: Any = None,
               depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
-              threads: Optional[int] = None, progress: Progress = None, check: bool = True,
-              return_report: bool = False) -> Any:
+              geometry: Any = None, threads: Optional[int] = None, progress: Progress = None,
+              check: bool = True, return_report: bool = False) -> Any:
     """Mean, Gaussian and principal curvature at the vertices.
 
     Parameters
@@ -271,7 +278,7 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
         squared width of a cell, and 0 on surfaces with a boundary and on points.
     refinements : int, optional
         How often what the smoothed fit leaves is fitted and added; by default once.
-    V, F, normals, depth, joining_tolerance
+    V, F, normals, depth, joining_tolerance, geometry
         The surface, see `Space`; its faces must be oriented alike.
     tolerance, energy_tolerance, stabilization, max_iterations
         Of the fit.
@@ -295,7 +302,7 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
         raise argument_error("method", f"must be normals, face_normals or coordinates, and is "
                              f"{method!r}")
     space = space_of(V, F, threads, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance)
+                     joining_tolerance=joining_tolerance, geometry=geometry)
     options = solver_options(tolerance, energy_tolerance, stabilization,
                              max_iterations=max_iterations, smoothing=smoothing,
                              refinements=refinements)
@@ -307,14 +314,14 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
 
 
 def integrate_gradient(V: Any, F: Any, v: Any, *, target: Any = None, weight: Any = None,
-                       mean: Any = None, details: bool = False,
-                       tolerance: Optional[float] = None,
+                       mean: Any = None, details: bool = False, tolerance: Optional[float] = None,
                        energy_tolerance: Optional[float] = None,
-                       stabilization: Optional[float] = None,
-                       max_iterations: Optional[int] = None, normals: Any = None,
-                       depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
-                       threads: Optional[int] = None, progress: Progress = None,
-                       check: bool = True, return_report: bool = False) -> Any:
+                       stabilization: Optional[float] = None, max_iterations: Optional[int] = None,
+                       normals: Any = None, depth: Optional[int] = None,
+                       joining_tolerance: Optional[float] = None, geometry: Any = None,
+                       vertex_data: Optional[str] = None, threads: Optional[int] = None,
+                       progress: Progress = None, check: bool = True,
+                       return_report: bool = False) -> Any:
     """The function whose gradient is nearest to a vector field.
 
     Parameters
@@ -330,7 +337,7 @@ def integrate_gradient(V: Any, F: Any, v: Any, *, target: Any = None, weight: An
         Of the result, 0 by default; for K fields (K,).
     details : bool
         Whether to correct the values at the vertices by what splines do not resolve.
-    V, F, normals, depth, joining_tolerance
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data
         The surface, see `Space`.
     tolerance, energy_tolerance, stabilization, max_iterations
         See `PoissonSolver`; the tolerance is 1e-5 by default.
@@ -351,15 +358,15 @@ def integrate_gradient(V: Any, F: Any, v: Any, *, target: Any = None, weight: An
     True
     """
     space = space_of(V, F, threads, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance)
-    surface = space._surface
-    field = as_function(v, surface, "v", True)
-    own_target = None if target is None else as_function(target, surface, "target")
+                     joining_tolerance=joining_tolerance, geometry=geometry,
+                     vertex_data=vertex_data)
+    field = space._function(v, "v", True)
+    own_target = None if target is None else space._function(target, "target")
     number, function = None, None
     if weight is not None and np.ndim(weight) == 0 and not callable(weight):
         number = float(weight)
     elif weight is not None:
-        function = as_function(weight, surface, "weight")
+        function = space._function(weight, "weight")
     means = None
     if mean is not None:
         means = np.atleast_1d(numbers(mean, "mean", np.float64)).ravel()

@@ -86,15 +86,17 @@ class Space:
         default for triangles, and not for points.
     paper : bool
         The space of the paper of 2009, for comparison.
-    geometry : {"flat", "smooth"}
-        Whether the surface consists of the triangles, or is a smooth one through their vertices:
-        for meshes whose vertices lie on such a surface, and not for those whose triangles were
-        fitted to it.
+    geometry : {"flat", "smooth"} or callable, optional
+        Whether the surface consists of the triangles, the default, or is a smooth one through their
+        vertices: for meshes whose vertices lie on such a surface, and not for those whose triangles
+        were fitted to it. A callable takes points (N, 3) near the surface to points on it.
+    vertex_data : {"linear", "smooth"}, optional
+        What arrays of values at vertices mean between them, linear by default.
     crease_angle : float
-        Of a smooth geometry: edges at which normals of faces differ by more, in degrees, are
+        Of smooth geometry and data: edges at which normals of faces differ by more, in degrees, are
         creases.
     vertex_normals : array_like, (n, 3), optional
-        Of a smooth geometry; estimated by default, and where they are 0 or NaN.
+        Of smooth geometry and data; estimated by default, and where they are 0 or NaN.
     threads : int, optional
         By default all processors. Results do not depend on it.
 
@@ -115,23 +117,36 @@ class Space:
     >>> smooth = rl.Space(V, F, depth=4, geometry="smooth")
     >>> round(space.area, 3), round(smooth.area, 3), round(4 * math.pi, 3)
     (12.506, 12.566, 12.566)
+    >>> import numpy as np
+    >>> project = lambda p: p / np.linalg.norm(p, axis=1, keepdims=True)
+    >>> round(rl.Space(V, F, depth=4, geometry=project).area, 3)
+    12.566
     """
 
     def __init__(self, V: Any, F: Any = None, *, normals: Any = None, areas: Any = None,
                  neighbors: Optional[int] = None, depth: Optional[int] = None,
                  cube_scale: Optional[float] = None, joining_tolerance: Optional[float] = None,
-                 split: Optional[bool] = None, paper: bool = False, geometry: str = "flat",
-                 crease_angle: float = 40, vertex_normals: Any = None,
-                 threads: Optional[int] = None) -> None:
+                 split: Optional[bool] = None, paper: bool = False, geometry: Any = None,
+                 vertex_data: Optional[str] = None, crease_angle: float = 40,
+                 vertex_normals: Any = None, threads: Optional[int] = None) -> None:
         self._threads = number_of_threads(threads)
         self._surface = make_surface(V, F, normals=normals, areas=areas, neighbors=neighbors,
                                      threads=threads)
-        if geometry not in ("flat", "smooth"):
-            raise argument_error("geometry", f"must be flat or smooth, and is {geometry!r}")
-        if geometry == "smooth":
-            if vertex_normals is not None:
-                vertex_normals = numbers(vertex_normals, "vertex_normals")
-            self._surface = self._surface.curved(float(crease_angle), vertex_normals)
+        if vertex_normals is not None:
+            vertex_normals = numbers(vertex_normals, "vertex_normals")
+        sectors = float(crease_angle), vertex_normals
+        if callable(geometry):
+            self._surface = self._surface.projected(geometry)
+        elif geometry == "smooth":
+            self._surface = self._surface.curved(*sectors)
+        elif geometry not in ("flat", None):
+            raise argument_error("geometry", "must be flat, smooth or a callable, and is "
+                                 f"{geometry!r}")
+        if vertex_data not in ("linear", "smooth", None):
+            raise argument_error("vertex_data", f"must be linear or smooth, and is {vertex_data!r}")
+        self._sectors = None  # of data that are smooth; on points these have no meaning
+        if vertex_data == "smooth" and not self._surface.is_point_set:
+            self._sectors = sectors
         if depth is not None:
             if isinstance(depth, bool) or not isinstance(depth, (int, np.integer)):
                 raise argument_error("depth", f"must be a whole number, and is {depth!r}")
@@ -178,6 +193,14 @@ class Space:
     def number_of_faces(self) -> int:
         """Number of rows of F; of points without faces their number."""
         return self._surface.number_of_faces
+
+    def _function(self, f: Any, name: str, vectors: bool = False) -> _core.Function:
+        """What a caller gives as a function or vector field on the surface."""
+        smooth = None
+        if self._sectors is not None:
+            def smooth(values: np.ndarray) -> _core.Function:
+                return _core.smooth_function(self._surface, *self._sectors, values)
+        return as_function(f, self._surface, name, vectors, smooth)
 
     def __repr__(self) -> str:
         return (f"Space(depth={self.depth}, dimension={self.dimension}, "
@@ -226,7 +249,7 @@ class Space:
         Parameters
         ----------
         f : array_like or callable
-            (n,) or (n, K) at vertices, linear between them; (m,) or (m, K) on faces; `Corners`; or
+            (n,) or (n, K) at vertices, as `vertex_data` says; (m,) or (m, K) on faces; `Corners`; or
             a callable that takes points (N, 3), many at a time, and returns (N,) or (N, K). An
             attribute ``degree`` of it, 6 by default, says which polynomials it is close to.
 
@@ -235,13 +258,13 @@ class Space:
         numpy.ndarray
             (dimension,), or (dimension, K) if `f` has two dimensions.
         """
-        result = self._space.loads(as_function(f, self._surface, "f"), self._threads)
+        result = self._space.loads(self._function(f, "f"), self._threads)
         is_column = np.ndim(f) == 2 and not callable(f)
         return result if result.shape[1] != 1 or is_column else result[:, 0]
 
     def gradient_loads(self, v: Any) -> np.ndarray:
         """Integrals of a vector field times the gradient of each spline, see `integrate_gradient`."""
-        result = self._space.gradient_loads(as_function(v, self._surface, "v", True),
+        result = self._space.gradient_loads(self._function(v, "v", True),
                                             self._threads)
         return result[:, 0] if result.shape[1] == 1 else result
 

@@ -55,11 +55,11 @@ class Spectrum(Viewable):
 
 
 def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",
-                     eigenvalues_only: bool = False,
-                     tolerance: Optional[float] = None, stabilization: Optional[float] = None,
-                     normals: Any = None, depth: Optional[int] = None,
-                     joining_tolerance: Optional[float] = None, threads: Optional[int] = None,
-                     progress: Progress = None, check: bool = True) -> Spectrum:
+                     eigenvalues_only: bool = False, tolerance: Optional[float] = None,
+                     stabilization: Optional[float] = None, normals: Any = None,
+                     depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
+                     geometry: Any = None, threads: Optional[int] = None, progress: Progress = None,
+                     check: bool = True) -> Spectrum:
     """The k smallest eigenvalues of minus the Laplacian, and eigenfunctions.
 
     Parameters
@@ -75,7 +75,7 @@ def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "
         about its square.
     stabilization : float, optional
         1e-5 by default.
-    V, F, normals, depth, joining_tolerance
+    V, F, normals, depth, joining_tolerance, geometry
         The surface, see `Space`.
     threads, progress, check
         See `solve_poisson`.
@@ -90,7 +90,7 @@ def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "
     if isinstance(k, bool) or not isinstance(k, (int, np.integer)):
         raise argument_error("k", f"must be a whole number, and is {k!r}")
     space = space_of(V, F, threads, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance)
+                     joining_tolerance=joining_tolerance, geometry=geometry)
     values, at_vertices, vectors, area, report = _core.eigenpairs(
         space._space, int(k), eigensolver, True, bool(eigenvalues_only),
         solver_options(tolerance, None, stabilization), number_of_threads(threads),
@@ -102,13 +102,14 @@ def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "
 def eigs(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",
          tolerance: Optional[float] = None, stabilization: Optional[float] = None,
          normals: Any = None, depth: Optional[int] = None,
-         joining_tolerance: Optional[float] = None, threads: Optional[int] = None,
-         progress: Progress = None, check: bool = True) -> tuple[np.ndarray, np.ndarray]:
+         joining_tolerance: Optional[float] = None, geometry: Any = None,
+         threads: Optional[int] = None, progress: Progress = None,
+         check: bool = True) -> tuple[np.ndarray, np.ndarray]:
     """The k smallest eigenvalues of minus the Laplacian, and eigenfunctions at the vertices.
 
     Parameters
     ----------
-    V, F, k, eigensolver, tolerance, stabilization, normals, depth, joining_tolerance
+    V, F, k, eigensolver, tolerance, stabilization, normals, depth, joining_tolerance, geometry
         See `laplace_spectrum`.
     threads, progress, check
         See `solve_poisson`.
@@ -129,8 +130,8 @@ def eigs(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",
     """
     s = laplace_spectrum(V, F, k, eigensolver=eigensolver, tolerance=tolerance,
                          stabilization=stabilization, normals=normals, depth=depth,
-                         joining_tolerance=joining_tolerance, threads=threads, progress=progress,
-                         check=check)
+                         joining_tolerance=joining_tolerance, geometry=geometry, threads=threads,
+                         progress=progress, check=check)
     return s.eigenvalues, s.vertex_values
 
 

@@ -5,8 +5,10 @@
 
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <string>
@@ -128,6 +130,32 @@ void Array_function::operator()(const RL::Surface_point* points, std::size_t num
     const double *const a = corner(0), *const b = corner(1), *const c = corner(2);
     for(std::size_t k = 0; k < n; ++k)
       *values++ = a[k] * p.barycentric[0] + b[k] * p.barycentric[1] + c[k] * p.barycentric[2];
+  }
+}
+
+Smooth_array_function::Smooth_array_function(const RL::Triangulated_surface_3& surface,
+                                             const RL::Smooth_geometry& geometry,
+                                             const Rows& values)
+  : m_linear(values, At::vertices) {
+  if(values.shape(0) != surface.number_of_vertices())
+    throw RL::Parameter_error("values", "has " + std::to_string(values.shape(0)) +
+                                            " rows, but must have " +
+                                            std::to_string(surface.number_of_vertices()));
+  m_deviations = RL::internal::cubic_deviations(
+      surface, geometry, std::vector<double>(values.data(), values.data() + values.size()),
+      values.shape(1));
+}
+
+void Smooth_array_function::operator()(const RL::Surface_point* points, std::size_t number,
+                                       double* values) const {
+  m_linear(points, number, values);
+  const auto n = static_cast<std::size_t>(components());
+  for(std::size_t i = 0; i < number; ++i, values += n) {
+    const std::array<double, 7> weights = RL::internal::cubic_weights(points[i].barycentric);
+    const double* coefficient = m_deviations.data() + 7 * n * points[i].face;
+    for(const double weight : weights)
+      for(std::size_t k = 0; k < n; ++k)
+        values[k] += weight * *coefficient++;
   }
 }
 

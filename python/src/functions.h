@@ -9,7 +9,9 @@
 #include "module.h"
 
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +58,23 @@ public:
 private:
   Rows m_values;
   At m_at;
+};
+
+// Values at vertices in an array, smooth between them.
+class Smooth_array_function : public Function {
+public:
+  // \param values a row for each vertex
+  Smooth_array_function(const RL::Triangulated_surface_3& surface,
+                        const RL::Smooth_geometry& geometry, const Rows& values);
+
+  int components() const override { return m_linear.components(); }
+  int degree() const override { return 3; }
+  void operator()(const RL::Surface_point* points, std::size_t number,
+                  double* values) const override;
+
+private:
+  Array_function m_linear;
+  std::vector<double> m_deviations;
 };
 
 // A callable of Python that takes an array of points, a row for each, and returns an array of

@@ -88,13 +88,34 @@ Surface make_surface(const Array& v, const Array& f) {
   return Surface(std::move(points), std::move(faces));
 }
 
-// the smooth surface through the vertices
-Surface make_curved_surface(const Surface& surface, double crease_angle,
-                            const std::optional<Array>& vertex_normals) {
+RL::Smooth_geometry smooth_geometry(double crease_angle,
+                                    const std::optional<Array>& vertex_normals) {
   RL::Smooth_geometry geometry;
   geometry.crease_angle = crease_angle;
   if(vertex_normals)
     geometry.vertex_normals = read_rows<RL::Vector_3>(*vertex_normals, "vertex_normals");
+  return geometry;
+}
+
+// the smooth surface through the vertices
+Surface make_curved_surface(const Surface& surface, double crease_angle,
+                            const std::optional<Array>& vertex_normals) {
+  const RL::Smooth_geometry geometry = smooth_geometry(crease_angle, vertex_normals);
+  const nb::gil_scoped_release release;
+  return RL::curved_surface(surface, geometry);
+}
+
+// the surface to which a callable takes points, a row for each
+Surface make_projected_surface(const Surface& surface, const nb::object& projection) {
+  const Callable_function function(projection, 3, 0);
+  RL::Smooth_geometry geometry;
+  geometry.projection = [&function](const RL::Point_3& p) {
+    RL::Surface_point point;
+    point.point = p;
+    std::array<double, 3> projected;
+    function(&point, 1, projected.data());
+    return RL::Point_3(projected[0], projected[1], projected[2]);
+  };
   const nb::gil_scoped_release release;
   return RL::curved_surface(surface, geometry);
 }
@@ -237,6 +258,7 @@ void add_surfaces(nb::module_& m) {
       .def_static("of_points", &make_point_surface, "V"_a, "normals"_a, "areas"_a.none(),
                   "neighbors"_a, "threads"_a)
       .def("curved", &make_curved_surface, "crease_angle"_a, "vertex_normals"_a.none())
+      .def("projected", &make_projected_surface, "projection"_a)
       .def_prop_ro(
           "number_of_folded_faces",
           [](const Surface& s) { return s.is_smooth() ? s.patches().number_of_folded_faces() : 0; })
@@ -278,6 +300,15 @@ void add_surfaces(nb::module_& m) {
   m.attr("default_neighbors") = RL::default_number_of_neighbors;
 
   nb::class_<Function>(m, "Function").def_prop_ro("components", &Function::components);
+  m.def(
+      "smooth_function",
+      [](const Surface& surface, double crease_angle, const std::optional<Array>& vertex_normals,
+         const Rows& values) -> std::shared_ptr<Function> {
+        const RL::Smooth_geometry geometry = smooth_geometry(crease_angle, vertex_normals);
+        const nb::gil_scoped_release release;
+        return std::make_shared<Smooth_array_function>(surface, geometry, values);
+      },
+      "surface"_a, "crease_angle"_a, "vertex_normals"_a.none(), "values"_a);
   m.def("array_function",
         [](const Rows& values, const std::string& at) -> std::shared_ptr<Function> {
           return std::make_shared<Array_function>(values, at == "vertices"  ? At::vertices

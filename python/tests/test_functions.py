@@ -266,9 +266,62 @@ def test_smooth_geometry():
     given = rl.Space(points, faces, depth=4, geometry="smooth", vertex_normals=-2 * points)
     assert abs(given.area - smooth.area) < 1e-6
     for argument, value in [("geometry", "round"), ("crease_angle", 181.0),
-                            ("vertex_normals", points[1:])]:
+                            ("vertex_normals", points[1:]), ("vertex_data", "rough")]:
         with pytest.raises(rl.InputError) as e:
             rl.Space(points, faces, **{"geometry": "smooth", argument: value})
         assert e.value.argument == argument
     with pytest.raises(rl.InputError):
         rl.Space(points, normals=points, geometry="smooth")
+
+
+def test_smooth_data():
+    points, faces = rl.icosphere(4)
+    x, y, z = points.T
+    f, options = x * y * z, dict(depth=5, geometry="smooth", tolerance=1e-8)  # degree 3: -f / 12
+    errors = {data: np.abs(rl.solve_poisson(points, faces, f, vertex_data=data, **options)
+                           + f / 12).max() for data in (None, "linear", "smooth")}
+    assert errors[None] == errors["linear"] > 10 * errors["smooth"] > 0
+
+    # the same in a space, with several columns, and as fits and fields
+    space = rl.Space(points, faces, depth=5, geometry="smooth", vertex_data="smooth")
+    one = rl.solve_poisson(space, None, f, tolerance=1e-8)
+    assert np.abs(one + f / 12).max() == errors["smooth"]
+    both = rl.solve_poisson(space, None, np.stack([f, 2 * f], axis=1), tolerance=1e-8)
+    assert np.allclose(both[:, 0], one, atol=1e-9) and np.allclose(both[:, 1], 2 * one, atol=1e-9)
+    linear = rl.Space(points, faces, depth=5, geometry="smooth")
+    values = np.stack([f, x], axis=1)
+    fits = [np.abs(rl.fit_function(s, None, values) - values).max() for s in (linear, space)]
+    assert fits[1] < 0.3 * fits[0]
+    field = np.stack([y * z, x * z, x * y], axis=1)
+    found = [np.abs(rl.integrate_gradient(s, None, field) - f).max() for s in (linear, space)]
+    assert found[1] < 0.3 * found[0]
+    # values on faces, and on points, remain what they are
+    on_faces = np.arange(len(faces)) % 2 * 1.0
+    assert np.array_equal(space.loads(on_faces), linear.loads(on_faces))
+    cloud = dict(normals=points, depth=4)
+    assert np.array_equal(rl.solve_poisson(points, None, f, vertex_data="smooth", **cloud),
+                          rl.solve_poisson(points, None, f, **cloud))
+    with pytest.raises(rl.InputError) as e:
+        rl.solve_poisson(space, None, f, vertex_data="linear")
+    assert "space" in str(e.value)
+
+
+def test_projections():
+    def sphere(p):
+        return p / np.linalg.norm(p, axis=1, keepdims=True)
+
+    points, faces = rl.icosphere(2)
+    moved = points * np.linspace(0.9, 1.1, len(points))[:, np.newaxis]
+    space = rl.Space(moved, faces, depth=4, geometry=sphere)
+    assert abs(space.area / (4 * np.pi) - 1) < 1e-5
+    exact = np.array([0, 2, 2, 2, 6, 6, 6, 6, 6])
+    assert np.abs(rl.eigs(moved, faces, 9, depth=4, geometry=sphere, tolerance=1e-5)[0]
+                  - exact).max() < 1e-3
+    mean = rl.curvature(points, faces, depth=4, geometry=sphere).mean
+    assert np.abs(mean - 1).max() < 1e-3
+    with pytest.raises(rl.InputError):
+        rl.Space(points, faces, geometry=lambda p: p[:, :2])
+    with pytest.raises(rl.InputError):
+        rl.Space(points, faces, geometry=lambda p: np.nan * p)
+    with pytest.raises(ZeroDivisionError):
+        rl.Space(points, faces, geometry=lambda p: p / (1 // 0))

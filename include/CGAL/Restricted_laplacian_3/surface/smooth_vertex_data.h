@@ -12,6 +12,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -34,6 +35,13 @@ namespace internal {
 std::vector<double> cubic_deviations(const Triangulated_surface_3& surface,
                                      const Smooth_geometry& geometry,
                                      const std::vector<double>& values, std::size_t components);
+
+/// their weights at a point
+inline std::array<double, 7> cubic_weights(const std::array<double, 3>& barycentric) {
+  const double x = barycentric[0], y = barycentric[1], z = barycentric[2];
+  return {3 * x * x * y, 3 * x * y * y, 3 * y * y * z, 3 * y * z * z,
+          3 * z * z * x, 3 * z * x * x, 6 * x * y * z};
+}
 
 } // namespace internal
 
@@ -101,11 +109,9 @@ public:
       return sum;
     CGAL_precondition(7 * p.face + 7 <= m_deviations.size());
     const T* const c = m_deviations.data() + 7 * p.face;
-    sum += c[6] * (6 * l[0] * l[1] * l[2]);
-    for(int i = 0; i < 3; ++i) {
-      const double x = l[i], y = l[i == 2 ? 0 : i + 1];
-      sum += c[2 * i] * (3 * x * x * y) + c[2 * i + 1] * (3 * x * y * y);
-    }
+    const std::array<double, 7> weights = internal::cubic_weights(l);
+    for(int i = 0; i < 7; ++i)
+      sum += c[i] * weights[i];
     return sum;
   }
   /// cubic in each triangle, or linear
