@@ -73,7 +73,7 @@ private:
   /// \tparam size number of coefficients of a polynomial without a constant
   /// \return whether the neighbors determine it; if `longest` is 0, any gradient is good enough
   template <int size> bool fit(const std::vector<Vector_3>& ways, double longest) {
-    constexpr double least_reciprocal_condition = 1e-10;
+    constexpr double least_ratio_of_pivots = 1e-10;
     using Row = Eigen::Matrix<double, size, 1>;
     if(ways.size() < static_cast<std::size_t>(size))
       return false;
@@ -88,8 +88,9 @@ private:
       m_rows.col(static_cast<Eigen::Index>(i)) = w * row;
     }
     const Eigen::LDLT<Eigen::Matrix<double, size, size>> factorization(a);
-    if(factorization.info() != Eigen::Success || !factorization.isPositive() ||
-       !(factorization.rcond() > least_reciprocal_condition))
+    const Row pivots = factorization.vectorD();
+    if(factorization.info() != Eigen::Success ||
+       !(pivots.minCoeff() > least_ratio_of_pivots * pivots.maxCoeff()))
       return false;
     const Eigen::Matrix<double, size, 2> x =
         factorization.solve(Eigen::Matrix<double, size, 2>::Identity());
