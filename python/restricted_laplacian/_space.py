@@ -144,7 +144,8 @@ class Space:
                                  f"{geometry!r}")
         if vertex_data not in ("linear", "smooth", None):
             raise argument_error("vertex_data", f"must be linear or smooth, and is {vertex_data!r}")
-        self._sectors = None  # of data that are smooth; on points these have no meaning
+        # of smooth data; they have no meaning on points
+        self._sectors: Optional[tuple[float, Any]] = None
         if vertex_data == "smooth" and not self._surface.is_point_set:
             self._sectors = sectors
         if depth is not None:
@@ -196,10 +197,12 @@ class Space:
 
     def _function(self, f: Any, name: str, vectors: bool = False) -> _core.Function:
         """What a caller gives as a function or vector field on the surface."""
-        smooth = None
-        if self._sectors is not None:
-            def smooth(values: np.ndarray) -> _core.Function:
-                return _core.smooth_function(self._surface, *self._sectors, values)
+        if self._sectors is None:
+            return as_function(f, self._surface, name, vectors)
+        crease_angle, vertex_normals = self._sectors
+
+        def smooth(values: np.ndarray) -> _core.Function:
+            return _core.smooth_function(self._surface, crease_angle, vertex_normals, values)
         return as_function(f, self._surface, name, vectors, smooth)
 
     def __repr__(self) -> str:
@@ -249,8 +252,8 @@ class Space:
         Parameters
         ----------
         f : array_like or callable
-            (n,) or (n, K) at vertices, as `vertex_data` says; (m,) or (m, K) on faces; `Corners`; or
-            a callable that takes points (N, 3), many at a time, and returns (N,) or (N, K). An
+            (n,) or (n, K) at vertices, as `vertex_data` says; (m,) or (m, K) on faces; `Corners`;
+            or a callable that takes points (N, 3), many at a time, and returns (N,) or (N, K). An
             attribute ``degree`` of it, 6 by default, says which polynomials it is close to.
 
         Returns

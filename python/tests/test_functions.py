@@ -313,12 +313,12 @@ def test_projections():
     points, faces = rl.icosphere(2)
     moved = points * np.linspace(0.9, 1.1, len(points))[:, np.newaxis]
     space = rl.Space(moved, faces, depth=4, geometry=sphere)
-    assert abs(space.area / (4 * np.pi) - 1) < 1e-5
+    assert abs(space.area / (4 * np.pi) - 1) < 1e-4
     exact = np.array([0, 2, 2, 2, 6, 6, 6, 6, 6])
     assert np.abs(rl.eigs(moved, faces, 9, depth=4, geometry=sphere, tolerance=1e-5)[0]
                   - exact).max() < 1e-3
     mean = rl.curvature(points, faces, depth=4, geometry=sphere).mean
-    assert np.abs(mean - 1).max() < 1e-3
+    assert np.abs(mean - 1).max() < 1e-2
     with pytest.raises(rl.InputError):
         rl.Space(points, faces, geometry=lambda p: p[:, :2])
     with pytest.raises(rl.InputError):
