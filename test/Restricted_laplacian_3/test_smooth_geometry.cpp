@@ -148,6 +148,7 @@ TEST_CASE("the_integration_of_smooth_surfaces_needs_patches") {
   const RL::Spline_space_3 flat(t.points, t.faces, params::octree_depth(3)),
       smooth(curved(t), params::octree_depth(3));
   CHECK_THROWS_AS(RL::Patch_cubature(flat.octree()), RL::Input_error);
+  CHECK_THROWS_AS(RL::Triangle_cubature(smooth.octree()), RL::Input_error);
   const RL::Spline_space_3 again = smooth.integrated_by(RL::Patch_cubature(smooth.octree()));
   CHECK((RL::assemble_operators(again).mass - RL::assemble_operators(smooth).mass).norm() == 0);
   // nodes say the same as moments
@@ -156,6 +157,37 @@ TEST_CASE("the_integration_of_smooth_surfaces_needs_patches") {
                               smooth.integration(), [](const RL::Surface_point&) { return 1.; }))),
                       by_moments = RL::assemble_operators(smooth);
   CHECK((by_nodes.stiffness - by_moments.stiffness).norm() < 1e-13 * by_moments.stiffness.norm());
+}
+
+TEST_CASE("nodes_lie_on_the_patches") {
+  const shapes::Triangles shape[] = {shapes::sphere(2), cap(3, 1), shapes::box(1, 2, 1, 3, 1)};
+  for(const shapes::Triangles& t : shape)
+    for(int depth : {2, 4}) {
+      const RL::Spline_space_3 space(curved(t), params::octree_depth(depth));
+      const double h = space.octree().cell_width(depth);
+      for(int degree : {2, 5, 12}) {
+        double area = 0, largest = 0;
+        for(std::size_t sheet = 0; sheet < space.number_of_sheets(depth); ++sheet) {
+          const RL::Cell_3 cell = space.octree().cell(depth, sheet);
+          space.integration().visit_nodes(sheet, degree, [&](RL::Integration_node_block& block) {
+            for(std::size_t i = 0; i < block.size; ++i) {
+              const RL::Surface_point &p = block.points[i], q = space.surface().surface_point(p);
+              const auto grid = space.octree().grid_coordinates(depth, p.point);
+              area += block.weights[i] * h * h;
+              largest = (std::max)(largest, (p.point - q.point).squared_length());
+              largest = (std::max)(largest, (p.normal - q.normal).squared_length());
+              for(int axis = 0; axis < 3; ++axis)
+                largest = (std::max)(
+                    largest, std::pow(grid[axis] - cell.index[axis] - block.positions[axis][i], 2));
+              CHECK(p.vertices == q.vertices);
+              CHECK(block.metrics[i] == RL::tangent_projector(p.normal));
+            }
+          });
+        }
+        CHECK(largest < 1e-26);
+        CHECK(std::abs(area / space.surface().area() - 1) < (degree == 2 ? 1e-4 : 1e-7));
+      }
+    }
 }
 
 TEST_CASE("eigenvalues_of_a_sphere_of_512_triangles") {

@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/fragment_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/Cell_load.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/patch_kernels.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/Block_evaluation.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
@@ -259,27 +260,65 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
   lanes::mass_blocks(sheets, q);
   CHECK(difference(p, q) <= 1e-15);
 
-  // a full block of nodes, and one whose last group of four is not full
-  for(std::size_t size : {RL::Integration_node_block::capacity, std::size_t(13)})
-    for(bool has_weights : {false, true}) {
-      std::array<double, RL::Integration_node_block::capacity> weights;
-      RL::Integration_node_block block = {};
-      block.size = size;
-      for(std::size_t i = 0; i < size; ++i) {
-        for(auto& coordinates : block.positions)
-          coordinates[i] = 1.2 * uniform(generator) - 0.1;
-        block.weights[i] = uniform(generator);
-        weights[i] = uniform(generator);
-        for(double& entry : block.metrics[i])
-          entry = uniform(generator);
-      }
-      internal::Sheet_moments of_plain = a[0], of_lanes = a[0];
-      plain::add_node_moments(block, has_weights ? weights.data() : nullptr, of_plain);
-      lanes::add_node_moments(block, has_weights ? weights.data() : nullptr, of_lanes);
-      CHECK(difference(of_plain, of_lanes) <= 1e-15);
-      CHECK(of_plain.sum(internal::Sheet_moments::area) >
-            a[0].sum(internal::Sheet_moments::area) + 1);
+  for(std::size_t size : {internal::Moment_nodes::capacity, std::size_t(13)}) {
+    internal::Moment_nodes nodes;
+    nodes.size = size;
+    for(std::size_t i = 0; i < size; ++i) {
+      for(auto& coordinates : nodes.positions)
+        coordinates[i] = 1.2 * uniform(generator) - 0.1;
+      for(double& factor : nodes.factors[i])
+        factor = uniform(generator);
     }
+    internal::Sheet_moments of_plain = a[0], of_lanes = a[0];
+    plain::add_moments(nodes, of_plain);
+    lanes::add_moments(nodes, of_lanes);
+    CHECK(difference(of_plain, of_lanes) <= 1e-15);
+    CHECK(of_plain.sum(internal::Sheet_moments::area) >
+          a[0].sum(internal::Sheet_moments::area) + 1);
+  }
+
+  for(const int degree : {4, 6, 8, 12}) {
+    internal::Cell_patch patch;
+    for(auto& control : patch.controls)
+      control = {0.1 * uniform(generator), 0.1 * uniform(generator), 0.1 * uniform(generator)};
+    patch.origin = {0.1, 0.2, 0.3};
+    patch.u = {0.9, 0.1 * uniform(generator), -0.1};
+    patch.v = {0.1, 0.8, 0.2 * uniform(generator)};
+    patch.area_factor = 1.3;
+    const internal::Patch_triangle triangle = {{{{0.1, 0.2}, {0.7, 0.1}, {0.2, 0.6}}}, 0.4};
+    const internal::Padded_rule& rule = internal::Padded_rule::of_degree(degree);
+    internal::Patch_nodes p = {}, q = {};
+    plain::set_patch_nodes(patch, triangle, rule, p);
+    lanes::set_patch_nodes(patch, triangle, rule, q);
+    p.size = rule.size;
+    p.padded_size = rule.padded_size();
+    double largest = 0, area = 0;
+    for(std::size_t i = 0; i < p.padded_size; ++i) {
+      for(int axis = 0; axis < 3; ++axis) {
+        largest = (std::max)(largest, std::abs(p.positions[axis][i] - q.positions[axis][i]));
+        largest = (std::max)(largest, std::abs(p.normals[axis][i] - q.normals[axis][i]));
+      }
+      largest = (std::max)(largest, std::abs(p.weights[i] - q.weights[i]));
+      largest = (std::max)(largest, std::abs(p.places[0][i] - q.places[0][i]));
+      largest = (std::max)(largest, std::abs(p.places[1][i] - q.places[1][i]));
+      area += p.weights[i];
+    }
+    CHECK(largest <= 1e-15);
+    CHECK(area > 0.1);
+    internal::Moment_nodes of_plain, of_lanes;
+    RL::Symmetric_tensor_3 n = {}, m = {};
+    plain::append(p, 0.7, of_plain, n);
+    lanes::append(p, 0.7, of_lanes, m);
+    CHECK(of_plain.size == rule.size);
+    CHECK(of_lanes.size == rule.size);
+    for(std::size_t i = 0; i < rule.size; ++i)
+      for(int k = 0; k < internal::Sheet_moments::components; ++k)
+        largest = (std::max)(largest, std::abs(of_plain.factors[i][k] - of_lanes.factors[i][k]));
+    for(int k = 0; k < 6; ++k)
+      largest = (std::max)(largest, std::abs(n[k] - m[k]));
+    CHECK(largest <= 1e-15);
+    CHECK(std::abs(n[0] + n[1] + n[2] - area) <= 1e-15);
+  }
 
   internal::Node_positions positions;
   internal::Node_values values;

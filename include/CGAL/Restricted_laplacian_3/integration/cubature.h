@@ -23,7 +23,8 @@ namespace Restricted_laplacian_3 {
 class Triangle_cubature {
 public:
   /// \param octree that of a space; must outlive this object
-  /// \throws Input_error the surface is a point set: take `Point_cubature`
+  /// \throws Input_error the surface is a point set, or smooth: take `Point_cubature` or
+  /// `Patch_cubature`
   explicit Triangle_cubature(const Octree_3& octree);
 
   /// the nodes of the smallest rule that is exact up to `degree`, at most 12
@@ -72,7 +73,10 @@ public:
   /// \throws Input_error the surface is not smooth
   explicit Patch_cubature(const Octree_3& octree);
 
-  /// the nodes of the smallest rule that is exact on flat patches up to `degree`, at most 12
+  /// The nodes of the smallest rule that is exact on flat patches up to `degree`, at most 12; on
+  /// fragments of patches that are not flat, of one of degree 8 at most, 6 where they are smaller
+  /// than 0.6 of the cell, and 4 below 0.3: on small parts of a cell elements are nearly of low
+  /// degree.
   void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
 
   /// \cond

@@ -6,8 +6,10 @@
 
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/fragment_nodes.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/patch_kernels.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +21,8 @@ namespace Restricted_laplacian_3 {
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangle_cubature::Triangle_cubature(const Octree_3& octree)
   : m_octree(&octree) {
   octree.surface().require_triangles("Triangle_cubature");
+  if(octree.surface().is_smooth())
+    throw Input_error("the surface is smooth, but Triangle_cubature integrates over flat faces");
 }
 
 namespace internal {
@@ -81,61 +85,117 @@ Triangle_cubature::add_linear_function(std::size_t sheet,
 
 namespace internal {
 
-/// Moves nodes on a flat piece to its patch.
-class Patch_nodes {
+/// A rule that is exact up to `degree`, or one of lower degree if a fragment is so small that it is
+/// as good: polynomials of high degree on a cell are nearly of low degree on a small part of it.
+/// \param size of the fragment along the axes, in units of the cell width
+inline const Padded_rule& rule_for_size(double size, int degree) {
+  const int sufficient = size < 0.3 ? 4 : size < 0.6 ? 6 : 8;
+  return Padded_rule::of_degree((std::min)(degree, sufficient));
+}
+
+/// A piece of a patch that is not flat, and its fragment in a cell.
+class Piece_of_patch {
 public:
-  Patch_nodes(const Octree_3& octree, std::uint32_t piece)
-    : m_surface(octree.surface()), m_division(*octree.division()), m_piece(piece),
-      m_face(m_division.face(piece)),
-      m_is_flat(m_surface.patches().is_flat(m_face)), m_corners{m_surface.point(m_face, 0),
-                                                                m_surface.point(m_face, 1),
-                                                                m_surface.point(m_face, 2)},
-      m_area_factor(m_division.fraction(piece) / m_division.pieces().area(piece)),
-      m_h(octree.cell_width(octree.depth())) {}
+  Piece_of_patch(const Octree_3& octree, const Cell_3& cell, std::uint32_t piece)
+    : m_octree(octree), m_face(octree.division()->face(piece)) {
+    const Triangulated_surface_3& surface = octree.surface();
+    const Divided_surface& division = *octree.division();
+    const double h = octree.cell_width(octree.depth());
+    const auto in_cells = [h](const Vector_3& v) {
+      return Cell_patch::Vector{v.x() / h, v.y() / h, v.z() / h};
+    };
+    const Point_3& corner = surface.point(m_face, 0);
+    const Surface_patches::Controls& controls = surface.patches().controls(m_face);
+    for(std::size_t k = 0; k < controls.size(); ++k)
+      m_patch.controls[k] = in_cells(controls[k]);
+    m_patch.origin = octree.grid_coordinates(octree.depth(), corner);
+    m_patch.u = in_cells(surface.point(m_face, 1) - corner);
+    m_patch.v = in_cells(surface.point(m_face, 2) - corner);
+    m_patch.area_factor = division.fraction(piece) * h * h / division.pieces().area(piece);
+    for(int axis = 0; axis < 3; ++axis)
+      m_patch.origin[axis] -= cell.index[axis];
 
-  bool is_flat() const { return m_is_flat; }
-  std::size_t face() const { return m_face; }
+    const Fragment fragment = octree.fragment(cell, piece);
+    std::array<double, 3> low, high;
+    for(std::size_t i = 0; i < fragment.size; ++i) {
+      const Fragment_corner& c = fragment.corners[i];
+      for(int axis = 0; axis < 3; ++axis) {
+        const double t = m_positions[i][axis] = c.position[axis] - cell.index[axis];
+        low[axis] = i == 0 ? t : (std::min)(low[axis], t);
+        high[axis] = i == 0 ? t : (std::max)(high[axis], t);
+      }
+      const auto place = division.location(piece, c.barycentric).barycentric;
+      m_places[i] = {place[1], place[2]};
+    }
+    m_number_of_corners = fragment.size;
+    for(int axis = 0; axis < 3 && fragment.size > 0; ++axis)
+      m_size = (std::max)(m_size, high[axis] - low[axis]);
+  }
 
-  void move(Integration_node_block& block) const {
-    for(std::size_t i = 0; i < block.size; ++i) {
-      Surface_point& p = block.points[i];
-      static_cast<Surface_location&>(p) = m_division.location(m_piece, p.barycentric);
-      p.vertices = m_surface.triangle(m_face);
-      if(m_is_flat)
+  /// calls `visit(nodes)` for the nodes of a rule on the triangles of the fragment
+  /// \param degree of polynomials for which it is exact, or as good as exact
+  template <class Visitor> void visit_nodes(int degree, Visitor&& visit) const {
+    const Padded_rule& rule = rule_for_size(m_size, degree);
+    Patch_nodes nodes;
+    for(std::size_t i = 2; i < m_number_of_corners; ++i) {
+      const Patch_triangle triangle = {
+          {m_places[0], m_places[i - 1], m_places[i]},
+          triangle_area(m_positions[0], m_positions[i - 1], m_positions[i])};
+      if(!(triangle.area > 0))
         continue;
-      const Patch_point on_patch = m_surface.patches().evaluate(m_face, m_corners, p.barycentric);
-      for(int axis = 0; axis < 3; ++axis)
-        block.positions[axis][i] += (on_patch.point[axis] - p.point[axis]) / m_h;
-      block.weights[i] *= on_patch.area * m_area_factor;
-      block.metrics[i] = tangent_projector(on_patch.normal);
-      p.point = on_patch.point;
-      p.normal = on_patch.normal;
+      set_patch_nodes(m_patch, triangle, rule, nodes);
+      visit(nodes);
+    }
+  }
+
+  /// adds nodes to those of a sheet
+  void add(const Patch_nodes& patch_nodes, Integration_nodes& nodes) const {
+    const Triangulated_surface_3& surface = m_octree.surface();
+    const double h = m_octree.cell_width(m_octree.depth());
+    const Point_3& corner = surface.point(m_face, 0);
+    const auto& [x, y, z] = patch_nodes.positions;
+    const auto& [nx, ny, nz] = patch_nodes.normals;
+    Surface_point p;
+    p.face = m_face;
+    p.vertices = surface.triangle(m_face);
+    for(std::size_t i = 0; i < patch_nodes.size; ++i) {
+      const double b1 = patch_nodes.places[0][i], b2 = patch_nodes.places[1][i];
+      p.barycentric = {1 - b1 - b2, b1, b2};
+      p.point = corner + h * Vector_3(x[i] - m_patch.origin[0], y[i] - m_patch.origin[1],
+                                      z[i] - m_patch.origin[2]);
+      p.normal = Vector_3(nx[i], ny[i], nz[i]);
+      nodes.add(p, {x[i], y[i], z[i]}, patch_nodes.weights[i]);
     }
   }
 
 private:
-  const Triangulated_surface_3& m_surface;
-  const Divided_surface& m_division;
-  std::uint32_t m_piece;
+  const Octree_3& m_octree;
   std::size_t m_face;
-  bool m_is_flat;
-  std::array<Point_3, 3> m_corners;
-  double m_area_factor, m_h;
+  Cell_patch m_patch;
+  // corners of the fragment: local coordinates, barycentric ones in the face
+  std::size_t m_number_of_corners;
+  std::array<std::array<double, 3>, Fragment::capacity> m_positions;
+  std::array<std::array<double, 2>, Fragment::capacity> m_places;
+  double m_size = 0;
 };
 
-/// calls `visit(block)` for the nodes of a piece in a cell, moved to its patch
-template <class Visitor>
-void visit_patch_nodes(const Octree_3& octree, const Cell_3& cell, std::uint32_t piece,
-                       const Patch_nodes& patch, const Padded_rule& rule, Visitor&& visit) {
-  const auto move = [&](Integration_node_block& block) {
-    patch.move(block);
-    visit(block);
+/// adds the nodes of a piece that is a part of the surface itself
+inline void add_flat_piece(const Octree_3& octree, const Cell_3& cell, std::uint32_t piece,
+                           const Padded_rule& rule, Integration_nodes& nodes) {
+  const Divided_surface& division = *octree.division();
+  const auto name_face = [&](Integration_node_block& block) {
+    for(std::size_t i = 0; i < block.size; ++i) {
+      Surface_point& p = block.points[i];
+      static_cast<Surface_location&>(p) = division.location(piece, p.barycentric);
+      p.vertices = octree.surface().triangle(p.face);
+      nodes.add(p, block.position(i), block.weights[i], block.metrics[i]);
+    }
   };
-  const Integration_nodes::Consumer consumer(move);
-  Integration_nodes nodes(consumer);
+  const Integration_nodes::Consumer consumer(name_face);
+  Integration_nodes own(consumer);
   visit_fragment(octree, cell, piece,
-                 [&](const auto&... fragment) { add_fragment_nodes(fragment..., rule, nodes); });
-  nodes.flush();
+                 [&](const auto&... fragment) { add_fragment_nodes(fragment..., rule, own); });
+  own.flush();
 }
 
 } // namespace internal
@@ -150,25 +210,26 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Patch_cubature::add_nodes(std::size_t sh
                                                                   Integration_nodes& nodes) const {
   const internal::Padded_rule& rule = internal::Padded_rule::of_degree(degree);
   const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
-  for(std::uint32_t piece : m_octree->faces(sheet))
-    internal::visit_patch_nodes(*m_octree, cell, piece, internal::Patch_nodes(*m_octree, piece),
-                                rule, [&](const Integration_node_block& block) {
-                                  for(std::size_t i = 0; i < block.size; ++i)
-                                    nodes.add(block.points[i], block.position(i), block.weights[i],
-                                              block.metrics[i]);
-                                });
+  for(std::uint32_t piece : m_octree->faces(sheet)) {
+    if(m_octree->division()->is_flat(piece)) {
+      internal::add_flat_piece(*m_octree, cell, piece, rule, nodes);
+      continue;
+    }
+    const internal::Piece_of_patch of_patch(*m_octree, cell, piece);
+    of_patch.visit_nodes(degree,
+                         [&](const internal::Patch_nodes& own) { of_patch.add(own, nodes); });
+  }
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Patch_cubature::add_moments(std::size_t sheet, const internal::Face_weight* weight,
                             internal::Sheet_integrals& integrals) const {
   const Triangulated_surface_3& pieces = m_octree->pieces();
-  const internal::Padded_rule& rule = internal::Padded_rule::of_degree(12);
   const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
+  internal::Moment_nodes nodes;
   for(std::uint32_t piece : m_octree->faces(sheet)) {
-    const internal::Patch_nodes patch(*m_octree, piece);
-    const double factor = weight ? (*weight)(patch.face()) : 1;
-    if(patch.is_flat()) {
+    const double factor = weight ? (*weight)(m_octree->division()->face(piece)) : 1;
+    if(m_octree->division()->is_flat(piece)) {
       const Fragment fragment = m_octree->fragment(cell, piece);
       const Vector_3& normal = pieces.normal(piece);
       internal::add_fragment(fragment, cell.index, tangent_projector(normal), integrals.moments,
@@ -176,15 +237,16 @@ Patch_cubature::add_moments(std::size_t sheet, const internal::Face_weight* weig
       integrals.add_normal(normal, fragment.double_area() / 2);
       continue;
     }
-    internal::visit_patch_nodes(
-        *m_octree, cell, piece, patch, rule, [&](Integration_node_block& block) {
-          std::array<double, Integration_node_block::capacity> factors;
-          factors.fill(factor);
-          internal::add_node_moments(block, factors.data(), integrals.moments);
-          for(std::size_t i = 0; i < block.size; ++i)
-            integrals.add_normal(block.points[i].normal, block.weights[i]);
+    internal::Piece_of_patch(*m_octree, cell, piece)
+        .visit_nodes(integrals.degree, [&](const internal::Patch_nodes& own) {
+          if(nodes.size + own.padded_size > internal::Moment_nodes::capacity) {
+            internal::add_moments(nodes, integrals.moments);
+            nodes.size = 0;
+          }
+          internal::append(own, factor, nodes, integrals.normals);
         });
   }
+  internal::add_moments(nodes, integrals.moments);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Point_cubature::Point_cubature(const Octree_3& octree)

@@ -45,6 +45,8 @@ public:
 
   /// whether the patch of a face is its triangle
   bool is_flat(std::size_t face) const { return m_is_flat[face] != 0; }
+  /// what the patch of a face has more than its triangle
+  const Controls& controls(std::size_t face) const { return m_controls[face]; }
   /// number of faces that remain flat because their patch would fold
   std::size_t number_of_folded_faces() const { return m_number_of_folded_faces; }
 

@@ -221,6 +221,16 @@ inline bool folds(const Triangulated_surface_3& surface, std::size_t face,
   // Area against the orientation of the face, or far less or more of it, at points of a grid.
   constexpr int grid = 4;
   constexpr double least_ratio = 0.2, largest_ratio = 5;
+  // Derivatives along the sides change by at most six times the longest control: mostly too little.
+  const Vector_3 u = surface.point(face, 1) - surface.point(face, 0),
+                 v = surface.point(face, 2) - surface.point(face, 0);
+  double longest = 0;
+  for(const Vector_3& control : controls)
+    longest = (std::max)(longest, control.squared_length());
+  const double change = 6 * std::sqrt(longest),
+               sides = std::sqrt(u.squared_length()) + std::sqrt(v.squared_length());
+  if(change * (sides + change) < surface.area(face)) // half of |u x v|
+    return false;
   const Surface_patches patch({controls}, 0);
   const std::array<Point_3, 3> corners = {surface.point(face, 0), surface.point(face, 1),
                                           surface.point(face, 2)};

@@ -12,7 +12,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -37,81 +36,95 @@ public:
   /// \param ways from the vertex to the neighbors
   /// \param longest length of the edges that the gradient is for
   void set(const Vector_3& normal, const std::vector<Vector_3>& ways, double longest) {
-    m_weights.setZero(3, static_cast<Eigen::Index>(ways.size()));
+    m_weights.assign(ways.size(), Vector_3(0, 0, 0));
     m_norm = 0;
     project(normal, ways);
-    if(!(fit<9>(ways, longest) || fit<5>(ways, longest)))
-      fit<2>(ways, 0);
+    if(!(fit(9, longest) || fit(5, longest)))
+      fit(2, 0);
   }
 
-  /// the gradient is the sum of the columns, each times the difference to a neighbor
-  const Eigen::Matrix3Xd& weights() const { return m_weights; }
-  /// the sum of the lengths of the columns
+  /// the gradient is the sum of these, each times the difference to a neighbor
+  const std::vector<Vector_3>& weights() const { return m_weights; }
+  /// the sum of their lengths
   double norm() const { return m_norm; }
 
 private:
-  /// in units of the largest distance; those to which the way is too steep do not count
+  static constexpr int largest_size = 9;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                               largest_size, largest_size>;
+
+  /// coordinates in units of the largest distance; points to which the way is too steep have the
+  /// weight 0
   void project(const Vector_3& normal, const std::vector<Vector_3>& ways) {
     constexpr double least_cosine = 0.3;
-    const Eigen::Vector3d n(normal.x(), normal.y(), normal.z());
-    Eigen::Index axis;
-    n.cwiseAbs().minCoeff(&axis);
-    m_tangents.col(0) = n.cross(Eigen::Vector3d::Unit(axis)).normalized();
-    m_tangents.col(1) = n.cross(m_tangents.col(0));
+    const double x = std::abs(normal.x()), y = std::abs(normal.y()), z = std::abs(normal.z());
+    const Vector_3 axis = x <= y && x <= z ? Vector_3(1, 0, 0)
+                          : y <= z         ? Vector_3(0, 1, 0)
+                                           : Vector_3(0, 0, 1);
+    m_tangents[0] = unit_or_zero(CGAL::cross_product(normal, axis));
+    m_tangents[1] = CGAL::cross_product(normal, m_tangents[0]);
     m_radius = 0;
     for(const Vector_3& way : ways)
       m_radius = (std::max)(m_radius, std::sqrt(way.squared_length()));
     m_points.clear();
     for(const Vector_3& way : ways) {
-      const Eigen::Vector3d e = Eigen::Vector3d(way.x(), way.y(), way.z()) / m_radius;
-      const Eigen::Vector2d p = m_tangents.transpose() * e;
-      const double length = e.norm();
-      m_points.push_back({p, length > 0 && p.norm() >= least_cosine * length ? 1 / length : 0});
+      const Vector_3 e = way / m_radius;
+      const double u = e * m_tangents[0], v = e * m_tangents[1], squared = e.squared_length();
+      const bool counts = squared > 0 && u * u + v * v >= least_cosine * least_cosine * squared;
+      m_points.push_back({u, v, counts ? 1 / squared : 0});
     }
   }
 
-  /// \tparam size number of coefficients of a polynomial without a constant
-  /// \return whether the neighbors determine it; if `longest` is 0, any gradient is good enough
-  template <int size> bool fit(const std::vector<Vector_3>& ways, double longest) {
-    constexpr double least_ratio_of_pivots = 1e-10;
-    using Row = Eigen::Matrix<double, size, 1>;
-    if(ways.size() < static_cast<std::size_t>(size))
-      return false;
-    m_rows.resize(size, static_cast<Eigen::Index>(ways.size()));
-    Eigen::Matrix<double, size, size> a = Eigen::Matrix<double, size, size>::Zero();
-    for(std::size_t i = 0; i < ways.size(); ++i) {
-      const double x = m_points[i].place[0], y = m_points[i].place[1], w = m_points[i].weight;
-      Eigen::Matrix<double, 9, 1> monomials;
-      monomials << x, y, x * x, x * y, y * y, x * x * x, x * x * y, x * y * y, y * y * y;
-      const Row row = w * monomials.head<size>();
-      a += row * row.transpose();
-      m_rows.col(static_cast<Eigen::Index>(i)) = w * row;
+  struct Point {
+    double u, v, weight;
+    std::array<double, largest_size> monomials() const {
+      return {u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v};
     }
-    const Eigen::LDLT<Eigen::Matrix<double, size, size>> factorization(a);
-    const Row pivots = factorization.vectorD();
-    if(factorization.info() != Eigen::Success ||
-       !(pivots.minCoeff() > least_ratio_of_pivots * pivots.maxCoeff()))
+  };
+
+  /// \param size number of coefficients of a polynomial without a constant: 2, 5 or 9
+  /// \return whether the neighbors determine it; if `longest` is 0, any gradient is good enough
+  bool fit(int size, double longest) {
+    constexpr double least_ratio_of_pivots = 1e-10;
+    if(m_points.size() < static_cast<std::size_t>(size))
       return false;
-    const Eigen::Matrix<double, size, 2> x =
-        factorization.solve(Eigen::Matrix<double, size, 2>::Identity());
-    const Eigen::Matrix2Xd in_plane = x.transpose() * m_rows / m_radius;
-    const double norm = in_plane.colwise().norm().sum();
+    Matrix a = Matrix::Zero(size, size);
+    for(const Point& p : m_points) {
+      const auto monomials = p.monomials();
+      for(int i = 0; i < size; ++i)
+        for(int j = 0; j < size; ++j)
+          a(i, j) += p.weight * monomials[i] * monomials[j];
+    }
+    const Eigen::LDLT<Matrix> factorization(a);
+    const double least = factorization.vectorD().minCoeff(),
+                 largest = factorization.vectorD().maxCoeff();
+    if(factorization.info() != Eigen::Success || !(least > least_ratio_of_pivots * largest))
+      return false;
+    const Matrix rows = factorization.solve(Matrix::Identity(size, 2));
+    std::vector<Vector_3> weights;
+    double norm = 0;
+    for(const Point& p : m_points) {
+      const auto monomials = p.monomials();
+      double along_u = 0, along_v = 0;
+      for(int i = 0; i < size; ++i) {
+        along_u += rows(i, 0) * monomials[i];
+        along_v += rows(i, 1) * monomials[i];
+      }
+      const double factor = p.weight / m_radius;
+      weights.push_back(factor * (along_u * m_tangents[0] + along_v * m_tangents[1]));
+      norm += factor * std::hypot(along_u, along_v);
+    }
     if(!std::isfinite(norm) || norm * longest > largest_noise_factor)
       return false;
-    m_weights = m_tangents * in_plane;
+    m_weights.swap(weights);
     m_norm = norm;
     return true;
   }
 
-  struct Point {
-    Eigen::Vector2d place;
-    double weight;
-  };
-  Eigen::Matrix<double, 3, 2> m_tangents;
+  std::array<Vector_3, 2> m_tangents;
   double m_radius = 0;
   std::vector<Point> m_points;
-  Eigen::MatrixXd m_rows;
-  Eigen::Matrix3Xd m_weights;
+  std::vector<Vector_3> m_weights;
   double m_norm = 0;
 };
 
@@ -174,8 +187,7 @@ inline Sector_gradients sector_gradients(const Triangulated_surface_3& surface,
       for(std::size_t k = 0; k < components; ++k) {
         const double difference = values[components * vertices[i] + k] - values[components * v + k];
         for(int axis = 0; axis < 3; ++axis)
-          result.gradients[3 * (components * g + k) + axis] +=
-              fit.weights()(axis, static_cast<Eigen::Index>(i)) * difference;
+          result.gradients[3 * (components * g + k) + axis] += fit.weights()[i][axis] * difference;
       }
   }
   return result;

@@ -28,6 +28,9 @@ struct Padded_rule {
     }
   }
 
+  /// number of nodes with those of weight 0
+  std::size_t padded_size() const { return b0.size(); }
+
   /// that of `triangle_quadrature()`
   static const Padded_rule& of_degree(int degree) {
     static const std::vector<Padded_rule> rules = [] {

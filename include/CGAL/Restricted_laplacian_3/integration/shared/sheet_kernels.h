@@ -87,18 +87,15 @@ struct Cell_triangles {
   const Cell_triangle* end() const { return begin() + size; }
 };
 
-/// what a node of a block adds to the components of moments, times the products there
-/// \param mass_weights a factor for each node, or null
-inline std::array<double, Sheet_moments::components>
-moment_factors(const Integration_node_block& nodes, const double* mass_weights, std::size_t node) {
-  const double weight = nodes.weights[node];
-  std::array<double, Sheet_moments::components> result;
-  for(int k = 0; k < 6; ++k)
-    result[k] = weight * nodes.metrics[node][k];
-  result[Sheet_moments::mass] = mass_weights ? weight * mass_weights[node] : weight;
-  result[Sheet_moments::area] = weight;
-  return result;
-}
+/// Nodes in a cell, and what each adds to the components of moments, times the products there.
+struct alignas(64) Moment_nodes {
+  static constexpr std::size_t capacity = 64;
+
+  std::size_t size = 0;
+  /// local coordinates, axis by axis
+  std::array<std::array<double, capacity>, 3> positions = {};
+  std::array<std::array<double, Sheet_moments::components>, capacity> factors;
+};
 
 /// The same computations without vectors: for other compilers and older processors, and what the
 /// vectors are compared with in tests.
@@ -127,14 +124,13 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
   }
 }
 
-inline void add_node_moments(const Integration_node_block& nodes, const double* mass_weights,
-                             Sheet_moments& moments) {
+inline void add_moments(const Moment_nodes& nodes, Sheet_moments& moments) {
   for(std::size_t node = 0; node < nodes.size; ++node) {
-    const auto products = bernstein_products(nodes.position(node));
-    const auto factors = moment_factors(nodes, mass_weights, node);
+    const auto products = bernstein_products(
+        {nodes.positions[0][node], nodes.positions[1][node], nodes.positions[2][node]});
     for(int i = 0; i < number_of_moments; ++i)
       for(int k = 0; k < Sheet_moments::components; ++k)
-        moments.values[i][k] += factors[k] * products[i];
+        moments.values[i][k] += nodes.factors[node][k] * products[i];
   }
 }
 
@@ -302,21 +298,15 @@ add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
 
 /// 125 x 2 fused operations of vectors for each node, whose eight factors are two vectors: eight
 /// times as many as for a node of a triangle, whose metric all nodes share.
-CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
-add_node_moments(const Integration_node_block& nodes, const double* mass_weights,
-                 Sheet_moments& moments) {
-  constexpr std::size_t capacity = Integration_node_block::capacity, groups = capacity / 4;
+CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void add_moments(const Moment_nodes& nodes,
+                                                                   Sheet_moments& moments) {
+  constexpr std::size_t capacity = Moment_nodes::capacity, groups = capacity / 4;
   Lanes x[5][groups], y[5][groups], z[5][groups];
-  double factors[capacity][Sheet_moments::components];
   for(std::size_t g = 0; 4 * g < nodes.size; ++g) {
     const auto& [tx, ty, tz] = nodes.positions;
     bernstein_4(load(tx.data() + 4 * g), x[0][g], x[1][g], x[2][g], x[3][g], x[4][g]);
     bernstein_4(load(ty.data() + 4 * g), y[0][g], y[1][g], y[2][g], y[3][g], y[4][g]);
     bernstein_4(load(tz.data() + 4 * g), z[0][g], z[1][g], z[2][g], z[3][g], z[4][g]);
-  }
-  for(std::size_t node = 0; node < nodes.size; ++node) {
-    const auto of_node = moment_factors(nodes, mass_weights, node);
-    std::copy(of_node.begin(), of_node.end(), factors[node]);
   }
   for(int c = 0; c < 5; ++c)
     for(int b = 0; b < 5; ++b) {
@@ -333,7 +323,8 @@ add_node_moments(const Integration_node_block& nodes, const double* mass_weights
         high[a] = load(row[a].data() + 4);
       }
       for(std::size_t node = 0; node < nodes.size; ++node) {
-        const Lanes f = load(factors[node]), g = load(factors[node] + 4);
+        const double* const factors = nodes.factors[node].data();
+        const Lanes f = load(factors), g = load(factors + 4);
         for(int a = 0; a < 5; ++a) {
           low[a] += products[a][node] * f;
           high[a] += products[a][node] * g;
@@ -455,11 +446,28 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
       add_fragment(fragment, cell, metric, moments, mass_weight, degree));
 }
 
+/// Adds nodes.
+inline void add_moments(const Moment_nodes& nodes, Sheet_moments& moments) {
+  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_moments(nodes, moments));
+}
+
 /// Adds the nodes of a block.
 /// \param mass_weights a factor for each node, or null
-inline void add_node_moments(const Integration_node_block& nodes, const double* mass_weights,
+inline void add_node_moments(const Integration_node_block& block, const double* mass_weights,
                              Sheet_moments& moments) {
-  CGAL_RESTRICTED_LAPLACIAN_3_BEST(add_node_moments(nodes, mass_weights, moments));
+  Moment_nodes nodes;
+  static_assert(Integration_node_block::capacity <= Moment_nodes::capacity);
+  nodes.size = block.size;
+  for(int axis = 0; axis < 3; ++axis)
+    std::copy_n(block.positions[axis].begin(), nodes.size, nodes.positions[axis].begin());
+  for(std::size_t i = 0; i < block.size; ++i) {
+    const double weight = block.weights[i];
+    for(int k = 0; k < 6; ++k)
+      nodes.factors[i][k] = weight * block.metrics[i][k];
+    nodes.factors[i][Sheet_moments::mass] = mass_weights ? weight * mass_weights[i] : weight;
+    nodes.factors[i][Sheet_moments::area] = weight;
+  }
+  add_moments(nodes, moments);
 }
 
 /// Adds the moments of a child to those of its parent, whose area unit is four times that of the

@@ -65,8 +65,13 @@ private:
     return {(1 - s) * a[0] + s * b[0], (1 - s) * a[1] + s * b[1], (1 - s) * a[2] + s * b[2]};
   }
 
-  Point_3 point(std::size_t face, const Barycentric& place) const {
-    return m_surface.surface_point({face, place}).point;
+  Point_3 point(std::size_t face, const Barycentric& l) const {
+    const Point_3 &a = m_surface.point(face, 0), &b = m_surface.point(face, 1),
+                  &c = m_surface.point(face, 2);
+    return Point_3(l[0] * a.x() + l[1] * b.x() + l[2] * c.x(),
+                   l[0] * a.y() + l[1] * b.y() + l[2] * c.y(),
+                   l[0] * a.z() + l[1] * b.z() + l[2] * c.z()) +
+           m_patches.deviation(face, l);
   }
 
   /// whether a curve leaves its chord by more than the tolerance
