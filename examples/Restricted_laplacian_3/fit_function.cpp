@@ -37,9 +37,9 @@ const Help help = {"fit_function MESH --property NAME[,NAME...] [OPTION]...\n"
 Fits functions on a surface by splines: those for which the integral of the squared
 difference is smallest.
 
-The functions are given at the vertices, and interpolated linearly. With --smoothing W the
-integral of W times the squared gradient is added. A fit is NaN at vertices that have no
-face, or only faces without area.
+The functions are given at the vertices, and interpolated as --vertex-data says. With
+--smoothing W the integral of W times the squared gradient is added. A fit is NaN at vertices
+that have no face, or only faces without area.
 )") + about_meshes + about_points,
                    R"(  fit_function elephant.off --normals --depth 5 --output normals.ply
       smooth normals, shown as red, green and blue
@@ -67,6 +67,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "weight of the squared gradient, in units of the squared width of a cell");
   add("refinements", po::value(&o.refinements)->value_name("N")->default_value(o.refinements),
       "how often what the fit leaves is fitted and added");
+  add_vertex_data_option(problem, o);
   po::options_description all(help_width);
   all.add(problem)
       .add(space_options(o))
@@ -140,19 +141,19 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 // Three functions take hardly longer together than one of them; others are fitted one by one.
 template <class NamedParameters>
 RL::Function_fit fit_all(const RL::Spline_space_3& space, const NamedParameters& np,
-                         const Functions& functions, const Job& job) {
+                         const Functions& functions, const Job& job, const Options& o) {
   RL::Function_fitter fitter(space, np);
   const auto& values = functions.values;
   if(values.size() == 3) {
-    std::vector<RL::Vector_3> vectors;
+    std::vector<Eigen::Vector3d> vectors;
     for(std::size_t v = 0; v < values[0].size(); ++v)
       vectors.emplace_back(values[0][v], values[1][v], values[2][v]);
-    return fitter.fit(RL::Linear_surface_function<RL::Vector_3>(std::move(vectors)),
+    return fitter.fit(vertex_function(job.surface, std::move(vectors), o),
                       job.step("fitting by", space));
   }
   RL::Function_fit result;
   for(std::size_t k = 0; k < values.size(); ++k)
-    append(result, fitter.fit(RL::Linear_surface_function<double>(values[k]),
+    append(result, fitter.fit(vertex_function(job.surface, values[k], o),
                               job.step("fitting " + functions.names[k] + " by", space)));
   return result;
 }
@@ -178,7 +179,7 @@ Outcome fit(Job& job, const Options& o) {
   const double h = space.octree().cell_width(space.depth());
   const auto np =
       solver_parameters(o).smoothing_weight(o.smoothing * h * h).refinement_steps(o.refinements);
-  const RL::Function_fit fit = fit_all(space, np, functions, job);
+  const RL::Function_fit fit = fit_all(space, np, functions, job, o);
 
   job.add_solve(fit);
   job.summary.add_detail("stabilization", fit.normal_stabilization);

@@ -65,6 +65,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "f: a vertex property of MESH, a PLY file");
   add("alpha", po::value(&o.alpha)->value_name("A")->default_value(o.alpha),
       "screening weight, in units of 1 / area");
+  add_vertex_data_option(problem, o);
   po::options_description solver = solver_options(o, "default 0.001, or 0 with --paper");
   add = solver.add_options();
   add("cycle", po::value(&o.cycle)->value_name("v|w")->default_value(o.cycle), "multigrid cycle");
@@ -156,7 +157,7 @@ Outcome solve(Job& job, const Options& o) {
     for(double& value : f)
       value -= mean;
   }
-  const RL::Linear_surface_function<double> right_hand_side(std::move(f));
+  const auto right_hand_side = vertex_function(surface, std::move(f), o);
   const RL::Poisson_solution solution =
       o.alpha > 0 ? RL::solve_screened_poisson(space, right_hand_side, o.alpha / surface.area(), np)
                   : RL::solve_poisson(space, right_hand_side, np);

@@ -146,6 +146,27 @@ TEST_CASE("smooth_data_are_of_third_order") {
     }
 }
 
+TEST_CASE("coordinates_of_a_smooth_surface_as_smooth_data") {
+  // The cubics of coordinates are nearly the patches themselves, since their tangents are the same.
+  std::vector<double> errors;
+  for(int n : {3, 4}) {
+    const shapes::Triangles t = shapes::sphere(n);
+    const RL::Triangulated_surface_3 surface = RL::curved_surface(surface_of(t));
+    const RL::Cubic_surface_function<Eigen::Vector3d> f(
+        surface,
+        values_at(t, [](const RL::Point_3& p) { return Eigen::Vector3d(p.x(), p.y(), p.z()); }));
+    double largest = 0;
+    for_each_sample(surface, [&](const RL::Surface_point& p) {
+      largest = (std::max)(largest,
+                           (f(p) - Eigen::Vector3d(p.point.x(), p.point.y(), p.point.z())).norm());
+    });
+    errors.push_back(largest);
+  }
+  CAPTURE(errors);
+  CHECK(errors[0] < 3e-4);
+  CHECK(errors[0] > 12 * errors[1]);
+}
+
 TEST_CASE("smooth_data_reproduce_linear_functions_on_planes") {
   shapes::Triangles t = shapes::ragged_square(9, 0, 3);
   const auto linear = [](const RL::Point_3& p) { return 3 * p.x() - 2 * p.y() + 0.5; };

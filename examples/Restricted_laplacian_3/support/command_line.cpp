@@ -52,6 +52,13 @@ po::options_description space_options(Common_options& o) {
   return description;
 }
 
+void add_vertex_data_option(po::options_description& description, Common_options& o) {
+  description.add_options()(
+      "vertex-data", po::value(&o.vertex_data)->value_name("KIND")->default_value(o.vertex_data),
+      "what values at vertices mean between them: linear in each triangle, or smooth (cubic), with "
+      "creases as for --geometry smooth");
+}
+
 po::options_description integration_options(Common_options& o) {
   po::options_description description("Integration", help_width);
   auto add = description.add_options();
@@ -204,6 +211,8 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
           "the argument of --join must be a number that is not negative");
   require(o.space.geometry == "flat" || o.space.geometry == "smooth",
           "the argument of --geometry must be flat or smooth");
+  require(o.vertex_data == "linear" || o.vertex_data == "smooth",
+          "the argument of --vertex-data must be linear or smooth");
   if(given.count("assembly"))
     check_integration_options(o, given);
   require_positive(given, "threads", o.threads);

@@ -35,6 +35,7 @@ struct Space_options {
 struct Common_options {
   std::string mesh;
   Space_options space;
+  std::string vertex_data = "linear"; // see vertex_data_option()
   std::string assembly = "cubature";
   std::string sampling = "independent";
   long long samples = 1000000;
@@ -60,6 +61,8 @@ struct Help {
 };
 
 po::options_description space_options(Common_options& o);
+// For programs that take values at vertices.
+void add_vertex_data_option(po::options_description& description, Common_options& o);
 
 po::options_description integration_options(Common_options& o);
 

@@ -16,12 +16,14 @@
 #include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 #include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
+#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace examples {
 
@@ -34,6 +36,17 @@ inline RL::Triangulated_surface_3 with_geometry(RL::Triangulated_surface_3 surfa
   RL::Smooth_geometry geometry;
   geometry.crease_angle = o.crease_angle;
   return RL::curved_surface(std::move(surface), geometry);
+}
+
+// The function with values at the vertices, between them as the options say.
+template <class T>
+RL::Cubic_surface_function<T> vertex_function(const RL::Triangulated_surface_3& surface,
+                                              std::vector<T> values, const Common_options& o) {
+  if(o.vertex_data == "linear" || surface.is_point_set())
+    return RL::Cubic_surface_function<T>(std::move(values));
+  RL::Smooth_geometry geometry;
+  geometry.crease_angle = o.space.crease_angle;
+  return RL::Cubic_surface_function<T>(surface, std::move(values), geometry);
 }
 
 // The space that the options ask for, with their way to integrate.

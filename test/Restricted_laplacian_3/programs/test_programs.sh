@@ -863,6 +863,45 @@ test_fits() {
   fails "open" fit_function missing.off --normals
 }
 
+# What the mesh and its values stand for: a sphere, and functions on it.
+test_geometry() {
+  local geometry data error program
+  : > errors
+  for geometry in flat smooth; do
+    for data in linear smooth; do
+      succeeds solve_poisson sphere.off --depth 5 --rhs z --tolerance 1e-8 --geometry "$geometry" \
+        --vertex-data "$data" --csv u.csv
+      largest_difference u.csv 3 -0.5 >> errors
+    done
+  done
+  # flat and linear, flat and smooth, smooth and linear, smooth and smooth
+  check "smooth geometry and data give the solution of the sphere: $(tr '\n' ' ' < errors)" \
+    awk '{ e[NR] = $1 } END { exit !(NR == 4 && e[4] < 2e-5 && e[4] < 0.03 * e[1] &&
+      e[4] < 0.1 * e[2] && e[4] < 0.03 * e[3]) }' errors
+  succeeds solve_poisson sphere.off --depth 4 --geometry smooth --csv u.csv
+  check "the area is that of the sphere" is_near "$(comment area u.csv)" 12.5663706 1e-5
+  check "folded faces are counted" [ "$(entry folded)" = faces ]
+  succeeds solve_poisson sphere.off --depth 4 --geometry smooth --crease-angle 0 --csv u.csv
+  check "between creases faces are flat" is_below "$(comment area u.csv)" 12.56
+  for data in linear smooth; do
+    succeeds fit_function sphere.off --normals --depth 5 --geometry smooth --vertex-data "$data" \
+      --csv "$data.csv"
+  done
+  check "smooth data of three functions" is_below "$(largest_difference smooth.csv 1 1)" \
+    "$(largest_difference linear.csv 1 0.98)"
+  succeeds fit_function sphere.off --property z --depth 5 --geometry smooth --vertex-data smooth \
+    --csv z.csv
+  check "smooth data of one function" is_below "$(largest_difference z.csv 3 1)" 1e-4
+  succeeds laplace_spectrum sphere.off --depth 4 --count 4 --geometry smooth --tolerance 1e-5 \
+    --csv l.csv
+  check "eigenvalues of the sphere: 0, 2, 2, 2" \
+    eval "numbers l.csv | tail -n 3 | is_within 1.9998 2.0002"
+  fails "vertex-data" solve_poisson sphere.off --vertex-data round
+  fails "geometry" laplace_spectrum sphere.off --geometry round
+  fails "crease-angle" solve_poisson sphere.off --geometry smooth --crease-angle 181
+  fails "unrecognised" laplace_spectrum sphere.off --vertex-data smooth
+}
+
 test_curvature() {
   for method in normals face-normals coordinates; do
     succeeds estimate_curvature sphere.off --depth 3 --method $method --csv c.csv --output c.ply
