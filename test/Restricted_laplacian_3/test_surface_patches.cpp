@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "shapes.h"
+#include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
@@ -336,6 +337,29 @@ TEST_CASE("planes_beside_smooth_parts_remain_planes") {
   CHECK(number_of_planes > 0);
   CHECK(of_planes < 1e-6);
   CHECK(of_cylinder < 2e-4); // flat: 8.6e-3
+}
+
+TEST_CASE("planes_that_meet_at_a_small_angle_remain_planes") {
+  // a roof whose ridge is no crease, and a pyramid, in whose tip four planes meet
+  for(bool is_pyramid : {false, true})
+    for(double slope : {0.02, 0.15}) {
+      const shapes::Triangles t = shapes::grid(8, [=](double x, double y) {
+        const double z = std::abs(x - 0.5) + (is_pyramid ? std::abs(y - 0.5) : 0);
+        return RL::Point_3(x, y, -slope * z);
+      });
+      const RL::Triangulated_surface_3 s = RL::curved_surface(surface(t));
+      double largest = 0;
+      for(std::size_t f = 0; f < s.number_of_faces(); ++f) {
+        bool is_inside = true; // the boundary is a curve where it bends little
+        for(int i = 0; i < 3; ++i)
+          is_inside = is_inside && s.point(f, i).y() > 0 && s.point(f, i).y() < 1 &&
+                      s.point(f, i).x() > 0 && s.point(f, i).x() < 1;
+        for(const RL::Vector_3& control : s.patches().controls(f))
+          if(is_inside)
+            largest = (std::max)(largest, control.squared_length());
+      }
+      CHECK(largest < 1e-20);
+    }
 }
 
 TEST_CASE("patches_that_would_fold_are_flat") {

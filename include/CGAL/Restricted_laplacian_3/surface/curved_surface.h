@@ -30,8 +30,8 @@ namespace Restricted_laplacian_3 {
 /// `Smooth_geometry::creases`, and those with one face, or more than two. In a sector that meets
 /// one plane part of the surface, only the faces of this part count: the normal is that of the
 /// plane. (A part is plane if its faces lie in one plane, and one of them has three neighbors in
-/// it; so strips of a cylinder are not.) Neighbors that are oriented against each other have
-/// opposite normals.
+/// it; so strips of a cylinder are not. Several in one sector have a normal each.) Neighbors that
+/// are oriented against each other have opposite normals.
 ///
 /// *Creases and boundaries* are curves too: where two of their edges meet at less than the crease
 /// angle, the tangent is that of the parabola through the three vertices. At their corners it is

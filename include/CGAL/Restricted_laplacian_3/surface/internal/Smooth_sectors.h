@@ -197,29 +197,39 @@ private:
                                                  (changes(sector[k], way) ? -1 : 1));
           sector.push_back(other);
         }
-      using Correction = Corner_groups::Correction;
-      m_groups.corrections.push_back(leave_out_all_but_plane(sector) ? Correction::none
-                                     : is_on_boundary                ? Correction::at_boundary
-                                                                     : Correction::inside);
+      add_corrections(sector, is_on_boundary);
     }
   }
 
-  /// where the faces of a sector belong to one plane part, and perhaps to parts that are not plane
-  bool leave_out_all_but_plane(const std::vector<std::uint32_t>& sector) {
-    std::uint32_t part = none;
-    for(std::uint32_t corner : sector) {
-      const std::uint32_t other = m_plane_parts[corner / 3];
-      if(other == none)
-        continue;
-      if(part != none && other != part)
-        return false;
-      part = other;
-    }
-    if(part == none)
-      return false;
+  /// Says how the normal of the sector that is the last group is corrected. Plane parts in it
+  /// determine the normal: of a single one also that of other faces; of several, each is a group of
+  /// its own.
+  void add_corrections(const std::vector<std::uint32_t>& sector, bool is_on_boundary) {
+    using Correction = Corner_groups::Correction;
+    std::vector<std::uint32_t> parts;
     for(std::uint32_t corner : sector)
-      m_groups.corners[corner].counts = m_plane_parts[corner / 3] == part;
-    return true;
+      if(m_plane_parts[corner / 3] != none)
+        parts.push_back(m_plane_parts[corner / 3]);
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    if(parts.size() < 2) {
+      m_groups.corrections.push_back(!parts.empty()   ? Correction::none
+                                     : is_on_boundary ? Correction::at_boundary
+                                                      : Correction::inside);
+      for(std::uint32_t corner : sector)
+        m_groups.corners[corner].counts = parts.empty() || m_plane_parts[corner / 3] == parts[0];
+      return;
+    }
+    m_groups.corrections.push_back(Correction::at_boundary);
+    const std::uint32_t vertex = m_groups.vertices.back();
+    for(std::uint32_t part : parts) {
+      const auto group = static_cast<std::uint32_t>(m_groups.vertices.size());
+      m_groups.vertices.push_back(vertex);
+      m_groups.corrections.push_back(Correction::none);
+      for(std::uint32_t corner : sector)
+        if(m_plane_parts[corner / 3] == part)
+          m_groups.corners[corner].group = group;
+    }
   }
 
   const Triangulated_surface_3& m_surface;
