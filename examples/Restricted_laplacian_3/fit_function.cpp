@@ -38,8 +38,8 @@ Fits functions on a surface by splines: those for which the integral of the squa
 difference is smallest.
 
 The functions are given at the vertices, and interpolated as --vertex-data says. With
---smoothing W the integral of W times the squared gradient is added. A fit is NaN at vertices
-that have no face, or only faces without area.
+--smoothing W the integral of W times the squared gradient is added. A fit is NaN at
+vertices that have no face, or only faces without area.
 )") + about_meshes + about_points,
                    R"(  fit_function elephant.off --normals --depth 5 --output normals.ply
       smooth normals, shown as red, green and blue
