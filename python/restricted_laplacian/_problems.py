@@ -327,7 +327,7 @@ def integrate_gradient(V: Any, F: Any, v: Any, *, target: Any = None, weight: An
     Parameters
     ----------
     v : array_like or callable
-        (m, 3) on faces; (n, 3) at vertices, linear between them; `Corners`; with a last dimension K
+        (m, 3) on faces; (n, 3) at vertices, see `vertex_data`; `Corners`; with a last dimension K
         for K fields; or a callable on points. Only the part along the surface counts.
     target : array_like or callable, optional
         Values to which the result is drawn, (n,) or (n, K).
