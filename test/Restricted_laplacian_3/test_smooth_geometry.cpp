@@ -24,6 +24,9 @@
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -31,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -364,6 +368,25 @@ TEST_CASE("parameters_of_smooth_geometry") {
     const double area = RL::Spline_space_3(mesh, np.surface_geometry(to_sphere)).surface().area();
     CHECK(area == Approx(16 * CGAL_PI).epsilon(1e-3));
     CHECK(RL::Spline_space_3(mesh, np.surface_geometry(with_normal)).surface().area() == area);
+
+    // of another kernel's points, those of the mesh
+    using Other = CGAL::Exact_predicates_inexact_constructions_kernel;
+    CGAL::Surface_mesh<Other::Point_3> other;
+    std::vector<Other::Point_3> points;
+    for(const RL::Point_3& p : t.points) {
+      points.emplace_back(p.x(), p.y(), p.z());
+      other.add_vertex(points.back());
+    }
+    using Vertex = CGAL::SM_Vertex_index;
+    for(const auto& f : t.faces)
+      other.add_face(Vertex(f[0]), Vertex(f[1]), Vertex(f[2]));
+    const std::function<Other::Point_3(const Other::Point_3&)> own = [](const Other::Point_3& p) {
+      const Other::Vector_3 v = p - CGAL::ORIGIN;
+      return CGAL::ORIGIN + 2 * v / std::sqrt(v.squared_length());
+    };
+    const auto to_own = np.surface_geometry(own);
+    CHECK(RL::Spline_space_3(other, to_own).surface().area() == area);
+    CHECK(RL::Spline_space_3(points, t.faces, to_own).surface().area() == area);
   }
   SECTION("points have no geometry") {
     using Pair = std::pair<RL::Point_3, RL::Vector_3>;

@@ -73,18 +73,16 @@ public:
   }
   template <class NamedParameters>
   Smooth_geometry smooth_geometry(const NamedParameters& np) const {
-    return smooth_geometry_of_soup(size(), np);
+    return smooth_geometry_of_soup(m_points, np);
   }
   template <class Visitor> void for_each_vertex(Visitor&& visit) const {
-    for(std::size_t i = 0; i < size(); ++i)
+    const auto size =
+        static_cast<std::size_t>(std::distance(std::begin(m_points), std::end(m_points)));
+    for(std::size_t i = 0; i < size; ++i)
       visit(i, i);
   }
 
 private:
-  std::size_t size() const {
-    return static_cast<std::size_t>(std::distance(std::begin(m_points), std::end(m_points)));
-  }
-
   const PointRange& m_points;
   const TriangleRange& m_triangles;
 };

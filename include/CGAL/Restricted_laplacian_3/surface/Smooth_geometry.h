@@ -54,6 +54,15 @@ template <class T> Point_3 projected_point(const T& projected) {
     return with_coordinates_of<Point_3>(projected);
 }
 
+/// A projection may take the package's points, or else those of the mesh.
+template <class MeshPoint, class Projection>
+Point_3 project(const Projection& projection, const Point_3& p) {
+  if constexpr(std::is_invocable_v<const Projection&, const Point_3&>)
+    return projected_point(projection(p));
+  else
+    return projected_point(projection(with_coordinates_of<MeshPoint>(p)));
+}
+
 /// whether `surface_geometry` asks for another surface than the triangles
 template <class NamedParameters> bool asks_for_smooth_geometry(const NamedParameters& np) {
   if constexpr(is_given_v<NamedParameters, internal_np::surface_geometry_t>) {
@@ -68,13 +77,15 @@ template <class NamedParameters> bool asks_for_smooth_geometry(const NamedParame
 
 /// The geometry that `surface_geometry` and `crease_angle` describe, without the parameters whose
 /// values are property maps.
-template <class NamedParameters> Smooth_geometry smooth_geometry_of(const NamedParameters& np) {
+/// \tparam MeshPoint the points of the mesh
+template <class MeshPoint, class NamedParameters>
+Smooth_geometry smooth_geometry_of(const NamedParameters& np) {
   Smooth_geometry result;
   read_parameter(np, internal_np::crease_angle, result.crease_angle);
   if constexpr(is_given_v<NamedParameters, internal_np::surface_geometry_t>) {
     const auto value = parameters::get_parameter(np, internal_np::surface_geometry);
     if constexpr(!std::is_same_v<std::decay_t<decltype(value)>, Surface_geometry>)
-      result.projection = [value](const Point_3& p) { return projected_point(value(p)); };
+      result.projection = [value](const Point_3& p) { return project<MeshPoint>(value, p); };
   }
   return result;
 }

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -24,10 +25,19 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
+/// the property map of the points of a mesh
+template <class FaceGraph, class NamedParameters>
+auto vertex_points_of(const FaceGraph& tm, const NamedParameters& np) {
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, tm));
+}
+
 /// the geometry that named parameters describe, with the property maps of a mesh
 template <class FaceGraph, class NamedParameters>
 Smooth_geometry smooth_geometry_of_mesh(const FaceGraph& tm, const NamedParameters& np) {
-  Smooth_geometry geometry = smooth_geometry_of(np);
+  using Point_map = decltype(vertex_points_of(tm, np));
+  Smooth_geometry geometry =
+      smooth_geometry_of<typename boost::property_traits<Point_map>::value_type>(np);
   if constexpr(is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
     const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
     for(auto v : vertices(tm))
@@ -47,12 +57,14 @@ Smooth_geometry smooth_geometry_of_mesh(const FaceGraph& tm, const NamedParamete
 }
 
 /// the same for a triangle soup, whose property maps have indices of points as keys
-template <class NamedParameters>
-Smooth_geometry smooth_geometry_of_soup(std::size_t number_of_points, const NamedParameters& np) {
-  Smooth_geometry geometry = smooth_geometry_of(np);
+template <class PointRange, class NamedParameters>
+Smooth_geometry smooth_geometry_of_soup(const PointRange& points, const NamedParameters& np) {
+  using Point = std::decay_t<decltype(*std::begin(points))>;
+  Smooth_geometry geometry = smooth_geometry_of<Point>(np);
   if constexpr(is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
     const auto normal_map = parameters::get_parameter(np, internal_np::vertex_normal_map);
-    for(std::size_t i = 0; i < number_of_points; ++i)
+    const auto size = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
+    for(std::size_t i = 0; i < size; ++i)
       geometry.vertex_normals.push_back(with_coordinates_of<Vector_3>(get(normal_map, i)));
   }
   return geometry;
@@ -77,9 +89,7 @@ template <class FaceGraph, class NamedParameters = parameters::Default_named_par
 Triangulated_surface_3 read_surface(const FaceGraph& tm,
                                     const NamedParameters& np = parameters::default_values()) {
   using Vertex = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
-  auto point_map =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                   get_const_property_map(CGAL::vertex_point, tm));
+  const auto point_map = internal::vertex_points_of(tm, np);
   const auto traits = internal::geom_traits_of(np);
   auto index_map = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), tm);
 
@@ -139,9 +149,7 @@ Triangulated_surface_3 read_surface(const PointRange& points, const TriangleRang
   Triangulated_surface_3 surface(std::move(own_points), std::move(own_triangles));
   if(!internal::asks_for_smooth_geometry(np))
     return surface;
-  const Smooth_geometry geometry =
-      internal::smooth_geometry_of_soup(surface.number_of_vertices(), np);
-  return curved_surface(std::move(surface), geometry);
+  return curved_surface(std::move(surface), internal::smooth_geometry_of_soup(points, np));
 }
 
 } // namespace Restricted_laplacian_3
