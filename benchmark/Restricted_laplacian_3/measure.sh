@@ -86,6 +86,8 @@ spectrum_study           spectrum_study --output spectrum_study armadillo
 spectrum_study           spectrum_study --output spectrum_study thin
 smooth_geometry          smooth_geometry
 smooth_geometry          smooth_geometry --simplified bunny_closed_70k armadillo bimba_46k
+smooth_geometry          smooth_geometry --held-out fandisk_14k fandisk_32k wingnut_6k pulley_28k anchor_8k mechpart_15k spot_23k bimba_46k bunny_closed_70k armadillo
+smooth_geometry          smooth_geometry --curvature
 thin_features            thin_features
 thin_features            thin_features --gaps
 compile_times            compile_times.sh"

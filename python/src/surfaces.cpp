@@ -109,12 +109,17 @@ Surface make_curved_surface(const Surface& surface, double crease_angle,
 Surface make_projected_surface(const Surface& surface, const nb::object& projection) {
   const Callable_function function(projection, 3, 0);
   RL::Smooth_geometry geometry;
-  geometry.projection = [&function](const RL::Point_3& p) {
-    RL::Surface_point point;
-    point.point = p;
-    std::array<double, 3> projected;
-    function(&point, 1, projected.data());
-    return RL::Point_3(projected[0], projected[1], projected[2]);
+  geometry.projection = [&function](const std::vector<RL::Point_3>& points) {
+    std::vector<RL::Surface_point> given(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i)
+      given[i].point = points[i];
+    std::vector<double> found(3 * points.size());
+    if(!points.empty())
+      function(given.data(), given.size(), found.data());
+    std::vector<RL::Point_3> projected;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      projected.emplace_back(found[3 * i], found[3 * i + 1], found[3 * i + 2]);
+    return projected;
   };
   const nb::gil_scoped_release release;
   return RL::curved_surface(surface, geometry);

@@ -307,13 +307,18 @@ def test_smooth_data():
 
 
 def test_projections():
+    calls = []
+
     def sphere(p):
+        calls.append(len(p))
         return p / np.linalg.norm(p, axis=1, keepdims=True)
 
     points, faces = rl.icosphere(2)
     moved = points * np.linspace(0.9, 1.1, len(points))[:, np.newaxis]
     space = rl.Space(moved, faces, depth=4, geometry=sphere)
     assert abs(space.area / (4 * np.pi) - 1) < 1e-4
+    # vertices; two points of each edge, and the centers
+    assert calls == [len(points), 3 * len(faces) + len(faces)]
     exact = np.array([0, 2, 2, 2, 6, 6, 6, 6, 6])
     assert np.abs(rl.eigs(moved, faces, 9, depth=4, geometry=sphere, tolerance=1e-5)[0]
                   - exact).max() < 1e-3

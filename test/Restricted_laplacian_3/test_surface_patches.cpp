@@ -386,10 +386,10 @@ TEST_CASE("patches_that_would_fold_are_flat") {
 
 TEST_CASE("a_projection_gives_the_surface_itself") {
   RL::Smooth_geometry geometry;
-  geometry.projection = [](const RL::Point_3& p) {
+  geometry.set_projection([](const RL::Point_3& p) {
     const RL::Vector_3 v = p - CGAL::ORIGIN;
     return CGAL::ORIGIN + v / std::sqrt(v.squared_length());
-  };
+  });
   // vertices beside the sphere
   shapes::Triangles t = shapes::sphere(3);
   for(std::size_t v = 0; v < t.points.size(); ++v)
@@ -404,10 +404,15 @@ TEST_CASE("a_projection_gives_the_surface_itself") {
   CHECK(error < 4e-5);
   CHECK(std::abs(s.area() / (4 * CGAL_PI) - 1) < 2e-5);
 
-  geometry.projection = [](const RL::Point_3& p) {
+  geometry.set_projection([](const RL::Point_3& p) {
     return p.x() > 0.9 ? RL::Point_3(p.x(), p.y(), std::numeric_limits<double>::infinity()) : p;
-  };
+  });
   CHECK_THROWS_AS(RL::curved_surface(surface(shapes::sphere(3)), geometry), RL::Input_error);
+
+  geometry.projection = [](const std::vector<RL::Point_3>& points) {
+    return std::vector<RL::Point_3>(points.begin(), points.begin() + 1);
+  };
+  CHECK_THROWS_AS(RL::curved_surface(surface(shapes::sphere(1)), geometry), RL::Parameter_error);
 }
 
 TEST_CASE("patches_of_bad_meshes") {

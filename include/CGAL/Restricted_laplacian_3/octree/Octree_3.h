@@ -80,8 +80,8 @@ public:
   static constexpr double thin_face_height = 1e-6;
 
   /// Most that a patch of a smooth surface deviates from its pieces, in units of the width of the
-  /// finest cells. Half of it changes nothing, with four times of it, errors of eigenvalues of
-  /// spheres grow to 4e-4.
+  /// finest cells: so little that no node on it is far outside the cell whose polynomials are
+  /// evaluated there.
   static constexpr double piece_tolerance = 8e-3;
 
   /// Number of sheets beyond which an octree is refused instead of filling the memory. About 3

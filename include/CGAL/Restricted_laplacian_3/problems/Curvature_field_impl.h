@@ -30,15 +30,13 @@ inline Surface_curvature curvature_of_normals(const Eigen::Vector3d& n,
   if(!(length > 0) || !std::isfinite(length))
     return result;
   const Eigen::Vector3d normal = n / length;
-  Eigen::Index axis;
-  normal.cwiseAbs().minCoeff(&axis);
+  const auto vector = [](const Eigen::Vector3d& v) { return Vector_3(v[0], v[1], v[2]); };
+  const auto [u, v] = tangent_axes(vector(normal));
   Eigen::Matrix<double, 3, 2> tangents;
-  tangents.col(0) = normal.cross(Eigen::Vector3d::Unit(axis)).normalized();
-  tangents.col(1) = normal.cross(tangents.col(0));
+  tangents << u.x(), v.x(), u.y(), v.y(), u.z(), v.z();
   // the derivative of n / |n| has no other tangential part
   const Eigen::Matrix2d shape = tangents.transpose() * derivatives * tangents / length;
   const Eigen::Matrix2d symmetric = (shape + shape.transpose()) / 2;
-  const auto vector = [](const Eigen::Vector3d& v) { return Vector_3(v[0], v[1], v[2]); };
   result.normal = vector(normal);
   if(!symmetric.allFinite())
     return result; // NaN

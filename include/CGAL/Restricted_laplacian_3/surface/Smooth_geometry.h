@@ -36,9 +36,19 @@ struct Smooth_geometry {
   std::vector<Vector_3> vertex_normals;
   /// pairs of vertices whose edges are creases, whatever the angle
   std::vector<std::array<std::uint32_t, 2>> creases;
-  /// A function that takes a point near the surface to one on it. If there is one, patches
-  /// interpolate it between the vertices, and the members above have no effect.
-  std::function<Point_3(const Point_3&)> projection;
+  /// A function that takes points near the surface to as many on it. If there is one, patches
+  /// interpolate it between the vertices, and the members above have no effect. It is called twice:
+  /// for the vertices, and for all other points.
+  std::function<std::vector<Point_3>(const std::vector<Point_3>&)> projection;
+
+  /// Makes `projection` of a function that takes one point to another.
+  template <class Function> void set_projection(Function function) {
+    projection = [function](std::vector<Point_3> points) {
+      for(Point_3& p : points)
+        p = function(p);
+      return points;
+    };
+  }
 };
 
 namespace internal {
@@ -85,7 +95,7 @@ Smooth_geometry smooth_geometry_of(const NamedParameters& np) {
   if constexpr(is_given_v<NamedParameters, internal_np::surface_geometry_t>) {
     const auto value = parameters::get_parameter(np, internal_np::surface_geometry);
     if constexpr(!std::is_same_v<std::decay_t<decltype(value)>, Surface_geometry>)
-      result.projection = [value](const Point_3& p) { return project<MeshPoint>(value, p); };
+      result.set_projection([value](const Point_3& p) { return project<MeshPoint>(value, p); });
   }
   return result;
 }

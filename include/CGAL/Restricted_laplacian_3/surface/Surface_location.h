@@ -31,6 +31,19 @@ using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
 /// the vectors that belong to them
 using Vector_3 = CGAL::Simple_cartesian<double>::Vector_3;
 
+namespace internal {
+
+/// the point of a triangle that has these barycentric coordinates
+inline Point_3 point_of_triangle(const Point_3& a, const Point_3& b, const Point_3& c,
+                                 const std::array<double, 3>& barycentric) {
+  const auto& l = barycentric;
+  return Point_3(l[0] * a.x() + l[1] * b.x() + l[2] * c.x(),
+                 l[0] * a.y() + l[1] * b.y() + l[2] * c.y(),
+                 l[0] * a.z() + l[1] * b.z() + l[2] * c.z());
+}
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A location on the surface: a face and barycentric coordinates in it.
 struct Surface_location {

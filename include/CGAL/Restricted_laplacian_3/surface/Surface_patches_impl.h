@@ -68,9 +68,7 @@ Surface_patches::evaluate(std::size_t face, const std::array<Point_3, 3>& corner
                           const std::array<double, 3>& barycentric) const {
   const auto& l = barycentric;
   const Vector_3 u = corners[1] - corners[0], v = corners[2] - corners[0];
-  const Point_3 flat(l[0] * corners[0].x() + l[1] * corners[1].x() + l[2] * corners[2].x(),
-                     l[0] * corners[0].y() + l[1] * corners[1].y() + l[2] * corners[2].y(),
-                     l[0] * corners[0].z() + l[1] * corners[1].z() + l[2] * corners[2].z());
+  const Point_3 flat = internal::point_of_triangle(corners[0], corners[1], corners[2], l);
   const std::array<Vector_3, 3> d = partial_derivatives(face, l);
   const double scale = std::sqrt((std::max)(u.squared_length(), v.squared_length()));
   const Vector_3 cross = CGAL::cross_product((u + d[1] - d[0]) / scale, (v + d[2] - d[0]) / scale);

@@ -30,6 +30,10 @@ void check_oriented_point(std::size_t i, const Point_3& point, const Vector_3& n
 /// a vector that is finite and not zero, divided by its length, however long or short it is
 Vector_3 unit_vector(const Vector_3& v);
 
+/// Two unit vectors that are orthogonal to a unit vector and to each other; with it they form a
+/// right-handed system.
+std::array<Vector_3, 2> tangent_axes(const Vector_3& normal);
+
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Dev
@@ -165,10 +169,7 @@ public:
     p.normal = m_normals[location.face];
     const Point_3 &a = m_points[p.vertices[0]], &b = m_points[p.vertices[1]],
                   &c = m_points[p.vertices[2]];
-    const auto& l = location.barycentric;
-    p.point = Point_3(l[0] * a.x() + l[1] * b.x() + l[2] * c.x(),
-                      l[0] * a.y() + l[1] * b.y() + l[2] * c.y(),
-                      l[0] * a.z() + l[1] * b.z() + l[2] * c.z());
+    p.point = internal::point_of_triangle(a, b, c, location.barycentric);
     return p;
   }
 

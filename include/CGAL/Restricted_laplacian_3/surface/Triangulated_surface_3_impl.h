@@ -40,6 +40,16 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Vector_3 unit_vector(const Vector_3& v) {
   return scaled / std::sqrt(scaled.squared_length());
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::array<Vector_3, 2> tangent_axes(const Vector_3& normal) {
+  // the axis that is farthest from the normal
+  const double x = std::abs(normal.x()), y = std::abs(normal.y()), z = std::abs(normal.z());
+  const Vector_3 axis = x <= y && x <= z ? Vector_3(1, 0, 0)
+                        : y <= z         ? Vector_3(0, 1, 0)
+                                         : Vector_3(0, 0, 1);
+  const Vector_3 first = unit_vector(CGAL::cross_product(normal, axis));
+  return {first, CGAL::cross_product(normal, first)};
+}
+
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE

@@ -19,9 +19,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -64,6 +64,14 @@ inline Vector_3 center_deviation(const std::array<Point_3, 3>& corners,
            4. / 9 * tangent_deviation(chord, tangential(normal));
   }
   return sum / 3;
+}
+
+inline bool has_degenerate_face(const Triangulated_surface_3& surface, const Surface_edges& edges,
+                                std::size_t edge) {
+  for(const Surface_edges::Side& side : edges.sides(edge))
+    if(surface.is_degenerate(side.face))
+      return true;
+  return false;
 }
 
 /// Makes the curves over the edges of a surface from normals and creases.
@@ -180,39 +188,68 @@ private:
   Edge_curves m_curves;
 };
 
+/// the projections of points
+/// \throws Parameter_error if it returns another number of points
+inline std::vector<Point_3> projected(const std::vector<Point_3>& points,
+                                      const Smooth_geometry& geometry) {
+  std::vector<Point_3> result = geometry.projection(points);
+  if(result.size() != points.size())
+    throw Parameter_error("surface_geometry", "returns " + std::to_string(result.size()) +
+                                                  " points for " + std::to_string(points.size()));
+  return result;
+}
+
 /// Makes patches that interpolate a projection: at the thirds of the edges, and at the centers.
 class Patches_by_projection {
 public:
   Patches_by_projection(const Triangulated_surface_3& surface, const Surface_edges& edges,
-                        const Smooth_geometry& geometry)
-    : m_surface(surface), m_edges(edges), m_projection(geometry.projection) {}
+                        const Smooth_geometry& geometry) {
+    std::vector<Point_3> points;
+    std::vector<std::size_t> faces; // that points belong to
+    const auto add = [&](std::size_t face, const Point_3& p) {
+      points.push_back(p);
+      faces.push_back(face);
+    };
+    for(std::size_t edge = 0; edge < edges.size(); ++edge) {
+      m_first_of_edges.push_back(points.size());
+      if(has_degenerate_face(surface, edges, edge))
+        continue;
+      const Point_3 &a = surface.point(edges.ends(edge)[0]),
+                    &b = surface.point(edges.ends(edge)[1]);
+      add(edges.sides(edge).front().face, a + (b - a) / 3);
+      add(edges.sides(edge).front().face, b - (b - a) / 3);
+    }
+    for(std::size_t face = 0; face < surface.number_of_faces(); ++face) {
+      m_of_faces.push_back(points.size());
+      if(!surface.is_degenerate(face))
+        add(face,
+            CGAL::centroid(surface.point(face, 0), surface.point(face, 1), surface.point(face, 2)));
+    }
+    const std::vector<Point_3> found = projected(points, geometry);
+    m_deviations.reserve(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i) {
+      for(int axis = 0; axis < 3; ++axis)
+        if(!std::isfinite(found[i][axis]))
+          throw Invalid_face_error(faces[i], "has a point whose projection is not finite");
+      m_deviations.push_back(found[i] - points[i]);
+    }
+  }
 
+  /// of an edge without degenerate faces
   Edge_curve edge(std::size_t edge) const {
-    const std::size_t face = m_edges.sides(edge).front().face;
-    const Point_3 &a = m_surface.point(m_edges.ends(edge)[0]),
-                  &b = m_surface.point(m_edges.ends(edge)[1]);
-    const Vector_3 first = deviation(face, a + (b - a) / 3),
-                   second = deviation(face, b - (b - a) / 3);
+    const Vector_3 &first = m_deviations[m_first_of_edges[edge]],
+                   &second = m_deviations[m_first_of_edges[edge] + 1];
     return {3 * first - 1.5 * second, 3 * second - 1.5 * first};
   }
 
+  /// of a face that is not degenerate
   Vector_3 center(std::size_t face, const std::array<Edge_curve, 3>&) const {
-    return deviation(face, CGAL::centroid(m_surface.point(face, 0), m_surface.point(face, 1),
-                                          m_surface.point(face, 2)));
+    return m_deviations[m_of_faces[face]];
   }
 
 private:
-  Vector_3 deviation(std::size_t face, const Point_3& p) const {
-    const Point_3 q = m_projection(p);
-    for(int axis = 0; axis < 3; ++axis)
-      if(!std::isfinite(q[axis]))
-        throw Invalid_face_error(face, "has a point whose projection is not finite");
-    return q - p;
-  }
-
-  const Triangulated_surface_3& m_surface;
-  const Surface_edges& m_edges;
-  const std::function<Point_3(const Point_3&)>& m_projection;
+  std::vector<std::size_t> m_first_of_edges, m_of_faces; // in m_deviations
+  std::vector<Vector_3> m_deviations;
 };
 
 /// whether the patch of a face would fold
@@ -259,12 +296,10 @@ Surface_patches make_patches(const Triangulated_surface_3& surface, const Surfac
   std::vector<Edge_curve> curves(edges.size());
   std::vector<std::array<std::uint32_t, 3>> edges_of_faces(surface.number_of_faces());
   for(std::size_t edge = 0; edge < edges.size(); ++edge) {
-    bool has_degenerate_face = false;
-    for(const Surface_edges::Side& side : edges.sides(edge)) {
+    for(const Surface_edges::Side& side : edges.sides(edge))
       edges_of_faces[side.face][side.number] = static_cast<std::uint32_t>(edge);
-      has_degenerate_face = has_degenerate_face || surface.is_degenerate(side.face);
-    }
-    curves[edge] = has_degenerate_face ? Edge_curve{zero, zero} : make.edge(edge);
+    curves[edge] =
+        has_degenerate_face(surface, edges, edge) ? Edge_curve{zero, zero} : make.edge(edge);
     const auto [a, b] = edges.ends(edge);
     for(Vector_3& d : curves[edge])
       set_to_zero_if_tiny(d, (surface.point(b) - surface.point(a)).squared_length());
@@ -331,7 +366,8 @@ curved_surface(Triangulated_surface_3 surface, const Smooth_geometry& geometry) 
     std::vector<Point_3> points;
     std::vector<Triangulated_surface_3::Triangle> triangles;
     for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-      points.push_back(geometry.projection(surface.point(v)));
+      points.push_back(surface.point(v));
+    points = internal::projected(points, geometry);
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       triangles.push_back(surface.triangle(f));
     surface = Triangulated_surface_3(std::move(points), std::move(triangles));

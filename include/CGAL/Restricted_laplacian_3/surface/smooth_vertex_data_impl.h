@@ -57,12 +57,7 @@ private:
   /// weight 0
   void project(const Vector_3& normal, const std::vector<Vector_3>& ways) {
     constexpr double least_cosine = 0.3;
-    const double x = std::abs(normal.x()), y = std::abs(normal.y()), z = std::abs(normal.z());
-    const Vector_3 axis = x <= y && x <= z ? Vector_3(1, 0, 0)
-                          : y <= z         ? Vector_3(0, 1, 0)
-                                           : Vector_3(0, 0, 1);
-    m_tangents[0] = unit_or_zero(CGAL::cross_product(normal, axis));
-    m_tangents[1] = CGAL::cross_product(normal, m_tangents[0]);
+    m_tangents = tangent_axes(normal);
     m_radius = 0;
     for(const Vector_3& way : ways)
       m_radius = (std::max)(m_radius, std::sqrt(way.squared_length()));

@@ -145,12 +145,18 @@ private:
         m_plane_parts[f] = sets.find(f);
   }
 
-  void find_sectors() {
-    const std::size_t number_of_faces = m_surface.number_of_faces();
-    // the corner across the side that begins at a corner, and the one across the side that ends
-    // there, with the same vertex; `none` at creases
-    std::vector<std::array<std::uint32_t, 2>> across(3 * number_of_faces, {none, none});
-    std::vector<char> changes_orientation(3 * number_of_faces, 0); // over the side that begins
+  /// A corner with the same vertex in a neighbor, or none, and whether that is oriented the other
+  /// way round.
+  struct Next_corner {
+    std::uint32_t corner = none;
+    bool changes_orientation = false;
+  };
+  /// over the side that begins at a corner, and over the one that ends there
+  using Next_corners = std::array<Next_corner, 2>;
+
+  /// of all corners; none across creases
+  std::vector<Next_corners> next_corners() const {
+    std::vector<Next_corners> across(3 * m_surface.number_of_faces());
     Pair pair;
     for(std::size_t edge = 0; edge < m_edges.size(); ++edge) {
       if(is_crease(edge) || !is_pair(edge, pair))
@@ -159,22 +165,20 @@ private:
         return {3 * side.face + side.number, 3 * side.face + (side.number + 1) % 3};
       };
       const auto first = corners(pair.first), second = corners(pair.second);
-      // begin of the first side
-      across[first[0]][0] = pair.is_oriented ? second[1] : second[0];
-      across[first[1]][1] = pair.is_oriented ? second[0] : second[1];
-      across[second[0]][0] = pair.is_oriented ? first[1] : first[0];
-      across[second[1]][1] = pair.is_oriented ? first[0] : first[1];
-      changes_orientation[first[0]] = changes_orientation[second[0]] = pair.is_oriented ? 0 : 1;
+      for(int end = 0; end < 2; ++end) {
+        const int other = pair.is_oriented ? 1 - end : end;
+        across[first[end]][end] = {second[other], !pair.is_oriented};
+        across[second[end]][end] = {first[other], !pair.is_oriented};
+      }
     }
-    const auto changes = [&](std::uint32_t corner, int way) {
-      // the side that ends at a corner begins at the one before
-      const std::uint32_t begin = way == 0 ? corner : corner % 3 == 0 ? corner + 2 : corner - 1;
-      return changes_orientation[begin] != 0;
-    };
+    return across;
+  }
 
-    m_groups.corners.assign(3 * number_of_faces, {none, 1, true});
+  void find_sectors() {
+    const std::vector<Next_corners> across = next_corners();
+    m_groups.corners.assign(across.size(), {none, 1, true});
     std::vector<std::uint32_t> sector;
-    for(std::uint32_t start = 0; start < 3 * number_of_faces; ++start) {
+    for(std::uint32_t start = 0; start < across.size(); ++start) {
       if(m_groups.corners[start].group != none)
         continue;
       const auto group = static_cast<std::uint32_t>(m_groups.vertices.size());
@@ -183,19 +187,18 @@ private:
       sector.assign(1, start);
       bool is_on_boundary = false;
       for(std::size_t k = 0; k < sector.size(); ++k)
-        for(int way = 0; way < 2; ++way) {
-          const std::uint32_t other = across[sector[k]][way];
-          if(other == none) {
+        for(const Next_corner& next : across[sector[k]]) {
+          if(next.corner == none) {
             is_on_boundary = true;
             continue;
           }
-          Corner_groups::Corner& corner = m_groups.corners[other];
+          Corner_groups::Corner& corner = m_groups.corners[next.corner];
           if(corner.group != none)
             continue;
           corner.group = group;
           corner.sign = static_cast<signed char>(m_groups.corners[sector[k]].sign *
-                                                 (changes(sector[k], way) ? -1 : 1));
-          sector.push_back(other);
+                                                 (next.changes_orientation ? -1 : 1));
+          sector.push_back(next.corner);
         }
       add_corrections(sector, is_on_boundary);
     }

@@ -66,11 +66,8 @@ private:
   }
 
   Point_3 point(std::size_t face, const Barycentric& l) const {
-    const Point_3 &a = m_surface.point(face, 0), &b = m_surface.point(face, 1),
-                  &c = m_surface.point(face, 2);
-    return Point_3(l[0] * a.x() + l[1] * b.x() + l[2] * c.x(),
-                   l[0] * a.y() + l[1] * b.y() + l[2] * c.y(),
-                   l[0] * a.z() + l[1] * b.z() + l[2] * c.z()) +
+    return point_of_triangle(m_surface.point(face, 0), m_surface.point(face, 1),
+                             m_surface.point(face, 2), l) +
            m_patches.deviation(face, l);
   }
 

@@ -34,12 +34,7 @@ inline void project_neighbors(const Point_sites& sites, std::size_t site,
                               const std::vector<std::uint32_t>& neighbors,
                               std::vector<std::array<double, 2>>& projected) {
   const Vector_3& n = sites.normals[site];
-  // The axis that is farthest from the normal gives the first direction.
-  const double x = std::abs(n.x()), y = std::abs(n.y()), z = std::abs(n.z());
-  const Vector_3 axis = x <= y && x <= z ? Vector_3(1, 0, 0)
-                        : y <= z         ? Vector_3(0, 1, 0)
-                                         : Vector_3(0, 0, 1);
-  const Vector_3 u = unit_vector(CGAL::cross_product(n, axis)), v = CGAL::cross_product(n, u);
+  const auto [u, v] = tangent_axes(n);
   projected.clear();
   for(std::uint32_t j : neighbors)
     if(sites.normals[j] * n > 0) {
