@@ -13,8 +13,10 @@
 //   methods have them
 // - smooth, smooth_v: the same two on the smooth surface through the vertices, values at them
 //   interpolated smoothly; the vertices of these meshes lie on the sphere or torus
-// - cot_cholmod: a vertex held at 0, CHOLMOD with AMD ordering
+// - cot_cholmod: the cotangent Laplacian, a vertex held at 0, CHOLMOD with AMD ordering
 // - cot_amg: conjugate gradients with BoomerAMG, configuration amg2 of support/boomer_amg.h
+// - cot_cholmod_f, cot_amg_f: the same two with the right-hand side as a function, integrated
+//   against hat functions by a rule of degree 4; the others interpolate it linearly
 // The iterative ones run to each of the tolerances (of the residual, relative).
 //
 // Poisson: on the sphere the sum of harmonics of degrees 2, 5, 9 and 14 about different axes, on
@@ -41,6 +43,7 @@
 #include "support/package.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
@@ -235,7 +238,7 @@ public:
       solve.push_back(last.solve_seconds);
     }
     const double total = median(assembly) + median(setup) + median(solve);
-    std::printf("%-7s %8zu %-12s %-9s %8zu %8.3f %8.3f %8.3f %8.3f %9.2e %3s\n", m_shape.c_str(),
+    std::printf("%-7s %8zu %-13s %-9s %8zu %8.3f %8.3f %8.3f %8.3f %9.2e %3s\n", m_shape.c_str(),
                 faces, method.c_str(), parameters.c_str(), last.unknowns, median(assembly),
                 median(setup), median(solve), total, last.error, last.converged ? "yes" : "no");
     std::fflush(stdout);
@@ -255,7 +258,7 @@ public:
         m_shape.c_str(), what.c_str(),
         faces > 0 ? (" on " + std::to_string(faces) + " faces").c_str() : "", "error");
     for(const std::string& method : methods)
-      std::printf(" %12s", method.c_str());
+      std::printf(" %13s", method.c_str());
     std::printf(" %12s\n", "cot/restr");
     for(double error : errors) {
       if(std::none_of(m_results.begin(), m_results.end(),
@@ -270,7 +273,7 @@ public:
             seconds = std::fmin(seconds, r.seconds);
         double& best = method.rfind("cot", 0) == 0 ? cotangent : restricted;
         best = std::fmin(best, seconds);
-        std::printf(" %12.3f", seconds);
+        std::printf(" %13.3f", seconds);
       }
       std::printf(" %12.2f\n", cotangent / restricted);
     }
@@ -338,18 +341,44 @@ Run restricted_poisson(const Options& o, const Shape& shape, const RL::Triangula
   return run;
 }
 
+// minus the integrals of the right-hand side, without its mean, times hat functions
+// `areas`: those of the hat functions
+Eigen::VectorXd integrated_load(const Shape& shape, const RL::Triangulated_surface_3& surface,
+                                const Eigen::VectorXd& areas) {
+  Eigen::VectorXd b =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(surface.number_of_vertices()));
+  const std::vector<RL::Triangle_quadrature_node> rule = RL::triangle_quadrature(4);
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(const RL::Triangle_quadrature_node& node : rule) {
+      const std::array<double, 3> l = {node.b0, node.b1, node.b2};
+      RL::Surface_location location;
+      location.face = f;
+      location.barycentric = l;
+      const double value =
+          surface.area(f) * node.weight * shape.laplacian(surface.surface_point(location).point);
+      for(int i = 0; i < 3; ++i)
+        b[surface.triangle(f)[i]] -= value * l[i];
+    }
+  return b - areas * (b.sum() / areas.sum());
+}
+
 // `solve(a, b, u)` returns the times of setup and solution
 template <class Solve>
 Run cotangent_poisson(const Shape& shape, const RL::Triangulated_surface_3& surface,
-                      Solve&& solve) {
+                      bool has_function, Solve&& solve) {
   Run run;
   Stopwatch watch;
   const RL::Operators both = RL::cotangent_operators(surface);
   const auto n = static_cast<Eigen::Index>(surface.number_of_vertices());
-  Eigen::VectorXd f(n), u(n);
-  for(Eigen::Index v = 0; v < n; ++v)
-    f[v] = shape.laplacian(surface.point(v));
-  const Eigen::VectorXd b = poisson_load(both.mass, f);
+  Eigen::VectorXd b, u(n);
+  if(has_function) {
+    b = integrated_load(shape, surface, both.mass * Eigen::VectorXd::Ones(n));
+  } else {
+    Eigen::VectorXd f(n);
+    for(Eigen::Index v = 0; v < n; ++v)
+      f[v] = shape.laplacian(surface.point(v));
+    b = poisson_load(both.mass, f);
+  }
   run.unknowns = surface.number_of_vertices();
   run.assembly_seconds = watch.lap();
   static_cast<Solver_run&>(run) = solve(both.stiffness, b, u);
@@ -383,16 +412,21 @@ void compare_poisson(const Options& o, const Shape& shape) {
   for(int n = o.smallest_mesh; n < o.smallest_mesh + o.meshes; ++n) {
     const RL::Triangulated_surface_3 surface = shape.mesh(n);
     const std::size_t faces = surface.number_of_faces();
+    for(bool has_function : {false, true}) {
+      const std::string ending = has_function ? "_f" : "";
 #ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD
-    table.add("cot_cholmod", "-", faces,
-              [&] { return cotangent_poisson(shape, surface, solve_by_cholmod); });
+      table.add("cot_cholmod" + ending, "-", faces,
+                [&] { return cotangent_poisson(shape, surface, has_function, solve_by_cholmod); });
 #endif
-    for(double tolerance : o.tolerances) {
-      table.add("cot_amg", label("%.0e", tolerance), faces, [&] {
-        return cotangent_poisson(shape, surface, [&](const auto& a, const auto& b, auto& u) {
-          return solve_by_amg(a, b, tolerance, u);
+      for(double tolerance : o.tolerances)
+        table.add("cot_amg" + ending, label("%.0e", tolerance), faces, [&] {
+          return cotangent_poisson(shape, surface, has_function,
+                                   [&](const auto& a, const auto& b, auto& u) {
+                                     return solve_by_amg(a, b, tolerance, u);
+                                   });
         });
-      });
+    }
+    for(double tolerance : o.tolerances)
       for(int depth : depths_for(surface, o.depths))
         for(bool is_smooth : {false, true})
           for(bool has_function : {true, false})
@@ -401,10 +435,10 @@ void compare_poisson(const Options& o, const Shape& shape) {
                         return restricted_poisson(o, shape, surface, depth, tolerance, is_smooth,
                                                   has_function);
                       });
-    }
   }
-  const std::vector<std::string> methods = {"restricted", "restricted_v", "smooth",
-                                            "smooth_v",   "cot_cholmod",  "cot_amg"};
+  const std::vector<std::string> methods = {"restricted",    "restricted_v", "smooth",
+                                            "smooth_v",      "cot_cholmod",  "cot_amg",
+                                            "cot_cholmod_f", "cot_amg_f"};
   table.print_pareto("poisson", methods);
   table.print_pareto("poisson", methods, shape.mesh(1).number_of_faces());
 }
@@ -515,7 +549,7 @@ int main(int argc, char* argv[]) {
     for(const std::string& part : o.parts)
       for(const Shape& shape : shapes()) {
         std::printf("# %s, %s, all\n", shape.name.c_str(), part.c_str());
-        std::printf("# %-5s %8s %-12s %-9s %8s %8s %8s %8s %8s %9s %3s\n", "shape", "faces",
+        std::printf("# %-5s %8s %-13s %-9s %8s %8s %8s %8s %8s %9s %3s\n", "shape", "faces",
                     "method", "param", "unknowns", "assem_s", "setup_s", "solve_s", "total_s",
                     "error", "ok");
         if(part == "poisson")
