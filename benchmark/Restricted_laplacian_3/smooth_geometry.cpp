@@ -15,7 +15,7 @@
 //
 // With --simplified: meshes (files, or names in the folder of shared meshes) whose facets are
 // fitted to the surface by QSlim. The mean change of 39 eigenvalues, times area, against the
-// original mesh with its facets: by facets, and by patches.
+// original mesh with its facets: by facets, and by patches. Last, distances as with --held-out.
 //
 // With --held-out: vertices inside smooth parts are taken away, no two neighbors, their places are
 // triangulated, and their distances to the surface of the others are measured: to the facets and to
@@ -159,26 +159,6 @@ void run_shapes() {
             reference_of(ellipsoid_shape("ellipsoid", axes, 400000, false), on_shape, 30));
 }
 
-void run_simplified(const std::string& name, const Mesh& mesh) {
-  constexpr int depth = 6, count = 39;
-  const auto values = [&](const RL::Triangulated_surface_3& surface) {
-    return eigenvalues(RL::Spline_space_3(surface, params::octree_depth(depth)), count, 1e-5);
-  };
-  const Eigen::VectorXd original = values(RL::read_surface(mesh));
-  const auto change = [&](const RL::Triangulated_surface_3& surface) {
-    return ((values(surface) - original).array() / original.array()).abs().mean();
-  };
-  for(int percent : {100, 30, 10}) {
-    const RL::Triangulated_surface_3 flat = RL::read_surface(
-        percent == 100 ? mesh : simplified(mesh, mesh.number_of_vertices() * percent / 100));
-    const RL::Triangulated_surface_3 smooth = RL::curved_surface(flat);
-    std::printf("%-18s %7d %9zu %10.2e %10.2e %7zu\n", name.c_str(), percent,
-                flat.number_of_faces(), change(flat), change(smooth),
-                smooth.patches().number_of_folded_faces());
-    std::fflush(stdout);
-  }
-}
-
 double root_mean_square(const std::vector<double>& values) {
   double sum = 0;
   for(double x : values)
@@ -211,28 +191,63 @@ double largest_bend(const Mesh& mesh, const RL::Triangulated_surface_3& smooth) 
   return largest / smooth.extent();
 }
 
-void run_held_out(const std::string& name, const Mesh& mesh) {
+/// distances of vertices that were taken away, in units of the extent
+struct Held_out_distances {
+  std::size_t number;                        // of vertices
+  std::vector<double> to_facets, to_patches; // of those that are not on the facets
+};
+
+Held_out_distances held_out_distances(const Mesh& mesh) {
   constexpr double crease_angle = 40;
   const auto [coarse, points] = held_out(mesh, crease_angle);
   const RL::Triangulated_surface_3 flat = RL::read_surface(coarse);
   const std::vector<double> to_facets = distances(points, flat, 1),
                             to_patches = distances(points, RL::curved_surface(flat), 16);
-  std::vector<double> facets, patches;
-  std::size_t nearer = 0;
+  Held_out_distances result = {points.size(), {}, {}};
   for(std::size_t i = 0; i < points.size(); ++i)
     if(to_facets[i] > 1e-6 * flat.extent()) {
-      facets.push_back(to_facets[i] / flat.extent());
-      patches.push_back(to_patches[i] / flat.extent());
-      nearer += to_patches[i] < to_facets[i];
+      result.to_facets.push_back(to_facets[i] / flat.extent());
+      result.to_patches.push_back(to_patches[i] / flat.extent());
     }
-  const double bend = largest_bend(mesh, RL::curved_surface(RL::read_surface(mesh)));
-  if(facets.empty())
+  return result;
+}
+
+void run_held_out(const std::string& name, const Mesh& mesh) {
+  const auto [number, to_facets, to_patches] = held_out_distances(mesh);
+  if(to_facets.empty())
     return;
+  double nearer = 0;
+  for(std::size_t i = 0; i < to_facets.size(); ++i)
+    nearer += to_patches[i] < to_facets[i];
   std::printf("%-18s %9zu %8zu %8zu %10.2e %10.2e %10.2e %10.2e %10.1f %10.2e\n", name.c_str(),
-              mesh.number_of_faces(), points.size(), facets.size(), root_mean_square(facets),
-              root_mean_square(patches), percentile_95(facets), percentile_95(patches),
-              100. * static_cast<double>(nearer) / static_cast<double>(facets.size()), bend);
+              mesh.number_of_faces(), number, to_facets.size(), root_mean_square(to_facets),
+              root_mean_square(to_patches), percentile_95(to_facets), percentile_95(to_patches),
+              100 * nearer / static_cast<double>(to_facets.size()),
+              largest_bend(mesh, RL::curved_surface(RL::read_surface(mesh))));
   std::fflush(stdout);
+}
+
+void run_simplified(const std::string& name, const Mesh& mesh) {
+  constexpr int depth = 6, count = 39;
+  const auto values = [&](const RL::Triangulated_surface_3& surface) {
+    return eigenvalues(RL::Spline_space_3(surface, params::octree_depth(depth)), count, 1e-5);
+  };
+  const Eigen::VectorXd original = values(RL::read_surface(mesh));
+  const auto change = [&](const RL::Triangulated_surface_3& surface) {
+    return ((values(surface) - original).array() / original.array()).abs().mean();
+  };
+  for(int percent : {100, 30, 10}) {
+    const Mesh small =
+        percent == 100 ? mesh : simplified(mesh, mesh.number_of_vertices() * percent / 100);
+    const RL::Triangulated_surface_3 flat = RL::read_surface(small);
+    const RL::Triangulated_surface_3 smooth = RL::curved_surface(flat);
+    const Held_out_distances d = held_out_distances(small);
+    std::printf("%-18s %7d %9zu %10.2e %10.2e %7zu %10.2e %10.2e\n", name.c_str(), percent,
+                flat.number_of_faces(), change(flat), change(smooth),
+                smooth.patches().number_of_folded_faces(), root_mean_square(d.to_facets),
+                root_mean_square(d.to_patches));
+    std::fflush(stdout);
+  }
 }
 
 void run_curvature() {
@@ -258,8 +273,8 @@ int main(int argc, char* argv[]) {
   try {
     print_header(argc, argv);
     if(argc > 1 && std::string(argv[1]) == "--simplified") {
-      std::printf("# %-16s %7s %9s %10s %10s %7s\n", "mesh", "percent", "triangles", "flat",
-                  "smooth", "folded");
+      std::printf("# %-16s %7s %9s %10s %10s %7s %10s %10s\n", "mesh", "percent", "triangles",
+                  "flat", "smooth", "folded", "to_flat", "to_smooth");
       for(int i = 2; i < argc; ++i)
         if(const auto mesh = find_mesh_file(argv[i]))
           run_simplified(argv[i], *mesh);

@@ -665,6 +665,10 @@ TABLES["smooth_simplified"] = lambda: table(
     [[r["mesh"], f"{r['percent']} %", whole(r["triangles"]), error(r["flat"]) if r["flat"] else "-",
       error(r["smooth"]), whole(r["folded"])]
      for r in rows("smooth_geometry", "mesh", "percent", "smooth")], 1)
+TABLES["smooth_simplified_held_out"] = lambda: table(
+    ["Mesh", "Vertices kept", "to the facets", "to the patches"],
+    [[r["mesh"], f"{r['percent']} %", error(r["to_flat"]), error(r["to_smooth"])]
+     for r in rows("smooth_geometry", "mesh", "percent", "smooth")], 1)
 TABLES["smooth_held_out"] = lambda: table(
     ["Mesh", "Triangles", "Vertices held out", "to the facets", "to the patches", "to the facets, 95 %",
      "to the patches, 95 %", "Nearer to the patches", "Plane faces bent by"],

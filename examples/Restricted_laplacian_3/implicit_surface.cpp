@@ -14,6 +14,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
+#include <CGAL/Surface_mesh_traits_generator_3.h>
 #include <CGAL/make_surface_mesh.h>
 
 #include <cmath>
@@ -33,7 +34,7 @@ using Kernel = Triangulation::Geom_traits;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Implicit_surface = CGAL::Implicit_surface_3<Kernel>;
-using Oracle = Implicit_surface::Surface_mesher_traits_3;
+using Oracle = CGAL::Surface_mesh_traits_generator_3<Implicit_surface>::type;
 using Mesh = CGAL::Surface_mesh<Point>;
 
 using Function = std::function<double(const Point&)>;

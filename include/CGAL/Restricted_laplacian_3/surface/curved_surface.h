@@ -45,8 +45,8 @@ namespace Restricted_laplacian_3 {
 /// \param geometry normals and creases, or a projection
 /// \throws Input_error the surface is a point set
 /// \throws Invalid_vertex_error a vertex of a face is projected to what is not finite
-/// \throws Parameter_error the crease angle is not from 0 to 180, or the vertex normals are not one
-/// for each vertex
+/// \throws Parameter_error the crease angle is not from 0 to 180, or vertex normals or projected
+/// points are not as many as they should be
 /// \throws Invalid_face_error the projection returned a point that is not finite
 Triangulated_surface_3 curved_surface(Triangulated_surface_3 surface,
                                       const Smooth_geometry& geometry = Smooth_geometry());
