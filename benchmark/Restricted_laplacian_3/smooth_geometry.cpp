@@ -220,9 +220,9 @@ void run_held_out(const std::string& name, const Mesh& mesh) {
   for(std::size_t i = 0; i < to_facets.size(); ++i)
     nearer += to_patches[i] < to_facets[i];
   std::printf("%-18s %9zu %8zu %8zu %10.2e %10.2e %10.2e %10.2e %10.1f %10.2e\n", name.c_str(),
-              mesh.number_of_faces(), number, to_facets.size(), root_mean_square(to_facets),
-              root_mean_square(to_patches), percentile_95(to_facets), percentile_95(to_patches),
-              100 * nearer / static_cast<double>(to_facets.size()),
+              std::size_t(mesh.number_of_faces()), number, to_facets.size(),
+              root_mean_square(to_facets), root_mean_square(to_patches), percentile_95(to_facets),
+              percentile_95(to_patches), 100 * nearer / static_cast<double>(to_facets.size()),
               largest_bend(mesh, RL::curved_surface(RL::read_surface(mesh))));
   std::fflush(stdout);
 }
