@@ -19,17 +19,31 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 import figures
-from figures import METHODS, POISSON, rows
+from figures import SPECTRUM, rows
 
 WIDTH, HEIGHT = 640, 420
 # Colors that readers tell apart who see few of them (Okabe and Ito); markers differ, too.
 STYLES = {
     "restricted": ("#0072b2", "circle"),
     "restricted_v": ("#56b4e9", "ring"),
+    "smooth": ("#009e73", "diamond"),
+    "smooth_v": ("#7fceb9", "open diamond"),
     "cot_cholmod": ("#d55e00", "square"),
     "cotangent": ("#d55e00", "square"),
     "cot_amg": ("#e69f00", "triangle"),
+    "cot_amg_f": ("#d55e00", "square"),
 }
+# of methods under plots, which have less room than tables
+NAMES = {
+    "restricted": "flat",
+    "restricted_v": "flat, values",
+    "smooth": "smooth",
+    "smooth_v": "smooth, values",
+    "cotangent": "cotangent",
+    "cot_amg_f": "AMG",
+    "cot_amg": "AMG, values",
+}
+OF_POISSON = ["restricted", "restricted_v", "smooth", "smooth_v", "cot_amg_f", "cot_amg"]
 INK, QUIET, RULE = "#1c2430", "#5b6675", "#dfe4ea"
 
 
@@ -56,8 +70,12 @@ def marker(x, y, style, size=4.2, faint=False):
         opacity = ' stroke-opacity="0.4"' if faint else ""
         return (f'<circle cx="{coordinate(x)}" cy="{coordinate(y)}" r="{size - 0.8:.1f}" fill="#ffffff" '
                 f'stroke="{color}" stroke-width="1.8"{opacity}/>')
-    corners = ([(-1, -1), (1, -1), (1, 1), (-1, 1)] if shape == "square"
-               else [(0, -1.3), (1.2, 0.9), (-1.2, 0.9)])
+    corners = {"square": [(-1, -1), (1, -1), (1, 1), (-1, 1)],
+               "triangle": [(0, -1.3), (1.2, 0.9), (-1.2, 0.9)],
+               "diamond": [(0, -1.4), (1.4, 0), (0, 1.4), (-1.4, 0)]}[shape.removeprefix("open ")]
+    if shape.startswith("open "):
+        fill = f'fill="#ffffff" stroke="{color}" stroke-width="1.6"' + (
+            ' stroke-opacity="0.4"' if faint else "")
     points = " ".join(f"{coordinate(x + 0.92 * size * a)},{coordinate(y + 0.92 * size * b)}"
                       for a, b in corners)
     return f'<polygon points="{points}" {fill}/>'
@@ -137,9 +155,7 @@ def error_over_time(shape, problem, title, methods):
         points = [(max(r["total_s"], 5e-4), r["error"]) for r in figures.all_runs(shape, problem)
                   if r["method"] == method and r["ok"] == "yes"]
         front = best(points)
-        name = METHODS[method].replace("this package, a function", "this package") \
-            .replace("this package, values", "data")
-        series.append((name, STYLES[method], front, [p for p in points if p not in front]))
+        series.append((NAMES[method], STYLES[method], front, [p for p in points if p not in front]))
     return logarithmic(title, "seconds from mesh to values", "relative error", series)
 
 
@@ -187,8 +203,8 @@ PLOTS = {
     f"plot_{problem}_{shape}": lambda s=shape, p=problem, t=title, m=methods: error_over_time(
         s, p, f"{t} on a {s}: error over time", m)
     for shape in ("sphere", "torus")
-    for problem, title, methods in [("poisson", "Poisson", POISSON),
-                                    ("spectrum", "30 eigenvalues", ["restricted", "cotangent"])]
+    for problem, title, methods in [("poisson", "Poisson", OF_POISSON),
+                                    ("spectrum", "30 eigenvalues", SPECTRUM)]
 }
 PLOTS["plot_seconds"] = lambda: by_size("Poisson on twelve meshes: time by size", "seconds", "seconds")
 PLOTS["plot_memory"] = lambda: by_size("Poisson on twelve meshes: memory by size", "MiB", "MiB")
