@@ -45,7 +45,7 @@ from ngsolve.meshes import MakeStructured3DMesh  # noqa: E402
 from xfem.lsetcurv import LevelSetMeshAdaptation  # noqa: E402
 
 import restricted_laplacian as rl  # noqa: E402
-from support.peers import print_header  # noqa: E402
+from support.peers import print_header, refined  # noqa: E402
 
 PAIRS = 31  # the first is 0
 R, r = 1, 0.4
@@ -94,14 +94,8 @@ class Sphere:
         F = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5],
                       [0, 3, 5]])
         for _ in range(n + 4):
-            edges = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-            unique, number = np.unique(edges, axis=0, return_inverse=True)
-            a, b, c = (len(V) + number.reshape(-1, 3)).T
-            i, j, k = F.T
-            V = np.concatenate([V, V[unique].mean(axis=1)])
+            V, F = refined(V, F)
             V /= np.linalg.norm(V, axis=1)[:, None]
-            F = np.concatenate([np.stack(t, axis=1)
-                                for t in ((i, a, c), (a, j, b), (c, b, k), (a, b, c))])
         return V, F
 
 

@@ -32,7 +32,7 @@ import scipy.sparse.csgraph  # noqa: E402
 import scipy.sparse.linalg  # noqa: E402
 
 import restricted_laplacian as rl  # noqa: E402
-from support.peers import arguments, print_header  # noqa: E402
+from support.peers import arguments, print_header, refined  # noqa: E402
 
 K = 50
 MESHES = ["cow_5k8", "bimba_46k", "bunny_closed_70k", "armadillo", "fandisk_32k", "cessna_soup_14k",
@@ -108,17 +108,6 @@ def methods():
             yield (f"{peer}_{solver}",
                    lambda V, F, m=matrices, s=solver: eigenpairs(*m(V, F, s), s),
                    lambda V, F, m=matrices, s=solver: poisson(*m(V, F, s), V[:, 2], s))
-
-
-def refined(V, F):
-    """Triangles divided into four."""
-    edges = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-    unique, number = np.unique(edges, axis=0, return_inverse=True)
-    a, b, c = (len(V) + number.reshape(-1, 3)).T
-    x, y, z = F.T
-    return (np.concatenate([V, V[unique].mean(axis=1)]),
-            np.concatenate([np.stack(t, axis=1)
-                            for t in ((x, a, c), (y, b, a), (z, c, b), (a, b, c))]))
 
 
 def relative(values, reference):

@@ -665,16 +665,25 @@ TABLES["smooth_simplified"] = lambda: table(
     [[r["mesh"], f"{r['percent']} %", whole(r["triangles"]), error(r["flat"]) if r["flat"] else "-",
       error(r["smooth"]), whole(r["folded"])]
      for r in rows("smooth_geometry", "mesh", "percent", "smooth")], 1)
+
+
+def held_out_rows():
+    return rows("smooth_geometry", "mesh", "held_out", "flat_rms")
+
+
 TABLES["smooth_simplified_held_out"] = lambda: table(
     ["Mesh", "Vertices kept", "to the facets", "to the patches"],
     [[r["mesh"], f"{r['percent']} %", error(r["to_flat"]), error(r["to_smooth"])]
      for r in rows("smooth_geometry", "mesh", "percent", "smooth")], 1)
 TABLES["smooth_held_out"] = lambda: table(
     ["Mesh", "Triangles", "Vertices held out", "to the facets", "to the patches", "to the facets, 95 %",
-     "to the patches, 95 %", "Nearer to the patches", "Plane faces bent by"],
-    [[r["mesh"], whole(r["triangles"]), whole(r["curved"]), error(r["flat_rms"]), error(r["smooth_rms"]),
-      error(r["flat_95"]), error(r["smooth_95"]), f"{r['nearer_%']:.0f} %", error(r["bend"])]
-     for r in rows("smooth_geometry", "mesh", "held_out", "flat_rms")], 1)
+     "to the patches, 95 %"],
+    [[r["mesh"], whole(r["triangles"]), whole(r["curved"]),
+      *(error(r[c]) for c in ("flat_rms", "smooth_rms", "flat_95", "smooth_95"))] for r in held_out_rows()], 1)
+TABLES["smooth_nearer"] = lambda: table(
+    ["Mesh", "Nearer to the facets"], [[r["mesh"], f"{100 - r['nearer_%']:.0f} %"] for r in held_out_rows()], 1)
+TABLES["smooth_planes"] = lambda: table(
+    ["Mesh", "Plane faces bent by"], [[r["mesh"], error(r["bend"])] for r in held_out_rows()], 1)
 TABLES["smooth_curvature"] = lambda: table(
     ["Depth", "flat, median", "smooth, median", "flat, 95 %", "smooth, 95 %"],
     [[str(d), *(percent(by[d, g][c]) for c in ("median_%", "95th_%") for g in ("flat", "smooth"))]

@@ -9,6 +9,8 @@ import pathlib
 import platform
 import subprocess
 
+import numpy as np
+
 import restricted_laplacian as rl
 
 
@@ -31,3 +33,14 @@ def print_header(name, meshes, packages):
     print("# command:", " ".join([name, *meshes]))
     print("# versions:", ", ".join(f"{p} {importlib.metadata.version(p)}" for p in packages)
           + f", restricted-laplacian {rl.__version__}")
+
+
+def refined(V, F):
+    """Triangles divided into four."""
+    edges = np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    unique, number = np.unique(edges, axis=0, return_inverse=True)
+    a, b, c = (len(V) + number.reshape(-1, 3)).T
+    x, y, z = F.T
+    return (np.concatenate([V, V[unique].mean(axis=1)]),
+            np.concatenate([np.stack(t, axis=1)
+                            for t in ((x, a, c), (y, b, a), (z, c, b), (a, b, c))]))
