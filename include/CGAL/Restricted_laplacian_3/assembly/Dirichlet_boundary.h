@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -24,14 +25,8 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-/// a side of a face: from corner `side` to corner `side + 1`, modulo 3
-struct Face_side {
-  std::size_t face;
-  int side;
-};
-
 /// the sides of faces that are joined to no other face, see `Surface_seams`
-std::vector<Face_side> boundary_sides(const Spline_space_3& space);
+std::vector<Surface_seams::Side> boundary_sides(const Spline_space_3& space);
 
 } // namespace internal
 

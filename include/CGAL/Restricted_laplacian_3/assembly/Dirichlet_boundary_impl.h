@@ -28,22 +28,18 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Face_side>
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_seams::Side>
 boundary_sides(const Spline_space_3& space) {
   const Triangulated_surface_3& surface = space.octree().pieces();
-  std::vector<Face_side> result;
   const double h = space.octree().cell_width(space.depth());
-  const Surface_seams seams(surface, Octree_3::thin_face_height * h,
-                            space.options().joining_tolerance.value_or(-1));
-  std::vector<std::uint32_t> number_of_sides(seams.number_of_seams(), 0);
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int side = 0; side < 3; ++side)
-      ++number_of_sides[seams.seam(f, side)];
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(int side = 0; side < 3; ++side)
-      if(!surface.is_degenerate(f) && number_of_sides[seams.seam(f, side)] == 1)
-        result.push_back({f, side});
-  return result;
+  std::vector<Surface_seams::Side> sides =
+      Surface_seams(surface, Octree_3::thin_face_height * h,
+                    space.options().joining_tolerance.value_or(-1), {}, space.options().is_parallel)
+          .lone_sides();
+  sides.erase(std::remove_if(sides.begin(), sides.end(),
+                             [&](const auto& side) { return surface.is_degenerate(side.face); }),
+              sides.end());
+  return sides;
 }
 
 /// the largest eigenvalue \f$\lambda\f$ of \f$A x = \lambda B x\f$ for positive semi-definite
@@ -72,8 +68,8 @@ as_vector(const Tensor_basis_3::Values& values) {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Dirichlet_boundary::Dirichlet_boundary(const Spline_space_3& space) : m_space(space) {
-  for(const internal::Face_side& s : internal::boundary_sides(space))
-    add_side(s.face, s.side);
+  for(const Surface_seams::Side& side : internal::boundary_sides(space))
+    add_side(side.face, side.number);
   if(m_nodes.empty())
     throw Parameter_error("boundary_values", "are given, but the surface has no boundary");
   std::stable_sort(m_nodes.begin(), m_nodes.end(),

@@ -55,33 +55,14 @@ private:
   using Level = Octree_level;
 
   std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance) const {
-    Grid_input input = {m_octree.pieces(), m_octree.division(), grid_points(), m_octree.is_split(),
-                        m_limits,          m_is_parallel};
+    Grid_input input = {
+        m_octree.pieces(), m_octree.division(), {m_octree, m_octree.clipper()}, m_octree.is_split(),
+        m_limits,          m_is_parallel};
     if(m_octree.surface().is_point_set())
       return std::make_unique<Points_in_grid>(std::move(input));
     return std::make_unique<Triangles_in_grid>(
         std::move(input), m_octree.cell_width(m_octree.depth()), m_octree.clipper(),
         Octree_3::thin_face_height, joining_tolerance);
-  }
-
-  /// coordinates of the vertices in the finest grid, as the clipper sees them; unspecified for
-  /// those that have no face
-  std::vector<std::array<double, 3>> grid_points() const {
-    const int depth = m_octree.depth();
-    const Cell_clipper clipper = m_octree.clipper();
-    std::vector<std::array<double, 3>> points(m_octree.pieces().number_of_vertices());
-    const std::array<double, 3> origin = {0, 0, 0};
-    parallel_for(m_is_parallel, 0, points.size(), 1 << 15, [&](std::size_t begin, std::size_t end) {
-      for(std::size_t v = begin; v < end; ++v) {
-        const auto x = m_octree.grid_coordinates(depth, m_octree.pieces().point(v));
-        // Vertices without a face may be anywhere, also at infinity.
-        const bool is_inside = std::all_of(x.begin(), x.end(), [depth](double c) {
-          return c > -1 && c < static_cast<double>(1 << depth) + 1;
-        });
-        points[v] = is_inside ? clipper.snapped(x) : origin;
-      }
-    });
-    return points;
   }
 
   /// returns the places of the sheets

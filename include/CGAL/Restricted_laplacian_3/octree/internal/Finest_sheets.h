@@ -72,7 +72,7 @@ struct Finest_sheets {
 /// What a thread uses again for each cell.
 struct Sheet_scratch {
   Disjoint_sets sets;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides; // seam, and number of the fragment
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> sides; // seam, and number of the fragment
   Sheet_sorter sort;
 };
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_OCTREE_LEVEL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_OCTREE_LEVEL_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Key_index.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 
@@ -21,10 +22,7 @@ namespace internal {
 struct Octree_level {
   int level = 0;
   std::vector<std::uint64_t> keys; // of cells, ascending
-  // First cell whose key without the lowest `prefix_shift` bits is at least the index: there are
-  // about as many prefixes as cells, so the search for a cell is short.
-  std::vector<std::uint32_t> first_of_prefix;
-  int prefix_shift = 0;
+  Key_index key_index;
   std::vector<std::uint32_t> first_sheets; // of cells, and one more
   std::vector<std::uint32_t> cells;        // of sheets, as all that follows
   std::vector<std::uint32_t> element_masks;
@@ -43,36 +41,14 @@ struct Octree_level {
   }
 
   /// makes `find()` possible, after a change of `keys`
-  void index_keys();
+  void index_keys() { key_index = Key_index(keys, 3 * level); }
   /// number of a cell, or `number_of_cells()`
-  std::size_t find(const Cell_3& cell) const;
+  std::size_t find(const Cell_3& cell) const {
+    return cell.is_inside_grid() ? key_index.find(keys, cell.key()) : keys.size();
+  }
   /// the sheet in cell number `i` that has a fragment of a face, or `number_of_sheets()`
   std::size_t sheet_of_face(std::size_t i, std::size_t face) const;
 };
-
-inline void Octree_level::index_keys() {
-  int bits = 0;
-  while(bits < 3 * level && std::size_t(1) << bits < keys.size())
-    ++bits;
-  prefix_shift = 3 * level - bits;
-  first_of_prefix.resize((std::size_t(1) << bits) + 1);
-  std::size_t i = 0;
-  for(std::size_t prefix = 0; prefix < first_of_prefix.size(); ++prefix) {
-    while(i < keys.size() && keys[i] >> prefix_shift < prefix)
-      ++i;
-    first_of_prefix[prefix] = static_cast<std::uint32_t>(i);
-  }
-}
-
-inline std::size_t Octree_level::find(const Cell_3& cell) const {
-  if(!cell.is_inside_grid())
-    return keys.size();
-  const std::uint64_t key = cell.key();
-  const auto prefix = static_cast<std::size_t>(key >> prefix_shift);
-  const auto last = keys.begin() + first_of_prefix[prefix + 1];
-  const auto it = std::lower_bound(keys.begin() + first_of_prefix[prefix], last, key);
-  return it != last && *it == key ? it - keys.begin() : keys.size();
-}
 
 inline std::size_t Octree_level::sheet_of_face(std::size_t i, std::size_t face) const {
   const auto [first, last] = sheets(i);

@@ -34,16 +34,16 @@ public:
   /// Cells are half-open: a point on a wall belongs to the upper one of its cells, except in the
   /// last wall.
   std::vector<Cell_fragment> fragments() const override {
-    m_input.limits.check_fragments(m_input.points.size());
-    const int last = (1 << m_input.limits.depth) - 1;
+    m_input.limits.check_fragments(m_input.surface.number_of_vertices());
+    const int last = m_input.vertices.cells_per_side() - 1;
     const std::array<double, 3> direction = sorting_direction();
-    std::vector<Cell_fragment> result(m_input.points.size());
+    std::vector<Cell_fragment> result(m_input.surface.number_of_vertices());
     const std::size_t grain = 1 << 15;
     parallel_for(
-        m_input.is_parallel, 0, m_input.points.size(), grain,
+        m_input.is_parallel, 0, m_input.surface.number_of_vertices(), grain,
         [&](std::size_t begin, std::size_t end) {
           for(std::size_t i = begin; i < end; ++i) {
-            const std::array<double, 3>& p = m_input.points[i];
+            const Grid_vertices::Point p = m_input.vertices[i];
             std::array<int, 3> cell;
             double position = 0;
             for(int axis = 0; axis < 3; ++axis) {
@@ -71,7 +71,7 @@ public:
   }
 
   void link(const Octree_level& finest, Links& links) const override {
-    std::vector<std::uint32_t> sheet_of_point(m_input.points.size());
+    std::vector<std::uint32_t> sheet_of_point(m_input.surface.number_of_vertices());
     for(std::uint32_t sheet = 0; sheet < finest.number_of_sheets(); ++sheet)
       for(std::uint32_t point : finest.faces[sheet])
         sheet_of_point[point] = sheet;

@@ -6,11 +6,11 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Grid_vertices.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Octree_level.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,8 +24,7 @@ struct Grid_input {
   const Triangulated_surface_3& surface;
   /// whose pieces the surface consists of; null if it is not smooth
   const Divided_surface* division;
-  /// of the vertices in the grid of the finest cells, as the clipper has snapped them
-  std::vector<std::array<double, 3>> points;
+  Grid_vertices vertices;
   /// whether fragments will be joined and linked
   bool is_split;
   Octree_limits limits;

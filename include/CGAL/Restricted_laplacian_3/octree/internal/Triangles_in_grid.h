@@ -41,10 +41,10 @@ public:
     m_input.limits.check_area(m_input.surface.area() / (cell_width * cell_width));
     if(!m_input.is_split)
       return;
-    m_seams.emplace(m_input.surface, thin_face_height * cell_width, joining_tolerance);
+    m_seams.emplace(m_input.surface, thin_face_height * cell_width, joining_tolerance,
+                    Surface_seams::Parts(), m_input.is_parallel);
     const double width = (std::max)(2 * thin_face_height, 1.01 * joining_tolerance / cell_width);
-    m_seams_in_grid.emplace(m_input.surface, *m_seams, m_input.points, 1 << m_input.limits.depth,
-                            width);
+    m_seams_in_grid.emplace(m_input.surface, *m_seams, m_input.vertices, width);
   }
 
   std::vector<Cell_fragment> fragments() const override {
@@ -90,20 +90,18 @@ public:
 private:
   void cut(std::size_t face, std::vector<Cell_fragment>& fragments) const {
     const bool has_places = m_seams.has_value(); // one sheet for each cell needs no order
-    const auto& t = m_input.surface.triangle(face);
-    m_clipper.cut_snapped(
-        {m_input.points[t[0]], m_input.points[t[1]], m_input.points[t[2]]},
-        [&](const std::array<int, 3>& cell, const Fragment& fragment) {
-          Place place;
-          if(has_places)
-            place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
-          // A patch may leave the walls in which its piece lies.
-          const bool is_flat = !m_input.division || m_input.division->is_flat(face);
-          const std::uint32_t mask =
-              is_flat ? element_mask_of_range([&](int axis) { return range(fragment, axis); }, cell)
-                      : all_elements;
-          fragments.push_back({morton_key(cell), static_cast<std::uint32_t>(face), mask, place});
-        });
+    m_clipper.cut_snapped(m_input.vertices.corners(face), [&](const std::array<int, 3>& cell,
+                                                              const Fragment& fragment) {
+      Place place;
+      if(has_places)
+        place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
+      // A patch may leave the walls in which its piece lies.
+      const bool is_flat = !m_input.division || m_input.division->is_flat(face);
+      const std::uint32_t mask =
+          is_flat ? element_mask_of_range([&](int axis) { return range(fragment, axis); }, cell)
+                  : all_elements;
+      fragments.push_back({morton_key(cell), static_cast<std::uint32_t>(face), mask, place});
+    });
   }
 
   static void add_link(std::size_t sheet, std::size_t other, Links& links) {
@@ -156,6 +154,7 @@ private:
   void link_faces_along_walls(const Octree_level& finest, Links& links) const {
     std::vector<std::size_t> touching;
     m_seams_in_grid->for_each_piece_in_walls(
+        m_input.is_parallel,
         [&](const std::array<int, 3>& low, const std::array<int, 3>& high, const auto& faces) {
           touching.clear();
           Cell_3 cell{finest.level, {}};

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_GRID_VERTICES_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_GRID_VERTICES_H
+
+#include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// The vertices of a surface in the grid of the finest cells of an octree, in units of the cell
+/// width, as the clipper sees them: on the walls that they are near to. They are computed when they
+/// are asked for, which takes less time than to fetch them from far away.
+class Grid_vertices {
+public:
+  using Point = std::array<double, 3>;
+
+  /// \param octree whose domain cube and depth are known; it must outlive this object
+  /// \param clipper that of the octree
+  Grid_vertices(const Octree_3& octree, const Cell_clipper& clipper)
+    : m_octree(octree), m_surface(octree.pieces()), m_clipper(clipper) {}
+
+  /// number of cells along an axis
+  int cells_per_side() const { return 1 << m_octree.depth(); }
+
+  /// a vertex, which must have a face
+  Point operator[](std::size_t vertex) const {
+    return m_clipper.snapped(m_octree.grid_coordinates(m_octree.depth(), m_surface.point(vertex)));
+  }
+  /// the corners of a face
+  std::array<Point, 3> corners(std::size_t face) const {
+    const auto& t = m_surface.triangle(face);
+    return {(*this)[t[0]], (*this)[t[1]], (*this)[t[2]]};
+  }
+
+private:
+  const Octree_3& m_octree;
+  const Triangulated_surface_3& m_surface;
+  Cell_clipper m_clipper;
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_GRID_VERTICES_H
