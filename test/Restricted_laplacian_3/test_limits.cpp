@@ -13,7 +13,6 @@
 #include <CGAL/Restricted_laplacian_3/octree/internal/Points_in_grid.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Triangles_in_grid.h>
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -32,15 +31,14 @@ constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 std::unique_ptr<internal::Surface_in_grid> in_grid(const RL::Octree_3& octree,
                                                    const internal::Octree_limits& limits) {
   const RL::Triangulated_surface_3& surface = octree.surface();
-  std::vector<std::array<double, 3>> points;
-  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-    points.push_back(octree.grid_coordinates(depth, surface.point(v)));
-  internal::Grid_input input = {surface, nullptr, std::move(points), true, limits, false};
+  const RL::Cell_clipper clipper(1 << depth, 1e-14);
+  internal::Grid_input input = {
+      surface, nullptr, {surface, {surface.center(), octree.side()}, depth, clipper},
+      true,    limits,  false};
   if(surface.is_point_set())
     return std::make_unique<internal::Points_in_grid>(std::move(input));
   return std::make_unique<internal::Triangles_in_grid>(std::move(input), octree.cell_width(depth),
-                                                       RL::Cell_clipper(1 << depth, 1e-14),
-                                                       RL::Octree_3::thin_face_height, -1);
+                                                       clipper, RL::Octree_3::thin_face_height, -1);
 }
 
 /// whether the surface is refused with these limits; with a word on the depth

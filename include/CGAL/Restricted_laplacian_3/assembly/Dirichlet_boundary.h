@@ -26,7 +26,7 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// the sides of faces that are joined to no other face, see `Surface_seams`
-std::vector<Surface_seams::Side> boundary_sides(const Spline_space_3& space);
+std::vector<Face_side> boundary_sides(const Spline_space_3& space);
 
 } // namespace internal
 

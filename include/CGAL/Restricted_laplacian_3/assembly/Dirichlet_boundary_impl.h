@@ -28,11 +28,11 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_seams::Side>
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Face_side>
 boundary_sides(const Spline_space_3& space) {
   const Triangulated_surface_3& surface = space.octree().pieces();
   const double h = space.octree().cell_width(space.depth());
-  std::vector<Surface_seams::Side> sides =
+  std::vector<Face_side> sides =
       Surface_seams(surface, Octree_3::thin_face_height * h,
                     space.options().joining_tolerance.value_or(-1), {}, space.options().is_parallel)
           .lone_sides();
@@ -68,7 +68,7 @@ as_vector(const Tensor_basis_3::Values& values) {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Dirichlet_boundary::Dirichlet_boundary(const Spline_space_3& space) : m_space(space) {
-  for(const Surface_seams::Side& side : internal::boundary_sides(space))
+  for(const internal::Face_side& side : internal::boundary_sides(space))
     add_side(side.face, side.number);
   if(m_nodes.empty())
     throw Parameter_error("boundary_values", "are given, but the surface has no boundary");

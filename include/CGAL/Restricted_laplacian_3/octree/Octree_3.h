@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Domain_cube.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Octree_level.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
@@ -124,9 +125,9 @@ public:
   /// \endcond
 
   /// side of the domain cube
-  double side() const { return m_side; }
+  double side() const { return m_cube.side; }
   /// width \f$h = \mathrm{side} / 2^l\f$ of the cells of a level
-  double cell_width(int level) const { return std::ldexp(m_side, -level); }
+  double cell_width(int level) const { return std::ldexp(side(), -level); }
 
   /// whether the surface in a cell is split into sheets
   bool is_split() const { return m_is_split; }
@@ -206,11 +207,7 @@ public:
   /// coordinates of a point in the grid of a level, in units of the cell width. The same point has
   /// exactly twice these coordinates on the next finer level.
   std::array<double, 3> grid_coordinates(int level, const Point_3& p) const {
-    const double cells_per_side = static_cast<double>(1 << level);
-    std::array<double, 3> x;
-    for(int axis = 0; axis < 3; ++axis)
-      x[axis] = ((p[axis] - m_center[axis]) / m_side + 0.5) * cells_per_side;
-    return x;
+    return m_cube.grid_coordinates(level, p);
   }
 
   /// The sheet of a level on which a point of a face lies, and its local coordinates in the cell,
@@ -251,8 +248,7 @@ private:
   Triangulated_surface_3 m_surface;
   std::shared_ptr<const internal::Divided_surface> m_division;
   int m_depth;
-  double m_side;
-  Point_3 m_center;
+  internal::Domain_cube m_cube;
   double m_wall_tolerance;
   bool m_is_split, m_is_parallel;
   std::vector<internal::Octree_level> m_levels;

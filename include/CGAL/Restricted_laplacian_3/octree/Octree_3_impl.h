@@ -55,14 +55,17 @@ private:
   using Level = Octree_level;
 
   std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance) const {
-    Grid_input input = {
-        m_octree.pieces(), m_octree.division(), {m_octree, m_octree.clipper()}, m_octree.is_split(),
-        m_limits,          m_is_parallel};
+    Grid_input input = {m_octree.pieces(), m_octree.division(), vertices(), m_octree.is_split(),
+                        m_limits,          m_is_parallel};
     if(m_octree.surface().is_point_set())
       return std::make_unique<Points_in_grid>(std::move(input));
     return std::make_unique<Triangles_in_grid>(
         std::move(input), m_octree.cell_width(m_octree.depth()), m_octree.clipper(),
         Octree_3::thin_face_height, joining_tolerance);
+  }
+
+  Grid_vertices vertices() const {
+    return {m_octree.pieces(), m_octree.m_cube, m_octree.depth(), m_octree.clipper()};
   }
 
   /// returns the places of the sheets
@@ -187,8 +190,8 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
   if(depth < 1 || depth > maximum_octree_depth)
     throw Parameter_error("octree_depth", "is " + std::to_string(depth) + ", but must be in 1 .. " +
                                               std::to_string(maximum_octree_depth));
-  m_side = internal::checked_cube_scale(cube_scale) * m_surface.extent();
-  m_center = m_surface.center();
+  m_cube.side = internal::checked_cube_scale(cube_scale) * m_surface.extent();
+  m_cube.center = m_surface.center();
   if(m_surface.is_smooth()) {
     const double h = cell_width(depth);
     internal::Octree_limits{depth, maximum_number_of_sheets, maximum_number_of_fragments}
@@ -202,7 +205,7 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
                           std::abs(m_surface.bounding_box_max()[axis])});
   // Far from the origin the coordinates themselves carry a larger rounding error.
   m_wall_tolerance = (std::max)(relative_wall_tolerance,
-                                4 * std::numeric_limits<double>::epsilon() * (largest / m_side));
+                                4 * std::numeric_limits<double>::epsilon() * (largest / side()));
   internal::check_digits(*this, largest);
   internal::Octree_builder(*this, is_parallel).build(joining_tolerance);
 }
@@ -271,7 +274,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Octree_3::fit_pieces() {
   const Triangulated_surface_3& p = pieces();
   for(int axis = 0; axis < 3; ++axis)
     for(double end : {p.bounding_box_min()[axis], p.bounding_box_max()[axis]})
-      m_side = (std::max)(m_side, 2 * std::abs(end - m_center[axis]));
+      m_cube.side = (std::max)(m_cube.side, 2 * std::abs(end - m_cube.center[axis]));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Cell_clipper Octree_3::clipper() const {

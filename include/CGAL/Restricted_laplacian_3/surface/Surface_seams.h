@@ -19,6 +19,16 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+namespace internal {
+
+/// a side of a face: from corner `number` to corner `number + 1`, modulo 3
+struct Face_side {
+  std::size_t face;
+  int number;
+};
+
+} // namespace internal
+
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// Along which of their sides the faces of a surface are joined.
 ///
@@ -41,14 +51,6 @@ class Surface_seams {
 public:
   /// What a seam is called: the two vertices of its first edge, the lower one in the upper 32 bits.
   using Key = std::uint64_t;
-
-  /// a side of a face
-  struct Side {
-    /// the face
-    std::size_t face;
-    /// 0, 1 or 2
-    int number;
-  };
 
   /// Parts of the surface that are searched for sides that run along each other, one after the
   /// other: so much less memory is needed. Any two sides that are within the tolerance of each
@@ -80,7 +82,7 @@ public:
   }
 
   /// the sides that are alone in their seam, in the order of faces: the boundary of the surface
-  std::vector<Side> lone_sides() const;
+  std::vector<internal::Face_side> lone_sides() const;
 
 private:
   using Keys = std::vector<Key>;

@@ -98,7 +98,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Surface_seams::add_sides_of_thin_faces(d
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Surface_seams::add_near_sides(double tolerance, const Parts& parts, Pairs& pairs) const {
   Keys lone_edges;
-  for(const Side& side : lone_sides())
+  for(const internal::Face_side& side : lone_sides())
     lone_edges.push_back(edge_of_side(side.face, side.number));
   std::sort(lone_edges.begin(), lone_edges.end());
   if(lone_edges.empty())
@@ -171,7 +171,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Surface_seams::unite(const Pairs& pairs)
     m_seams.push_back(m_edges[sets.find(i)]);
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_seams::Side>
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<internal::Face_side>
 Surface_seams::lone_sides() const {
   struct Side_of_seam {
     Key seam;
@@ -202,7 +202,7 @@ Surface_seams::lone_sides() const {
         lone.push_back(sides[i].side);
   }
   std::sort(lone.begin(), lone.end());
-  std::vector<Side> result;
+  std::vector<internal::Face_side> result;
   result.reserve(lone.size());
   for(const std::uint64_t side : lone)
     result.push_back({static_cast<std::size_t>(side / 3), static_cast<int>(side % 3)});

@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_GRID_VERTICES_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_GRID_VERTICES_H
 
-#include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Domain_cube.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <array>
@@ -22,17 +22,20 @@ class Grid_vertices {
 public:
   using Point = std::array<double, 3>;
 
-  /// \param octree whose domain cube and depth are known; it must outlive this object
+  /// \param surface must outlive this object
+  /// \param cube the root of the octree
+  /// \param depth of the finest cells
   /// \param clipper that of the octree
-  Grid_vertices(const Octree_3& octree, const Cell_clipper& clipper)
-    : m_octree(octree), m_surface(octree.pieces()), m_clipper(clipper) {}
+  Grid_vertices(const Triangulated_surface_3& surface, const Domain_cube& cube, int depth,
+                const Cell_clipper& clipper)
+    : m_surface(surface), m_cube(cube), m_depth(depth), m_clipper(clipper) {}
 
   /// number of cells along an axis
-  int cells_per_side() const { return 1 << m_octree.depth(); }
+  int cells_per_side() const { return 1 << m_depth; }
 
   /// a vertex, which must have a face
   Point operator[](std::size_t vertex) const {
-    return m_clipper.snapped(m_octree.grid_coordinates(m_octree.depth(), m_surface.point(vertex)));
+    return m_clipper.snapped(m_cube.grid_coordinates(m_depth, m_surface.point(vertex)));
   }
   /// the corners of a face
   std::array<Point, 3> corners(std::size_t face) const {
@@ -41,8 +44,9 @@ public:
   }
 
 private:
-  const Octree_3& m_octree;
   const Triangulated_surface_3& m_surface;
+  Domain_cube m_cube;
+  int m_depth;
   Cell_clipper m_clipper;
 };
 
