@@ -2,3 +2,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3_impl.h>
+#include <CGAL/Restricted_laplacian_3/octree/Surface_windows_impl.h>

@@ -5,9 +5,12 @@
 
 #include "catch.h"
 #include "special_shapes.h"
+#include "test_meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/octree/Surface_windows.h>
+#include <CGAL/Restricted_laplacian_3/octree/internal/Grid_vertices.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
@@ -19,7 +22,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -83,6 +89,63 @@ std::array<double, 3> center(const RL::Fragment& fragment, const RL::Cell_3& cel
   for(double& x : t)
     x /= fragment.size;
   return t;
+}
+
+/// every face has its own vertices, a little away from where they were
+shapes::Triangles torn(const shapes::Triangles& t) {
+  shapes::Triangles pieces;
+  for(const auto& face : t.faces)
+    for(const std::uint32_t v : face) {
+      const double i = static_cast<double>(pieces.points.size());
+      pieces.points.push_back(t.points[v] +
+                              1e-6 * RL::Vector_3(std::sin(i), std::sin(2 * i), std::sin(3 * i)));
+    }
+  for(std::uint32_t i = 0; i < pieces.points.size(); i += 3)
+    pieces.faces.push_back({i, i + 1, i + 2});
+  return pieces;
+}
+
+/// the finest cells that a window is asked about
+struct Grid {
+  RL::internal::Grid_vertices vertices;
+  RL::Cell_clipper clipper;
+};
+
+Grid grid_of(const RL::Octree_3& octree) {
+  const int depth = octree.depth();
+  const RL::Cell_clipper clipper(1 << depth, octree.wall_tolerance(depth));
+  return {{octree.surface(), {octree.surface().center(), octree.side()}, depth, clipper}, clipper};
+}
+
+std::vector<std::uint32_t> faces_of(const RL::Surface_windows& windows, std::size_t window) {
+  std::vector<std::uint32_t> faces;
+  for(std::size_t i = 0; i < windows.faces(window).size(); ++i)
+    faces.push_back(static_cast<std::uint32_t>(windows.faces(window)[i]));
+  return faces;
+}
+
+void require_equal(const RL::Octree_3& a, const RL::Octree_3& b) {
+  for(int level = a.depth(); level >= 0; --level) {
+    REQUIRE(a.number_of_cells(level) == b.number_of_cells(level));
+    REQUIRE(a.number_of_sheets(level) == b.number_of_sheets(level));
+    const auto is_equal = [&](std::size_t sheet) {
+      for(int k = 0; k < 27; ++k) {
+        const std::array<int, 3> d = {k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+        if(a.meets_element(level, sheet, d[0], d[1], d[2]) !=
+           b.meets_element(level, sheet, d[0], d[1], d[2]))
+          return false;
+      }
+      return a.cell(level, sheet) == b.cell(level, sheet) &&
+             a.links(level, sheet) == b.links(level, sheet) &&
+             (level == 0 || a.parent(level, sheet) == b.parent(level, sheet)) &&
+             (level == a.depth() ? a.faces(sheet) == b.faces(sheet)
+                                 : a.children(level, sheet) == b.children(level, sheet));
+    };
+    std::size_t number_of_equal_sheets = 0;
+    for(std::size_t sheet = 0; sheet < a.number_of_sheets(level); ++sheet)
+      number_of_equal_sheets += is_equal(sheet);
+    REQUIRE(number_of_equal_sheets == a.number_of_sheets(level));
+  }
 }
 
 } // namespace
@@ -305,6 +368,145 @@ TEST_CASE("coordinates_without_digits_for_the_depth_are_refused", "[octree]") {
     INFO(what);
     CHECK(parameter == "octree_depth");
     CHECK(what.find(offset == 2e12 ? "a depth of at most 4" : "no depth") != std::string::npos);
+  }
+}
+
+TEST_CASE("windows_divide_the_cells_and_know_their_faces", "[octree]") {
+  for_each_octree([](const RL::Octree_3& octree) {
+    const Grid grid = grid_of(octree);
+    const RL::Triangulated_surface_3& surface = octree.surface();
+    std::map<std::uint64_t, std::set<std::uint32_t>> faces_of_cell;
+    for(std::size_t face = 0; face < surface.number_of_faces(); ++face)
+      if(!surface.is_degenerate(face))
+        grid.clipper(grid_triangle(octree, face),
+                     [&](const std::array<int, 3>& cell, const RL::Fragment&) {
+                       faces_of_cell[RL::morton_key(cell)].insert(static_cast<std::uint32_t>(face));
+                     });
+    for(std::size_t number : {std::size_t(1), std::size_t(40), octree.number_of_fragments() / 2,
+                              10 * octree.number_of_fragments()}) {
+      INFO(number << " fragments wanted in a window");
+      const RL::Surface_windows windows(surface, grid.vertices, number);
+      CHECK((windows.size() == 1) ==
+            (windows.estimated_number_of_fragments() <= static_cast<double>(number)));
+      std::uint64_t next = 0;
+      for(std::size_t window = 0; window < windows.size(); ++window) {
+        const auto [first, last] = windows.cells(window);
+        REQUIRE(first == next);
+        REQUIRE(first < last);
+        REQUIRE(first % (std::uint64_t(1) << 3 * (octree.depth() - windows.level())) == 0);
+        next = last;
+        const std::vector<std::uint32_t> faces = faces_of(windows, window);
+        REQUIRE(std::adjacent_find(faces.begin(), faces.end(), std::greater_equal<>()) ==
+                faces.end());
+        for(auto it = faces_of_cell.lower_bound(first);
+            it != faces_of_cell.end() && it->first < last; ++it)
+          REQUIRE(std::includes(faces.begin(), faces.end(), it->second.begin(), it->second.end()));
+      }
+      CHECK(next == std::uint64_t(1) << 3 * octree.depth());
+    }
+  });
+}
+
+TEST_CASE("windows_hold_about_the_same_number_of_fragments", "[octree]") {
+  const auto run = [](const shapes::Triangles& t, int depth, double tolerance) {
+    const RL::Octree_3 octree(RL::Triangulated_surface_3(t.points, t.faces), depth, 1.1);
+    const Grid grid = grid_of(octree);
+    const auto fragments = static_cast<double>(octree.number_of_fragments());
+    for(std::size_t wanted : {8000, 3000, 1000}) {
+      const RL::Surface_windows windows(octree.surface(), grid.vertices, wanted);
+      INFO(windows.size() << " windows, " << fragments << " fragments, estimated "
+                          << windows.estimated_number_of_fragments());
+      CHECK(windows.estimated_number_of_fragments() == Approx(fragments).epsilon(tolerance));
+      REQUIRE(windows.size() ==
+              std::ceil(windows.estimated_number_of_fragments() / static_cast<double>(wanted)));
+      std::vector<std::size_t> numbers(windows.size(), 0);
+      for(std::size_t i = 0; i < octree.number_of_cells(depth); ++i) {
+        const auto [first, last] = octree.sheets(depth, i);
+        const std::uint64_t key = octree.cell(depth, first).key();
+        std::size_t window = 0;
+        while(key >= windows.cells(window)[1])
+          ++window;
+        for(std::size_t sheet = first; sheet < last; ++sheet)
+          numbers[window] += octree.faces(sheet).size();
+      }
+      const double largest = static_cast<double>(*std::max_element(numbers.begin(), numbers.end()));
+      CHECK(largest <= 1.2 * fragments / static_cast<double>(windows.size()));
+    }
+  };
+  run(shapes::sphere(6), 5, 0.05); // many triangles in a cell
+  run(shapes::sphere(0), 7, 0.25); // many cells for a triangle
+}
+
+TEST_CASE("windows_hold_what_is_nearer_than_their_margin", "[octree]") {
+  const shapes::Triangles t = shapes::joined(shapes::sphere(3), shapes::rectangle(2, 1));
+  const RL::Octree_3 octree(RL::Triangulated_surface_3(t.points, t.faces), 5, 1.1);
+  const Grid grid = grid_of(octree);
+  for(double margin : {0.5, 1., 3.}) {
+    const RL::Surface_windows windows(octree.surface(), grid.vertices, 300, margin);
+    REQUIRE(windows.size() > 5);
+    std::vector<std::vector<std::uint32_t>> faces;
+    for(std::size_t window = 0; window < windows.size(); ++window)
+      faces.push_back(faces_of(windows, window));
+    const int reach = static_cast<int>(std::ceil(margin)), n = 1 << 5;
+    for(std::uint32_t face = 0; face < t.faces.size(); ++face)
+      for(const auto& corner : grid.vertices.corners(face)) {
+        // all cells that come as near
+        std::array<int, 3> c;
+        const auto for_axis = [&](int axis, const auto& next) {
+          for(int k = static_cast<int>(corner[axis]) - reach;
+              k <= static_cast<int>(corner[axis]) + reach; ++k)
+            if(k >= 0 && k < n && k <= corner[axis] + margin && k + 1 >= corner[axis] - margin) {
+              c[axis] = k;
+              next();
+            }
+        };
+        for_axis(0, [&] {
+          for_axis(1, [&] {
+            for_axis(2, [&] {
+              std::size_t window = 0;
+              while(RL::morton_key(c) >= windows.cells(window)[1])
+                ++window;
+              REQUIRE(std::binary_search(faces[window].begin(), faces[window].end(), face));
+            });
+          });
+        });
+      }
+  }
+}
+
+TEST_CASE("octrees_do_not_depend_on_windows", "[octree][threads]") {
+  const auto run = [](const std::string& name, const shapes::Triangles& t, int depth, bool is_split,
+                      double joining_tolerance = -1) {
+    INFO(name);
+    const auto octree = [&](bool is_parallel, std::size_t fragments_at_once) {
+      return RL::Octree_3(RL::Triangulated_surface_3(t.points, t.faces), depth, 1.1, is_split,
+                          joining_tolerance, is_parallel, fragments_at_once);
+    };
+    const RL::Octree_3 whole = octree(false, RL::Octree_3::default_fragments_at_once);
+    for(std::size_t at_once : {1, 50, 1000})
+      require_equal(whole, octree(at_once != 50, at_once));
+  };
+  const shapes::Triangles sphere = shapes::sphere(3);
+  run("sphere", sphere, 5, true);
+  run("unsplit", sphere, 5, false);
+  run("near layers", shapes::joined(sphere, shapes::scaled(sphere, 0.99)), 5, true);
+  run("soup", torn(sphere), 5, true, 1e-5);
+  run("coarse soup", torn(shapes::sphere(1)), 4, true, 1e-5);
+  run("octahedron", shapes::sphere(0), 6, true);
+  run("in walls", shapes::stairs(8, 0.1), 6, true);
+  run("flat box", shapes::box(1, 0.5, 0.25, 4, 1), 5, true);
+}
+
+TEST_CASE("windows_on_a_million_triangles", "[octree][slow]") {
+  const std::string path = shared_mesh("armadillo_mc1m.ply");
+  if(path.empty())
+    SKIP_TEST("no armadillo_mc1m.ply");
+  const shapes::Triangles t = shapes::triangles(shapes::read(path));
+  for(int depth : {6, 9}) {
+    const RL::Triangulated_surface_3 surface(t.points, t.faces);
+    const auto most = (std::numeric_limits<std::size_t>::max)();
+    require_equal(RL::Octree_3(surface, depth, 1.1, true, -1, true, most),
+                  RL::Octree_3(surface, depth, 1.1, true, -1, true, 100000));
   }
 }
 

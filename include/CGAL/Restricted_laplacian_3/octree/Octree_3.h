@@ -85,13 +85,13 @@ public:
   /// evaluated there.
   static constexpr double piece_tolerance = 8e-3;
 
-  /// Number of sheets beyond which an octree is refused instead of filling the memory. About 3
-  /// elements belong to a sheet and 75 entries to a row, so more sheets would give matrices of more
-  /// than \f$2^{31}\f$ entries.
-  static constexpr std::size_t maximum_number_of_sheets = std::size_t(1) << 23;
-  /// Number of fragments beyond which an octree is refused. A fragment takes 32 bytes while the
-  /// octree is built.
-  static constexpr std::size_t maximum_number_of_fragments = std::size_t(1) << 26;
+  /// Number of sheets that cannot be exceeded: each of them has 27 numbers of 32 bits in a
+  /// `Spline_space_3`.
+  static constexpr std::size_t maximum_number_of_sheets = 0xffffffff / 27;
+
+  /// The octree is built in `Surface_windows` of about so many fragments, of which each takes 64
+  /// bytes meanwhile.
+  static constexpr std::size_t default_fragments_at_once = std::size_t(1) << 22;
 
   /// \param surface becomes a part of the octree
   /// \param depth \f$d\f$, from 1 to 20
@@ -102,12 +102,15 @@ public:
   /// join
   /// \param is_parallel whether several threads are used, if the program is linked with TBB; the
   /// octree is the same
+  /// \param fragments_at_once about how many fragments of triangles are in memory at once, at least
+  /// 1; the octree is the same
   /// \throws Parameter_error if `depth` is not from 1 to 20, if `cube_scale` is not from 1 to 1e6,
-  /// if the octree would have more than `maximum_number_of_sheets` sheets or
-  /// `maximum_number_of_fragments` fragments, or if the surface is so far from the origin that its
-  /// coordinates have too few digits for the depth, see `largest_wall_tolerance`
+  /// if the octree would have more than `maximum_number_of_sheets` sheets, or if the surface is so
+  /// far from the origin that its coordinates have too few digits for the depth, see
+  /// `largest_wall_tolerance`
   Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split = true,
-           double joining_tolerance = -1, bool is_parallel = false);
+           double joining_tolerance = -1, bool is_parallel = false,
+           std::size_t fragments_at_once = default_fragments_at_once);
 
   /// depth \f$d\f$, the finest level
   int depth() const { return m_depth; }

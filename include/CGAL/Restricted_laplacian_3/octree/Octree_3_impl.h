@@ -7,7 +7,6 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
@@ -36,17 +35,15 @@ namespace internal {
 /// Makes the levels of an octree whose surface, domain cube and depth are known.
 class Octree_builder {
 public:
-  Octree_builder(Octree_3& octree, bool is_parallel)
-    : m_octree(octree), m_limits{octree.depth(), Octree_3::maximum_number_of_sheets,
-                                 Octree_3::maximum_number_of_fragments},
-      m_is_parallel(is_parallel) {}
+  explicit Octree_builder(Octree_3& octree) : m_octree(octree) {}
 
-  void build(double joining_tolerance) {
+  void build(double joining_tolerance, std::size_t fragments_at_once) {
     for(int level = 0; level <= m_octree.depth(); ++level) {
       m_octree.m_levels.emplace_back();
       m_octree.m_levels.back().level = level;
     }
-    std::vector<Place> places = build_finest_level(*surface_in_grid(joining_tolerance));
+    std::vector<Place> places =
+        build_finest_level(*surface_in_grid(joining_tolerance, fragments_at_once));
     for(int level = m_octree.depth() - 1; level >= 0; --level)
       build_coarser_level(level, places);
   }
@@ -54,14 +51,14 @@ public:
 private:
   using Level = Octree_level;
 
-  std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance) const {
-    Grid_input input = {m_octree.pieces(), m_octree.division(), vertices(), m_octree.is_split(),
-                        m_limits,          m_is_parallel};
+  std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance,
+                                                   std::size_t fragments_at_once) const {
+    Grid_input input = {m_octree.pieces(),   m_octree.division(), vertices(),
+                        m_octree.is_split(), fragments_at_once,   m_octree.is_parallel()};
     if(m_octree.surface().is_point_set())
       return std::make_unique<Points_in_grid>(std::move(input));
-    return std::make_unique<Triangles_in_grid>(
-        std::move(input), m_octree.cell_width(m_octree.depth()), m_octree.clipper(),
-        Octree_3::thin_face_height, joining_tolerance);
+    return std::make_unique<Triangles_in_grid>(std::move(input), m_octree.clipper(),
+                                               Octree_3::thin_face_height, joining_tolerance);
   }
 
   Grid_vertices vertices() const {
@@ -78,7 +75,18 @@ private:
       for(std::uint32_t i = 1; i < size; ++i)
         scratch.sets.unite(0, i);
     };
-    Finest_sheets sheets = group_into_sheets(surface.fragments(), join, m_limits, m_is_parallel);
+    Finest_sheets sheets;
+    sheets.faces.reserve(surface.estimated_number_of_fragments());
+    for(std::size_t window = 0; window < surface.number_of_windows(); ++window) {
+      group_into_sheets(surface.fragments(window), join, m_octree.is_parallel(), sheets);
+      check_number_of_sheets(sheets.cells.size());
+    }
+    if(sheets.faces.empty())
+      throw Zero_area_error("the surface has area zero: none of its " +
+                            std::to_string(m_octree.pieces().number_of_faces()) +
+                            " faces is wider than rounding errors in the octree");
+    sheets.first_sheets.push_back(static_cast<std::uint32_t>(sheets.cells.size()));
+    sheets.first_faces.push_back(sheets.faces.size());
     Level& finest = m_octree.m_levels.back();
     finest.keys = std::move(sheets.keys);
     finest.first_sheets = std::move(sheets.first_sheets);
@@ -91,6 +99,14 @@ private:
       surface.link(finest, links);
     finest.links = Number_lists(finest.cells.size(), links);
     return std::move(sheets.places);
+  }
+
+  void check_number_of_sheets(std::size_t number) const {
+    if(number > Octree_3::maximum_number_of_sheets)
+      throw Parameter_error("octree_depth", "is " + std::to_string(m_octree.depth()) +
+                                                ", which gives this surface more than " +
+                                                std::to_string(Octree_3::maximum_number_of_sheets) +
+                                                " sheets");
   }
 
   /// \param places of the sheets of the next finer level; on return of those of this level
@@ -148,8 +164,6 @@ private:
   }
 
   Octree_3& m_octree;
-  Octree_limits m_limits;
-  bool m_is_parallel;
 };
 
 /// \throws Parameter_error if the coordinates of a surface are too large, compared with its extent,
@@ -184,7 +198,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double internal::checked_cube_scale(double cu
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split,
-                   double joining_tolerance, bool is_parallel)
+                   double joining_tolerance, bool is_parallel, std::size_t fragments_at_once)
   : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split),
     m_is_parallel(is_parallel) {
   if(depth < 1 || depth > maximum_octree_depth)
@@ -194,8 +208,6 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
   m_cube.center = m_surface.center();
   if(m_surface.is_smooth()) {
     const double h = cell_width(depth);
-    internal::Octree_limits{depth, maximum_number_of_sheets, maximum_number_of_fragments}
-        .check_area(m_surface.area() / (h * h));
     m_division = std::make_shared<const internal::Divided_surface>(m_surface, piece_tolerance * h);
     fit_pieces();
   }
@@ -207,7 +219,7 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
   m_wall_tolerance = (std::max)(relative_wall_tolerance,
                                 4 * std::numeric_limits<double>::epsilon() * (largest / side()));
   internal::check_digits(*this, largest);
-  internal::Octree_builder(*this, is_parallel).build(joining_tolerance);
+  internal::Octree_builder(*this).build(joining_tolerance, fragments_at_once);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fragment Octree_3::fragment(const Cell_3& cell,

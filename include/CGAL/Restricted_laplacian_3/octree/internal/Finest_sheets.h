@@ -4,7 +4,6 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_FINEST_SHEETS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_FINEST_SHEETS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
@@ -12,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,31 +23,6 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// how large an octree of a depth may become
-struct Octree_limits {
-  int depth;
-  std::size_t number_of_sheets;
-  std::size_t number_of_fragments;
-
-  /// \throws Parameter_error if there are too many
-  void check_sheets(std::size_t number) const { refuse_if(number > number_of_sheets); }
-  void check_fragments(std::size_t number) const { refuse_if(number > number_of_fragments); }
-
-  /// A plane section of a cube has at most the area sqrt(2) h^2: this is known before any work.
-  /// \param area of triangles, in units of the squared width of the finest cells
-  void check_area(double area) const {
-    refuse_if(area > 1.4143 * static_cast<double>(number_of_fragments));
-  }
-
-  void refuse_if(bool is_too_large) const {
-    if(is_too_large)
-      throw Parameter_error("octree_depth", "is " + std::to_string(depth) +
-                                                ", which gives this surface more than " +
-                                                std::to_string(number_of_sheets) +
-                                                " sheets or too many fragments of triangles");
-  }
-};
-
 /// a fragment of a face, and the Morton key of its cell
 struct Cell_fragment {
   std::uint64_t key;
@@ -61,12 +34,12 @@ struct Cell_fragment {
 /// The cells of the finest level, and the sheets in them.
 struct Finest_sheets {
   std::vector<std::uint64_t> keys;         // of cells
-  std::vector<std::uint32_t> first_sheets; // of cells, and one more
+  std::vector<std::uint32_t> first_sheets; // of cells
   std::vector<std::uint32_t> cells;        // of sheets, as all that follows
   std::vector<std::uint32_t> element_masks;
   std::vector<Place> places;
-  std::vector<std::size_t> first_faces; // and one more
-  std::vector<std::uint32_t> faces;     // ascending in a sheet
+  std::vector<std::size_t> first_faces;
+  std::vector<std::uint32_t> faces; // ascending in a sheet
 };
 
 /// What a thread uses again for each cell.
@@ -93,7 +66,7 @@ struct Sheets_of_chunk {
 /// `faces[begin]` .. `faces[end - 1]`.
 inline void append_sheets_of_cell(const std::vector<Cell_fragment>& fragments, std::size_t begin,
                                   std::size_t end, const Join_fragments& join,
-                                  Sheet_scratch& scratch, std::vector<std::uint32_t>& faces,
+                                  Sheet_scratch& scratch, std::uint32_t* faces,
                                   Sheets_of_chunk& sheets) {
   const auto size = static_cast<std::uint32_t>(end - begin);
   join(fragments.data() + begin, size, scratch);
@@ -114,29 +87,26 @@ inline void append_sheets_of_cell(const std::vector<Cell_fragment>& fragments, s
   }
 }
 
-/// Groups the fragments of each cell into sheets.
-/// \param fragments sorted by cell
-inline Finest_sheets group_into_sheets(const std::vector<Cell_fragment>& fragments,
-                                       const Join_fragments& join, const Octree_limits& limits,
-                                       bool is_parallel) {
-  Finest_sheets result;
+/// Groups the fragments of each cell into sheets, and appends these.
+/// \param fragments sorted by cell; their cells come after all that are there
+inline void group_into_sheets(const std::vector<Cell_fragment>& fragments,
+                              const Join_fragments& join, bool is_parallel, Finest_sheets& sheets) {
   std::vector<std::size_t> begins;
   for(std::size_t i = 0; i < fragments.size(); ++i)
     if(i == 0 || fragments[i].key != fragments[i - 1].key) {
       begins.push_back(i);
-      result.keys.push_back(fragments[i].key);
+      sheets.keys.push_back(fragments[i].key);
     }
+  const std::size_t number_of_cells = begins.size(), first_fragment = sheets.faces.size(),
+                    grain = 1 << 10;
   begins.push_back(fragments.size());
-  limits.check_sheets(result.keys.size());
-
-  const std::size_t number_of_cells = result.keys.size(), grain = 1 << 10;
-  result.faces.resize(fragments.size());
-  std::vector<Sheets_of_chunk> of_chunks((number_of_cells - 1) / grain + 1);
+  sheets.faces.resize(first_fragment + fragments.size());
+  std::vector<Sheets_of_chunk> of_chunks(number_of_cells / grain + 1);
   parallel_for(is_parallel, 0, number_of_cells, grain, [&](std::size_t begin, std::size_t end) {
     Sheet_scratch scratch;
     for(std::size_t i = begin; i < end; ++i)
-      append_sheets_of_cell(fragments, begins[i], begins[i + 1], join, scratch, result.faces,
-                            of_chunks[begin / grain]);
+      append_sheets_of_cell(fragments, begins[i], begins[i + 1], join, scratch,
+                            sheets.faces.data() + first_fragment, of_chunks[begin / grain]);
   });
 
   const auto append = [](auto& all, const auto& part) {
@@ -144,18 +114,15 @@ inline Finest_sheets group_into_sheets(const std::vector<Cell_fragment>& fragmen
   };
   for(const Sheets_of_chunk& of_chunk : of_chunks) {
     for(std::uint32_t number_of_sheets : of_chunk.numbers_of_sheets) {
-      const auto cell = static_cast<std::uint32_t>(result.first_sheets.size());
-      result.first_sheets.push_back(static_cast<std::uint32_t>(result.cells.size()));
-      result.cells.insert(result.cells.end(), number_of_sheets, cell);
+      const auto cell = static_cast<std::uint32_t>(sheets.first_sheets.size());
+      sheets.first_sheets.push_back(static_cast<std::uint32_t>(sheets.cells.size()));
+      sheets.cells.insert(sheets.cells.end(), number_of_sheets, cell);
     }
-    limits.check_sheets(result.cells.size());
-    append(result.element_masks, of_chunk.element_masks);
-    append(result.places, of_chunk.places);
-    append(result.first_faces, of_chunk.first_faces);
+    append(sheets.element_masks, of_chunk.element_masks);
+    append(sheets.places, of_chunk.places);
+    for(std::size_t first : of_chunk.first_faces)
+      sheets.first_faces.push_back(first_fragment + first);
   }
-  result.first_sheets.push_back(static_cast<std::uint32_t>(result.cells.size()));
-  result.first_faces.push_back(result.faces.size());
-  return result;
 }
 
 } // namespace internal

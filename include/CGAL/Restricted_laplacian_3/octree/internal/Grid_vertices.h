@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -30,6 +31,10 @@ public:
                 const Cell_clipper& clipper)
     : m_surface(surface), m_cube(cube), m_depth(depth), m_clipper(clipper) {}
 
+  /// depth of the finest cells
+  int depth() const { return m_depth; }
+  /// their width, in units of the coordinates of the surface
+  double cell_width() const { return std::ldexp(m_cube.side, -m_depth); }
   /// number of cells along an axis
   int cells_per_side() const { return 1 << m_depth; }
 

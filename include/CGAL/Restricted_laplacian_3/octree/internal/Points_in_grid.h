@@ -31,10 +31,13 @@ public:
       m_links.emplace(m_input.surface, m_input.is_parallel);
   }
 
+  std::size_t estimated_number_of_fragments() const override {
+    return m_input.surface.number_of_vertices();
+  }
+
   /// Cells are half-open: a point on a wall belongs to the upper one of its cells, except in the
   /// last wall.
-  std::vector<Cell_fragment> fragments() const override {
-    m_input.limits.check_fragments(m_input.surface.number_of_vertices());
+  std::vector<Cell_fragment> fragments(std::size_t /*window*/) const override {
     const int last = m_input.vertices.cells_per_side() - 1;
     const std::array<double, 3> direction = sorting_direction();
     std::vector<Cell_fragment> result(m_input.surface.number_of_vertices());
@@ -60,7 +63,7 @@ public:
             result[i] = {morton_key(cell), static_cast<std::uint32_t>(i), mask, {1, position}};
           }
         });
-    stable_sort_by_key(result, 3 * m_input.limits.depth, m_input.is_parallel,
+    stable_sort_by_key(result, 3 * m_input.vertices.depth(), m_input.is_parallel,
                        [](const Cell_fragment& fragment) { return fragment.key; });
     return result;
   }

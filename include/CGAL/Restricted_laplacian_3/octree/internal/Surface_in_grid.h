@@ -11,7 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +27,8 @@ struct Grid_input {
   Grid_vertices vertices;
   /// whether fragments will be joined and linked
   bool is_split;
-  Octree_limits limits;
+  /// about how many fragments are in memory at once
+  std::size_t fragments_at_once;
   bool is_parallel;
 };
 
@@ -39,8 +40,12 @@ public:
 
   virtual ~Surface_in_grid() = default;
 
-  /// all fragments of faces in finest cells, sorted by cell, and by face in a cell
-  virtual std::vector<Cell_fragment> fragments() const = 0;
+  /// The fragments are asked for in parts, one for each of some ranges of cells.
+  virtual std::size_t number_of_windows() const { return 1; }
+  /// about how many there are in all
+  virtual std::size_t estimated_number_of_fragments() const = 0;
+  /// the fragments of faces in the finest cells of a window, sorted by cell, and by face in a cell
+  virtual std::vector<Cell_fragment> fragments(std::size_t window) const = 0;
   /// which fragments of a cell are in the same sheet: see `Join_fragments`
   virtual void join(const Cell_fragment* fragments, std::uint32_t size,
                     Sheet_scratch& scratch) const = 0;

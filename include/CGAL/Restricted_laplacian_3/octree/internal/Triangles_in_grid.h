@@ -4,10 +4,10 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_TRIANGLES_IN_GRID_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_TRIANGLES_IN_GRID_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
 #include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
+#include <CGAL/Restricted_laplacian_3/octree/Surface_windows.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Seams_in_grid.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Surface_in_grid.h>
@@ -16,11 +16,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,47 +30,57 @@ namespace internal {
 /// joined along seams.
 class Triangles_in_grid : public Surface_in_grid {
 public:
-  /// \param cell_width of the finest cells
-  /// \param clipper cuts at their walls
+  /// \param clipper cuts at the walls of the cells
   /// \param thin_face_height,joining_tolerance of `Surface_seams`, the former in cell widths
-  Triangles_in_grid(Grid_input input, double cell_width, const Cell_clipper& clipper,
-                    double thin_face_height, double joining_tolerance)
-    : m_input(std::move(input)), m_clipper(clipper) {
-    m_input.limits.check_area(m_input.surface.area() / (cell_width * cell_width));
+  Triangles_in_grid(Grid_input input, const Cell_clipper& clipper, double thin_face_height,
+                    double joining_tolerance)
+    : m_input(std::move(input)), m_clipper(clipper),
+      m_windows(m_input.surface, m_input.vertices, m_input.fragments_at_once,
+                (std::max)(joining_tolerance / m_input.vertices.cell_width(), 0.),
+                m_input.is_parallel) {
     if(!m_input.is_split)
       return;
-    m_seams.emplace(m_input.surface, thin_face_height * cell_width, joining_tolerance,
-                    Surface_seams::Parts(), m_input.is_parallel);
-    const double width = (std::max)(2 * thin_face_height, 1.01 * joining_tolerance / cell_width);
+    const double h = m_input.vertices.cell_width();
+    Surface_seams::Parts parts;
+    for(std::size_t window = 0; window < m_windows.size(); ++window)
+      parts.push_back(m_windows.faces(window));
+    m_seams.emplace(m_input.surface, thin_face_height * h, joining_tolerance, parts,
+                    m_input.is_parallel);
+    const double width = (std::max)(2 * thin_face_height, 1.01 * joining_tolerance / h);
     m_seams_in_grid.emplace(m_input.surface, *m_seams, m_input.vertices, width);
   }
 
-  std::vector<Cell_fragment> fragments() const override {
-    const std::size_t number_of_faces = m_input.surface.number_of_faces(), grain = 1 << 14;
-    std::vector<std::vector<Cell_fragment>> of_chunks((number_of_faces - 1) / grain + 1);
-    std::atomic<std::size_t> number_of_fragments(0);
-    parallel_for(m_input.is_parallel, 0, number_of_faces, grain,
+  std::size_t number_of_windows() const override { return m_windows.size(); }
+
+  std::size_t estimated_number_of_fragments() const override {
+    return static_cast<std::size_t>(m_windows.estimated_number_of_fragments());
+  }
+
+  std::vector<Cell_fragment> fragments(std::size_t window) const override {
+    const Number_view faces = m_windows.faces(window);
+    const auto cells = m_windows.cells(window);
+    if(faces.size() == 0)
+      return {};
+    const std::size_t grain = 1 << 14;
+    std::vector<std::vector<Cell_fragment>> of_chunks((faces.size() - 1) / grain + 1);
+    parallel_for(m_input.is_parallel, 0, faces.size(), grain,
                  [&](std::size_t begin, std::size_t end) {
                    auto& of_chunk = of_chunks[begin / grain];
                    of_chunk.reserve(3 * (end - begin) / 2);
-                   for(std::size_t face = begin; face < end; ++face)
-                     if(!m_input.surface.is_degenerate(face)) {
-                       cut(face, of_chunk);
-                       m_input.limits.check_fragments(of_chunk.size());
-                     }
-                   m_input.limits.check_fragments(number_of_fragments += of_chunk.size());
+                   for(std::size_t i = begin; i < end; ++i)
+                     if(!m_input.surface.is_degenerate(faces[i]))
+                       cut(faces[i], cells, of_chunk);
                  });
-    if(number_of_fragments == 0)
-      throw Zero_area_error("the surface has area zero: none of its " +
-                            std::to_string(number_of_faces) +
-                            " faces is wider than rounding errors in the octree");
+    std::size_t number_of_fragments = 0;
+    for(const auto& of_chunk : of_chunks)
+      number_of_fragments += of_chunk.size();
     std::vector<Cell_fragment> result;
     result.reserve(number_of_fragments);
     for(auto& of_chunk : of_chunks) {
       result.insert(result.end(), of_chunk.begin(), of_chunk.end());
       std::vector<Cell_fragment>().swap(of_chunk);
     }
-    stable_sort_by_key(result, 3 * m_input.limits.depth, m_input.is_parallel,
+    stable_sort_by_key(result, 3 * m_input.vertices.depth(), m_input.is_parallel,
                        [](const Cell_fragment& fragment) { return fragment.key; });
     return result;
   }
@@ -88,10 +96,15 @@ public:
   }
 
 private:
-  void cut(std::size_t face, std::vector<Cell_fragment>& fragments) const {
+  /// appends those fragments that are in a range of cells
+  void cut(std::size_t face, const std::array<std::uint64_t, 2>& cells,
+           std::vector<Cell_fragment>& fragments) const {
     const bool has_places = m_seams.has_value(); // one sheet for each cell needs no order
     m_clipper.cut_snapped(m_input.vertices.corners(face), [&](const std::array<int, 3>& cell,
                                                               const Fragment& fragment) {
+      const std::uint64_t key = morton_key(cell);
+      if(key < cells[0] || key >= cells[1])
+        return;
       Place place;
       if(has_places)
         place = {fragment.double_area() / 2, fragment.integral_of_linear(sorting_direction())};
@@ -100,7 +113,7 @@ private:
       const std::uint32_t mask =
           is_flat ? element_mask_of_range([&](int axis) { return range(fragment, axis); }, cell)
                   : all_elements;
-      fragments.push_back({morton_key(cell), static_cast<std::uint32_t>(face), mask, place});
+      fragments.push_back({key, static_cast<std::uint32_t>(face), mask, place});
     });
   }
 
@@ -180,6 +193,7 @@ private:
 
   Grid_input m_input;
   Cell_clipper m_clipper;
+  Surface_windows m_windows;
   std::optional<Surface_seams> m_seams; // of a surface that is split, as the following
   std::optional<Seams_in_grid> m_seams_in_grid;
 };
