@@ -3,9 +3,10 @@
 
 #include "mesh_input.h"
 
-#include "binary_mesh.h"
 #include "program.h"
 #include "vertex_data.h"
+
+#include <CGAL/Restricted_laplacian_3/surface/read_triangle_soup.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
@@ -17,21 +18,17 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 namespace examples {
 
 namespace internal {
 
-Polygon_soup read_soup(const std::string& file) {
+Polygon_soup read_soup(const std::string& file, const Callback& callback) {
   Polygon_soup soup;
   require(std::ifstream(file).good(), "cannot open '" + file + "'");
-  if(std::optional<Triangle_soup> read = read_binary_triangles(file)) {
-    soup.points = std::move(read->points);
-    soup.triangles = std::move(read->triangles);
+  if(RL::read_triangle_soup(file, soup.points, soup.triangles, RL::parameters::callback(callback)))
     return soup;
-  }
   coordinate_types(file); // throws if CGAL cannot read them
   require(CGAL::IO::read_polygon_soup(file, soup.points, soup.polygons,
                                       CGAL::parameters::verbose(false)),
@@ -107,8 +104,8 @@ Mesh_input mesh_of(Polygon_soup soup, const std::string& file) {
 
 } // namespace internal
 
-Mesh_input read_mesh(const std::string& file) {
-  return internal::mesh_of(internal::read_soup(file), file);
+Mesh_input read_mesh(const std::string& file, const Callback& callback) {
+  return internal::mesh_of(internal::read_soup(file, callback), file);
 }
 
 } // namespace examples

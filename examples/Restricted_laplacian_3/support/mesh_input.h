@@ -11,10 +11,14 @@
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace examples {
+
+// hears which part of a file is read
+using Callback = std::function<bool(double)>;
 
 struct Mesh_input {
   // The vertices and triangles of the file, in its order. They need not form a manifold. Or its
@@ -38,14 +42,14 @@ struct Polygon_soup {
   bool has_faces() const { return !triangles.empty() || !polygons.empty(); }
 };
 
-Polygon_soup read_soup(const std::string& file);
+Polygon_soup read_soup(const std::string& file, const Callback& callback = {});
 Mesh_input mesh_of(Polygon_soup soup, const std::string& file);
 
 } // namespace internal
 
 // Nothing is repaired: it does not matter how many faces meet in an edge and how they are oriented,
 // and points at the same place remain different vertices.
-Mesh_input read_mesh(const std::string& file);
+Mesh_input read_mesh(const std::string& file, const Callback& callback = {});
 
 } // namespace examples
 

@@ -24,10 +24,10 @@ po::options_description point_options(Point_options& p, Common_options& o) {
   return options;
 }
 
-Mesh_input read_mesh_or_points(const std::string& file, int neighbors) {
+Mesh_input read_mesh_or_points(const std::string& file, int neighbors, const Callback& callback) {
   const std::string format = extension(file);
   if(format != ".xyz") {
-    internal::Polygon_soup soup = internal::read_soup(file);
+    internal::Polygon_soup soup = internal::read_soup(file, callback);
     if(format != ".ply" || soup.has_faces())
       return internal::mesh_of(std::move(soup), file);
   }
@@ -40,8 +40,8 @@ Mesh_input read_mesh_or_points(const std::string& file, int neighbors) {
 }
 
 Mesh_input read_mesh_or_points(const Common_options& o, const Point_options& p,
-                               const po::variables_map& given) {
-  Mesh_input input = read_mesh_or_points(o.mesh, p.neighbors);
+                               const po::variables_map& given, const Callback& callback) {
+  Mesh_input input = read_mesh_or_points(o.mesh, p.neighbors, callback);
   if(!input.surface.is_point_set())
     require(given["neighbors"].defaulted() && !o.space.split_point_set,
             "--neighbors and --split-points need a set of points");

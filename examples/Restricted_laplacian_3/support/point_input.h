@@ -30,11 +30,12 @@ normals, and stands for a surface without any mesh. Normals must be oriented ali
 
 // A mesh, or a set of points.
 Mesh_input read_mesh_or_points(const std::string& file,
-                               int neighbors = RL::default_number_of_neighbors);
+                               int neighbors = RL::default_number_of_neighbors,
+                               const Callback& callback = {});
 
 // The same, for the options of a program.
 Mesh_input read_mesh_or_points(const Common_options& o, const Point_options& p,
-                               const po::variables_map& given);
+                               const po::variables_map& given, const Callback& callback);
 
 } // namespace examples
 

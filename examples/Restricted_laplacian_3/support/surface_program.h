@@ -247,12 +247,12 @@ int run_on_surface(const std::string& program, const Options& o, const po::varia
                    Outcome (*work)(Job&, const Options&)) {
   const Progress progress(o.quiet, o.verbose || o.progress);
   const Thread_limit threads(o.threads);
-  progress.show("reading " + o.mesh);
   Mesh_input input = [&] {
+    const Callback callback = progress.step("reading " + o.mesh);
     if constexpr(std::is_base_of_v<Point_options, Options>)
-      return read_mesh_or_points(o, o, given);
+      return read_mesh_or_points(o, o, given, callback);
     else
-      return read_mesh(o.mesh);
+      return read_mesh(o.mesh, callback);
   }();
   require(o.refine == 0 || !input.surface.is_point_set(), "--refine needs a mesh, not points");
   require(o.assembly == "cubature" || !input.surface.is_point_set(),

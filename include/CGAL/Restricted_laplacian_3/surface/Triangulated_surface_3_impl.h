@@ -68,21 +68,22 @@ Triangulated_surface_3::Triangulated_surface_3(std::vector<Point_3> points,
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3::Triangulated_surface_3(
     std::vector<Point_3> points, std::vector<Vector_3> normals, std::vector<double> areas)
-  : m_points(std::move(points)), m_normals(std::move(normals)), m_areas(std::move(areas)),
-    m_is_point_set(true) {
+  : m_points(std::move(points)), m_areas(std::move(areas)), m_is_point_set(true) {
   if(m_points.empty())
     throw Empty_surface_error("the point set has no point");
-  if(m_normals.size() != m_points.size() || m_areas.size() != m_points.size())
+  if(normals.size() != m_points.size() || m_areas.size() != m_points.size())
     throw Parameter_error("points", "has another length than normals or areas");
-  m_triangles.resize(m_points.size());
+  std::vector<Triangle> triangles(m_points.size());
   for(std::size_t i = 0; i < m_points.size(); ++i) {
-    internal::check_oriented_point(i, m_points[i], m_normals[i]);
+    internal::check_oriented_point(i, m_points[i], normals[i]);
     if(!(m_areas[i] >= 0 && std::isfinite(m_areas[i])))
       throw Invalid_point_error(i, "has an area that is negative or not a finite number");
-    m_normals[i] = internal::unit_vector(m_normals[i]);
-    m_triangles[i].fill(static_cast<std::uint32_t>(i));
+    normals[i] = internal::unit_vector(normals[i]);
+    triangles[i].fill(static_cast<std::uint32_t>(i));
     m_area += m_areas[i];
   }
+  m_normals = internal::Shared_array<Vector_3>(std::move(normals));
+  m_triangles = internal::Shared_array<Triangle>(std::move(triangles));
   compute_bounding_box();
   if(!(m_area > 0))
     throw zero_area_error();
@@ -119,8 +120,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Triangulated_surface_3::compute_bounding
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Triangulated_surface_3::compute_normals_and_areas() {
-  m_normals.assign(m_triangles.size(), Vector_3(0, 0, 0));
-  m_areas.assign(m_triangles.size(), 0);
+  std::vector<double> areas(m_triangles.size(), 0);
+  std::vector<Vector_3> normals(m_triangles.size(), Vector_3(0, 0, 0));
   const double scale = 1 / m_extent;
   for(std::size_t f = 0; f < m_triangles.size(); ++f) {
     // The cross product is most accurate from the corner opposite to the longest side.
@@ -139,10 +140,12 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Triangulated_surface_3::compute_normals_
       ++m_number_of_degenerate_faces;
       continue;
     }
-    m_normals[f] = product / length;
-    m_areas[f] = length / 2 * m_extent * m_extent;
-    m_area += m_areas[f];
+    normals[f] = product / length;
+    areas[f] = length / 2 * m_extent * m_extent;
+    m_area += areas[f];
   }
+  m_normals = internal::Shared_array<Vector_3>(std::move(normals));
+  m_areas = internal::Shared_array<double>(std::move(areas));
   if(!(m_area > 0))
     throw zero_area_error();
 }
@@ -162,6 +165,7 @@ Triangulated_surface_3::set_patches(std::shared_ptr<const Surface_patches> patch
   const double root = std::sqrt(15.);
   const std::array<double, 2> near = {(6 - root) / 21, (6 + root) / 21},
                               weights = {(155 - root) / 1200, (155 + root) / 1200};
+  std::vector<double> areas(m_areas.begin(), m_areas.end());
   m_area = 0;
   for(std::size_t f = 0; f < number_of_faces(); ++f) {
     if(!is_degenerate(f) && !m_patches->is_flat(f)) {
@@ -173,10 +177,11 @@ Triangulated_surface_3::set_patches(std::shared_ptr<const Surface_patches> patch
           l[i] = 1 - 2 * near[k];
           area += weights[k] * m_patches->evaluate(f, corners, l).area;
         }
-      m_areas[f] = area;
+      areas[f] = area;
     }
-    m_area += m_areas[f];
+    m_area += areas[f];
   }
+  m_areas = internal::Shared_array<double>(std::move(areas));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void

@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the programs read from binary files themselves is what CGAL reads from them.
+// What is read from binary files is what CGAL reads from them.
 
-#include "binary_mesh.h"
 #include "catch.h"
+
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/surface/read_triangle_soup.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -22,8 +25,23 @@
 
 namespace {
 
-using examples::Triangle_soup;
-using Point = examples::RL::Point_3;
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = RL::parameters;
+using Point = RL::Point_3;
+
+struct Triangle_soup {
+  std::vector<Point> points;
+  std::vector<RL::Triangulated_surface_3::Triangle> triangles;
+};
+
+std::optional<Triangle_soup> read(const std::string& file) {
+  Triangle_soup soup;
+  if(RL::read_triangle_soup(file, soup.points, soup.triangles))
+    return soup;
+  CHECK(soup.points.empty());
+  CHECK(soup.triangles.empty());
+  return std::nullopt;
+}
 
 /// a file that is gone at the end
 struct Scratch_file {
@@ -104,21 +122,21 @@ std::string stl(const std::vector<float>& coordinates, std::uint32_t triangles) 
 
 void check_equals_cgal(const std::string& extension, const std::string& bytes) {
   const Scratch_file file(extension, bytes);
-  const std::optional<Triangle_soup> read = examples::read_binary_triangles(file.name);
-  REQUIRE(read);
+  const std::optional<Triangle_soup> soup = read(file.name);
+  REQUIRE(soup);
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> faces;
   REQUIRE(CGAL::IO::read_polygon_soup(file.name, points, faces));
-  CHECK(read->points == points);
-  REQUIRE(read->triangles.size() == faces.size());
+  CHECK(soup->points == points);
+  REQUIRE(soup->triangles.size() == faces.size());
   for(std::size_t i = 0; i < faces.size(); ++i)
-    CHECK(std::equal(faces[i].begin(), faces[i].end(), read->triangles[i].begin(),
-                     read->triangles[i].end()));
+    CHECK(std::equal(faces[i].begin(), faces[i].end(), soup->triangles[i].begin(),
+                     soup->triangles[i].end()));
 }
 
 bool is_left_to_cgal(const std::string& extension, const std::string& bytes) {
   const Scratch_file file(extension, bytes);
-  return !examples::read_binary_triangles(file.name);
+  return !read(file.name);
 }
 
 } // namespace
@@ -178,13 +196,73 @@ TEST_CASE("files_with_anything_else_are_left_to_cgal", "[files]") {
   const std::string triangle = stl({0, 0, 0, 1, 0, 0, 0, 1, 0}, 1);
   CHECK(!is_left_to_cgal(".stl", triangle));
   CHECK(is_left_to_cgal(".stl", triangle.substr(0, 100)));
-  CHECK(is_left_to_cgal(".stl", "solid" + triangle.substr(5)));
+  // a file of text begins like that
+  check_equals_cgal(".stl", "solid" + triangle.substr(5));
+  CHECK(is_left_to_cgal(".stl", "solid" + triangle.substr(5) + '\n'));
   CHECK(is_left_to_cgal(".stl",
                         stl({0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0}, 1)));
 
   // no file, and a folder
-  CHECK(!examples::read_binary_triangles("no_such_file.ply"));
+  CHECK(!read("no_such_file.ply"));
   std::filesystem::create_directory("folder.ply");
-  CHECK(!examples::read_binary_triangles("folder.ply"));
+  CHECK(!read("folder.ply"));
   std::filesystem::remove("folder.ply");
+}
+
+TEST_CASE("large_binary_files_are_read_in_pieces", "[files]") {
+  // longer than the pieces, which end in the middle of numbers; in the STL file each vertex is met
+  // up to six times
+  const int n = 500;
+  std::vector<float> coordinates;
+  std::string vertices, faces;
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      for(const float x : {float(i), float(j), float(i * j)})
+        vertices += bytes_of(x);
+  std::vector<RL::Triangulated_surface_3::Triangle> expected;
+  for(std::uint32_t i = 0; i < n; ++i)
+    for(std::uint32_t j = 0; j < n; ++j)
+      for(const bool is_second : {false, true}) {
+        const std::uint32_t a = (n + 1) * i + j;
+        expected.push_back({a, is_second ? a + n + 2 : a + 1, is_second ? a + n + 1 : a + n + 2});
+        faces += bytes_of(std::uint8_t(3));
+        for(const std::uint32_t v : expected.back()) {
+          faces += bytes_of(v);
+          const std::uint32_t x = v / (n + 1), y = v % (n + 1);
+          coordinates.insert(coordinates.end(), {float(x), float(y), float(x * y)});
+        }
+      }
+  const Scratch_file ply_file(
+      ".PLY", "ply\nformat binary_little_endian 1.0\nelement vertex 251001\nproperty float x\n"
+              "property float y\nproperty float z\nelement face 500000\n"
+              "property list uchar int vertex_indices\nend_header\n" +
+                  vertices + faces);
+  std::vector<double> parts;
+  Triangle_soup soup;
+  REQUIRE(RL::read_triangle_soup(ply_file.name, soup.points, soup.triangles,
+                                 params::callback([&](double part) {
+                                   parts.push_back(part);
+                                   return true;
+                                 })));
+  CHECK(soup.points.size() == 251001);
+  CHECK(soup.points.back() == Point(n, n, n * n));
+  CHECK(soup.triangles == expected);
+  CHECK(parts.size() >= 3);
+  CHECK(std::is_sorted(parts.begin(), parts.end()));
+  CHECK(parts.back() == 1);
+  CHECK_THROWS_AS(RL::read_triangle_soup(ply_file.name, soup.points, soup.triangles,
+                                         params::callback([](double part) { return part < 0.5; })),
+                  RL::Canceled);
+
+  const Scratch_file stl_file(".stl", stl(coordinates, 500000));
+  const std::optional<Triangle_soup> joined = read(stl_file.name);
+  REQUIRE(joined);
+  CHECK(joined->points.size() == 251001);
+  REQUIRE(joined->triangles.size() == expected.size());
+  std::size_t number_of_equal_corners = 0;
+  for(std::size_t i = 0; i < expected.size(); ++i)
+    for(std::size_t k = 0; k < 3; ++k)
+      number_of_equal_corners +=
+          joined->points[joined->triangles[i][k]] == soup.points[expected[i][k]];
+  CHECK(number_of_equal_corners == 3 * expected.size());
 }
