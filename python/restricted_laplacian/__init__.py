@@ -21,7 +21,8 @@ from ._input import Corners
 from ._problems import (Curvature, curvature, fit_function, integrate_gradient, solve_poisson,
                         solve_screened_poisson)
 from ._shapes import icosphere
-from ._space import Operators, PoissonSolver, Report, Space, SplineFunction
+from ._space import (MemoryEstimate, Operators, PoissonSolver, Report, Space, SplineFunction,
+                     estimate_memory)
 from ._spectra import (Spectrum, biharmonic_embedding, diffusion_map, eigs,
                        global_point_signature, heat_kernel_signature, heat_kernel_times,
                        heat_trace, laplace_spectrum, number_of_zero_eigenvalues, shape_dna,
@@ -31,11 +32,12 @@ from ._view import View, to_polyscope
 
 __all__ = [
     "Canceled", "ConvergenceError", "Corners", "Curvature", "DistanceFunction", "Distances",
-    "Geodesics", "InputError", "Operators", "Path", "PoissonSolver", "Report", "Scan", "Space",
-    "Spectrum", "SplineFunction", "View", "__version__", "biharmonic_embedding", "curvature",
-    "diffusion_map", "eigs", "farthest_points", "fit_function", "geodesic_distance",
-    "global_point_signature", "heat_kernel_signature", "heat_kernel_times", "heat_trace",
-    "icosphere", "integrate_gradient", "laplace_spectrum", "number_of_zero_eigenvalues",
-    "read_mesh", "shape_dna", "shortest_path", "solve_poisson", "solve_screened_poisson",
-    "stitch_colors", "to_polyscope", "wave_kernel_signature",
+    "Geodesics", "InputError", "MemoryEstimate", "Operators", "Path", "PoissonSolver", "Report",
+    "Scan", "Space", "Spectrum", "SplineFunction", "View", "__version__",
+    "biharmonic_embedding", "curvature", "diffusion_map", "eigs", "estimate_memory",
+    "farthest_points", "fit_function", "geodesic_distance", "global_point_signature",
+    "heat_kernel_signature", "heat_kernel_times", "heat_trace", "icosphere",
+    "integrate_gradient", "laplace_spectrum", "number_of_zero_eigenvalues", "read_mesh",
+    "shape_dna", "shortest_path", "solve_poisson", "solve_screened_poisson", "stitch_colors",
+    "to_polyscope", "wave_kernel_signature",
 ]

@@ -15,6 +15,7 @@ ARGUMENTS = {
     "energy_tolerance": "energy_tolerance",
     "joining_tolerance": "joining_tolerance",
     "k": "k",
+    "maximum_memory": "maximum_memory",
     "normal_stabilization": "stabilization",
     "number_of_iterations": "max_iterations",
     "number_of_neighbors": "neighbors",

@@ -11,9 +11,11 @@ from typing import Union
 import numpy as np
 
 from . import _core
+from ._input import Progress, listener
 
 
-def read_mesh(file: Union[str, "os.PathLike[str]"]) -> tuple[np.ndarray, np.ndarray]:
+def read_mesh(file: Union[str, "os.PathLike[str]"], *, progress: Progress = None
+              ) -> tuple[np.ndarray, np.ndarray]:
     """Points and triangles of a file: off, obj, ply, stl or ts.
 
     Nothing is merged, cut or turned. Faces that are not triangles are divided.
@@ -21,6 +23,8 @@ def read_mesh(file: Union[str, "os.PathLike[str]"]) -> tuple[np.ndarray, np.ndar
     Parameters
     ----------
     file : path
+    progress : bool or callable, optional
+        A bar, or what is called with the part of a binary ply or stl file that is read.
 
     Returns
     -------
@@ -32,5 +36,5 @@ def read_mesh(file: Union[str, "os.PathLike[str]"]) -> tuple[np.ndarray, np.ndar
     InputError
         The file cannot be read, or names no surface.
     """
-    surface = _core.Surface.of_file(os.fspath(file))
+    surface = _core.Surface.of_file(os.fspath(file), listener(progress))
     return surface.points(), surface.faces()

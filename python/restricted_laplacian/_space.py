@@ -52,6 +52,51 @@ def _csr(arrays: tuple, is_symmetric: bool) -> scipy.sparse.csr_matrix:
     return scipy.sparse.csc_matrix((values, indices, starts), shape=(m, n), copy=False).tocsr()
 
 
+class MemoryEstimate(NamedTuple):
+    """How large a space is, and how much memory a Poisson problem in it takes."""
+
+    dimension: float
+    """Number of splines."""
+    surface: float
+    """Bytes of the surface, whatever the depth."""
+    solver: float
+    """Bytes of the space, the matrices and the multigrid solver."""
+
+    @property
+    def total(self) -> float:
+        """Bytes of all."""
+        return self.surface + self.solver
+
+
+def estimate_memory(V: Any, F: Any = None, *, depth: int, cube_scale: float = 1.1,
+                    normals: Any = None, areas: Any = None) -> MemoryEstimate:
+    """Tells before any work how much memory a depth takes.
+
+    Right within some percent where the pieces of a surface are larger than the cells; with many
+    boundaries, as in ragged scans, there are up to three times as many splines at small depths.
+    Eigenvectors and values at vertices come on top, 8 bytes for each number.
+
+    Parameters
+    ----------
+    V, F, normals, areas
+        The surface, as for `Space`.
+    depth : int
+        Of the octree.
+    cube_scale : float
+        Side of the octree over the longest side of the bounding box.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(5)
+    >>> for depth in 6, 7, 8:
+    ...     estimate = rl.estimate_memory(V, F, depth=depth)
+    ...     print(depth, f"{estimate.dimension:.0f} splines, {estimate.total / 1e6:.0f} MB")
+    """
+    surface = make_surface(V, F, normals=normals, areas=areas)
+    return MemoryEstimate(*_core.estimate_memory(surface, int(depth), float(cube_scale)))
+
+
 class Operators(NamedTuple):
     """Stiffness matrix S (minus the Laplacian) and mass matrix M, of splines."""
 
@@ -97,6 +142,10 @@ class Space:
         creases.
     vertex_normals : array_like, (n, 3), optional
         Of smooth geometry and data; estimated by default, and where they are 0 or NaN.
+    maximum_memory : float, optional
+        Bytes that the surface, the space and a Poisson problem in it may take, by
+        `estimate_memory`: what would take more is refused before any work. By default those of the
+        machine.
     threads : int, optional
         By default all processors. Results do not depend on it.
 
@@ -128,7 +177,8 @@ class Space:
                  cube_scale: Optional[float] = None, joining_tolerance: Optional[float] = None,
                  split: Optional[bool] = None, paper: bool = False, geometry: Any = None,
                  vertex_data: Optional[str] = None, crease_angle: float = 40,
-                 vertex_normals: Any = None, threads: Optional[int] = None) -> None:
+                 vertex_normals: Any = None, maximum_memory: Optional[float] = None,
+                 threads: Optional[int] = None) -> None:
         self._threads = number_of_threads(threads)
         self._surface = make_surface(V, F, normals=normals, areas=areas, neighbors=neighbors,
                                      threads=threads)
@@ -153,7 +203,7 @@ class Space:
                 raise argument_error("depth", f"must be a whole number, and is {depth!r}")
             depth = int(np.clip(depth, -1, 1000))
         self._space = _core.Space.make(self._surface, depth, cube_scale, joining_tolerance, split,
-                                       bool(paper), self._threads)
+                                       bool(paper), maximum_memory, self._threads)
 
     @property
     def depth(self) -> int:

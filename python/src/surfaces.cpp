@@ -9,7 +9,9 @@
 #include "../../examples/Restricted_laplacian_3/support/program.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 #include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
@@ -126,13 +128,14 @@ Surface make_projected_surface(const Surface& surface, const nb::object& project
 }
 
 // a file of a format that CGAL reads; faces that are not triangles are divided
-Surface read_mesh(const std::string& file) {
-  const nb::gil_scoped_release release;
-  try {
-    return examples::read_mesh(file).surface;
-  } catch(const examples::Error& e) {
-    throw RL::Input_error(e.what());
-  }
+Surface read_mesh(const std::string& file, const nb::object& progress) {
+  return run(1, progress, [&](const auto& callback) {
+    try {
+      return examples::read_mesh(file, callback).surface;
+    } catch(const examples::Error& e) {
+      throw RL::Input_error(e.what());
+    }
+  });
 }
 
 Surface make_point_surface(const Array& v, const Array& n, const std::optional<Numbers>& areas,
@@ -156,12 +159,13 @@ Surface make_point_surface(const Array& v, const Array& n, const std::optional<N
 RL::Spline_space_3 make_space(const Surface& surface, std::optional<int> depth,
                               std::optional<double> cube_scale,
                               std::optional<double> joining_tolerance, std::optional<bool> split,
-                              bool paper, int threads) {
+                              bool paper, std::optional<double> maximum_memory, int threads) {
   RL::Spline_space_options o;
   o.octree_depth = depth;
   o.cube_scale = cube_scale;
   o.joining_tolerance = joining_tolerance;
   o.paper_space = paper;
+  o.maximum_memory = maximum_memory;
   if(split)
     o.split_elements = o.split_point_set = *split;
   o.is_parallel = threads != 1;
@@ -259,7 +263,7 @@ nb::tuple derivatives(const RL::Spline_space_3& space, const Rows& coefficients,
 void add_surfaces(nb::module_& m) {
   nb::class_<Surface>(m, "Surface")
       .def_static("of_triangles", &make_surface, "V"_a, "F"_a)
-      .def_static("of_file", &read_mesh, "file"_a)
+      .def_static("of_file", &read_mesh, "file"_a, "progress"_a.none())
       .def_static("of_points", &make_point_surface, "V"_a, "normals"_a, "areas"_a.none(),
                   "neighbors"_a, "threads"_a)
       .def("curved", &make_curved_surface, "crease_angle"_a, "vertex_normals"_a.none())
@@ -325,13 +329,20 @@ void add_surfaces(nb::module_& m) {
           return std::make_shared<Callable_function>(std::move(callable), components, degree);
         });
 
+  m.def("estimate_memory", [](const Surface& surface, int depth, double cube_scale) {
+    const RL::Memory_estimate estimate = RL::estimate_memory(surface, depth, cube_scale);
+    return nb::make_tuple(estimate.dimension, estimate.surface, estimate.solver);
+  });
+  m.def("memory_of_machine", &RL::memory_of_machine);
+
   nb::class_<Locations>(m, "Locations");
   m.def("locations", &read_locations);
 
   using Space = RL::Spline_space_3;
   nb::class_<Space>(m, "Space")
       .def_static("make", &make_space, "surface"_a, "depth"_a.none(), "cube_scale"_a.none(),
-                  "joining_tolerance"_a.none(), "split"_a.none(), "paper"_a, "threads"_a)
+                  "joining_tolerance"_a.none(), "split"_a.none(), "paper"_a,
+                  "maximum_memory"_a.none(), "threads"_a)
       .def_prop_ro("depth", &Space::depth)
       .def_prop_ro("dimension", nb::overload_cast<>(&Space::dimension, nb::const_))
       .def("dimension_of_level",

@@ -3,3 +3,4 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for_impl.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs_impl.h>
+#include <CGAL/Restricted_laplacian_3/foundation/memory_impl.h>

@@ -1,21 +1,25 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What would fill the memory, or more than an int can number, is refused, exactly from the limit
-// on.
+// What would fill the memory is refused before any work, and more than an int can number exactly
+// from the limit on.
 
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
-#include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Points_in_grid.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Triangles_in_grid.h>
+#include <CGAL/Restricted_laplacian_3/foundation/memory.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
+#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 
 #include <cstddef>
+#include <fstream>
 #include <limits>
-#include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -24,69 +28,133 @@ namespace {
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace internal = CGAL::Restricted_laplacian_3::internal;
 
-constexpr int depth = 3;
-constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
-
-/// the surface of an octree in its finest grid, with other limits than those of the octree
-std::unique_ptr<internal::Surface_in_grid> in_grid(const RL::Octree_3& octree,
-                                                   const internal::Octree_limits& limits) {
-  const RL::Triangulated_surface_3& surface = octree.surface();
-  const RL::Cell_clipper clipper(1 << depth, 1e-14);
-  internal::Grid_input input = {
-      surface, nullptr, {surface, {surface.center(), octree.side()}, depth, clipper},
-      true,    limits,  false};
-  if(surface.is_point_set())
-    return std::make_unique<internal::Points_in_grid>(std::move(input));
-  return std::make_unique<internal::Triangles_in_grid>(std::move(input), octree.cell_width(depth),
-                                                       clipper, RL::Octree_3::thin_face_height, -1);
+RL::Triangulated_surface_3 surface_of(const shapes::Triangles& t) {
+  return RL::Triangulated_surface_3(t.points, t.faces);
 }
 
-/// whether the surface is refused with these limits; with a word on the depth
-bool is_refused(const RL::Octree_3& octree, std::size_t sheets, std::size_t fragments) {
-  const internal::Octree_limits limits = {depth, sheets, fragments};
+RL::Spline_space_options options(int depth, double maximum_memory) {
+  RL::Spline_space_options o;
+  o.octree_depth = depth;
+  o.maximum_memory = maximum_memory;
+  return o;
+}
+
+/// the message with which a space is refused; empty if it is not
+std::string refusal(const RL::Triangulated_surface_3& surface,
+                    const RL::Spline_space_options& options) {
   try {
-    const auto surface = in_grid(octree, limits);
-    const auto join = [&](const internal::Cell_fragment* f, std::uint32_t size,
-                          internal::Sheet_scratch& scratch) { surface->join(f, size, scratch); };
-    internal::group_into_sheets(surface->fragments(), join, limits, false);
-    return false;
+    RL::Spline_space_3(surface, options);
+    return "";
   } catch(const RL::Parameter_error& error) {
     CHECK(error.parameter() == "octree_depth");
-    CHECK(std::string(error.what()).find("octree_depth is 3") == 0);
-    return true;
+    return error.what();
   }
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
 }
 
 } // namespace
 
-TEST_CASE("octrees_are_refused_from_their_limits_on", "[limits]") {
-  const shapes::Triangles sphere = shapes::sphere(2),
-                          two = shapes::joined(sphere, shapes::scaled(sphere, 0.99));
+TEST_CASE("memory_of_the_machine_is_known", "[limits]") {
+  const double memory = RL::memory_of_machine();
+  CHECK(memory > 1e8);
+#ifdef __linux__
+  std::ifstream info("/proc/meminfo");
+  std::string name;
+  double kilobytes = 0;
+  REQUIRE(info >> name >> kilobytes);
+  REQUIRE(name == "MemTotal:");
+  CHECK(memory <= 1024 * kilobytes);
+#endif
+  CHECK(internal::memory_text(0) == "0.0 MB");
+  CHECK(internal::memory_text(9.96e6) == "10 MB");
+  CHECK(internal::memory_text(123.4e6) == "123 MB");
+  CHECK(internal::memory_text(1.26e9) == "1.3 GB");
+  CHECK(internal::memory_text(24.4e9) == "24 GB");
+}
+
+TEST_CASE("the_number_of_unknowns_is_estimated_from_normals", "[limits]") {
+  const auto check = [](const RL::Triangulated_surface_3& surface, int depth, double tolerance,
+                        double cube_scale = 1.1) {
+    RL::Spline_space_options o;
+    o.octree_depth = depth;
+    o.cube_scale = cube_scale;
+    const RL::Spline_space_3 space(surface, o);
+    CHECK(RL::estimate_memory(surface, depth, cube_scale).dimension ==
+          Approx(static_cast<double>(space.dimension())).epsilon(tolerance));
+  };
+  const RL::Triangulated_surface_3 sphere = surface_of(shapes::sphere(4));
+  check(sphere, 5, 0.05);
+  check(sphere, 7, 0.02);
+  check(sphere, 6, 0.05, 2.5);
+  check(surface_of(shapes::sphere(0)), 7, 0.02);
+  check(surface_of(shapes::box(1, 0.5, 0.25, 4, 1)), 7, 0.1);
+  shapes::Triangles tilted = shapes::rectangle(3, 1);
+  for(RL::Point_3& p : tilted.points)
+    p = p + RL::Vector_3(0, 0, 0.3 * p.x());
+  check(surface_of(tilted), 7, 0.1);
+  check(surface_of(shapes::rectangle(3, 1)), 7,
+        0.4); // in a wall: two unknowns in a cell, not three
+  check(RL::curved_surface(surface_of(shapes::sphere(3))), 6, 0.05);
+  // points: never more cells than points
+  std::vector<RL::Point_3> points;
   std::vector<RL::Vector_3> normals;
-  for(const RL::Point_3& p : sphere.points)
-    normals.push_back(p - CGAL::ORIGIN);
-  for(const RL::Octree_3& octree :
-      {RL::Octree_3(RL::Triangulated_surface_3(sphere.points, sphere.faces), depth, 1.1),
-       // two sheets in a cell: more sheets than cells
-       RL::Octree_3(RL::Triangulated_surface_3(two.points, two.faces), depth, 1.1),
-       RL::Octree_3(RL::Triangulated_surface_3(sphere.points, normals,
-                                               std::vector<double>(normals.size(), 1.)),
-                    depth, 1.1)}) {
-    const std::size_t sheets = octree.number_of_sheets(depth);
-    const std::size_t fragments = in_grid(octree, {depth, no_limit, no_limit})->fragments().size();
-    INFO(sheets << " sheets, " << fragments << " fragments");
-    CHECK_FALSE(is_refused(octree, sheets, fragments));
-    CHECK(is_refused(octree, sheets - 1, fragments));
-    CHECK(is_refused(octree, sheets, fragments - 1));
-    CHECK(is_refused(octree, 0, fragments));
-    CHECK(is_refused(octree, sheets, 0));
+  for(std::size_t v = 0; v < sphere.number_of_vertices(); ++v) {
+    points.push_back(sphere.point(v));
+    normals.push_back(points.back() - CGAL::ORIGIN);
   }
-  // A square of 16384 x 16384 cells has 2^28 of them, which its area tells before any work.
-  const shapes::Triangles square = shapes::rectangle(1, 1);
-  const RL::Triangulated_surface_3 surface(square.points, square.faces);
-  CHECK_THROWS_AS(RL::Octree_3(surface, 14, 1), RL::Parameter_error);
-  static_assert(RL::Octree_3::maximum_number_of_sheets == 1 << 23, "the manual says so");
-  static_assert(RL::Octree_3::maximum_number_of_fragments == 1 << 26, "the manual says so");
+  const std::vector<double> areas(points.size(),
+                                  sphere.area() / static_cast<double>(points.size()));
+  const RL::Triangulated_surface_3 cloud(points, normals, areas);
+  check(cloud, 4, 0.15);
+  CHECK(RL::estimate_memory(cloud, 12).dimension == 3 * points.size());
+}
+
+TEST_CASE("spaces_that_are_too_large_for_the_memory_are_refused", "[limits]") {
+  const RL::Triangulated_surface_3 sphere = surface_of(shapes::sphere(3));
+  const auto total = [&](int depth) {
+    const RL::Memory_estimate estimate = RL::estimate_memory(sphere, depth);
+    CHECK(estimate.total() == estimate.surface + estimate.solver);
+    return estimate.total();
+  };
+  CHECK(total(6) > 3.9 * (total(5) - RL::estimate_memory(sphere, 5).surface));
+  CHECK(refusal(sphere, options(5, total(5))).empty());
+  const std::string message = refusal(sphere, options(5, 0.99 * total(5)));
+  INFO(message);
+  CHECK(contains(message, "octree_depth is 5, which would take about " +
+                              internal::memory_text(total(5)) + " of memory"));
+  CHECK(contains(message, internal::memory_text(0.99 * total(5)) + " are there"));
+  CHECK(contains(message, "a depth of 4 would take " + internal::memory_text(total(4))));
+  CHECK(contains(refusal(sphere, options(9, total(5))), "a depth of 5 would take"));
+  CHECK(contains(refusal(sphere, options(3, 1000)), "the surface itself takes"));
+  // A square of 2^20 x 2^20 cells: before any work, with the memory of the machine.
+  const RL::Triangulated_surface_3 square = surface_of(shapes::rectangle(1, 1));
+  RL::Spline_space_options o;
+  o.octree_depth = 20;
+  o.cube_scale = 1;
+  CHECK(contains(refusal(square, o), "octree_depth is 20"));
+  CHECK(contains(refusal(RL::curved_surface(square), o), "octree_depth is 20"));
+  for(double maximum : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+    CHECK_THROWS_AS(RL::Spline_space_3(sphere, options(3, maximum)), RL::Parameter_error);
+  CHECK(refusal(sphere, options(3, std::numeric_limits<double>::infinity())).empty());
+  // as a named parameter
+  CHECK_THROWS_AS(RL::Spline_space_3(sphere, RL::parameters::octree_depth(4).maximum_memory(1e4)),
+                  RL::Parameter_error);
+}
+
+TEST_CASE("a_step_without_memory_has_a_name", "[limits]") {
+  const auto fails = []() -> int { throw std::bad_alloc(); };
+  CHECK(internal::name_step("a", [] { return 7; }) == 7);
+  try {
+    internal::name_step("the outer one", [&] { return internal::name_step("the step", fails); });
+    FAIL("no exception");
+  } catch(const std::bad_alloc& error) {
+    CHECK(std::string(error.what()) == "the step");
+    CHECK(dynamic_cast<const RL::Out_of_memory*>(&error) != nullptr);
+  }
+  CHECK_THROWS_AS(internal::name_step("a", [] { throw RL::Canceled(); }), RL::Canceled);
 }
 
 TEST_CASE("matrices_have_at_most_as_many_entries_as_an_int_can_number", "[limits]") {

@@ -39,6 +39,9 @@ po::options_description space_options(Common_options& o) {
       "join sides of faces that have no other face, where they run along each other at a "
       "distance of T or less, in the unit of the coordinates; unsplit elements do not depend on "
       "this");
+  add("memory", po::value(&o.space.maximum_gigabytes)->value_name("GB"),
+      "refuse a depth at which the space and a Poisson problem in it would take more memory; by "
+      "default that of the machine");
   add("geometry", po::value(&o.space.geometry)->value_name("KIND")->default_value(o.space.geometry),
       "flat: the surface consists of the triangles; smooth: it is a smooth one through the "
       "vertices, for meshes whose vertices lie on such a surface, and not for those whose "
@@ -204,6 +207,7 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
 
   require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
   require_positive(given, "cube-scale", o.space.cube_scale);
+  require_positive(given, "memory", o.space.maximum_gigabytes);
   if(given.count("unsplit")) // a program with a space
     o.space.split_elements = !given["unsplit"].as<bool>();
   require(given.count("join") == 0 ||

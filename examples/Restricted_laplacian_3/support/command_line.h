@@ -27,6 +27,7 @@ struct Space_options {
   std::optional<int> octree_depth; // that of the surface, see RL::default_octree_depth()
   double cube_scale = 0;           // the default
   double joining_tolerance = -1;   // not joined
+  double maximum_gigabytes = 0;    // those of the machine
   bool paper_space = false, split_elements = true, split_point_set = false;
   std::string geometry = "flat";
   double crease_angle = 40;

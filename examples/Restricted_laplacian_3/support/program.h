@@ -71,6 +71,7 @@ inline std::string message_of(const RL::Parameter_error& e) {
       {"joining_tolerance", "join"},
       {"k", "count"},
       {"maximum_distance", "maximum-distance"},
+      {"maximum_memory", "memory"},
       {"normal_stabilization", "stabilization"},
       {"number_of_neighbors", "neighbors"},
       {"number_of_samples", "samples"},
@@ -109,6 +110,8 @@ template <typename Body> int run_program(const std::string& program, Body body) 
     const int status = body();
     require(static_cast<bool>(std::cout.flush()), "cannot write to the standard output stream");
     return status;
+  } catch(const RL::Out_of_memory& e) {
+    print_error(program, e.what());
   } catch(const std::bad_alloc&) {
     print_error(program, "not enough memory");
   } catch(const RL::Parameter_error& e) {
@@ -119,18 +122,74 @@ template <typename Body> int run_program(const std::string& program, Body body) 
   return failure;
 }
 
-// Opens `file`, lets `write` fill it, and throws unless everything arrived there; then no part of
-// the file is left. Numbers are written so that reading them gives the same number again.
+namespace internal {
+
+// The stream in which a file is written: beside it, under another name, until it is whole. So
+// whoever finds the file finds all of it, also if the program is killed or the disk is full. What
+// is no regular file, a pipe or a device, is written to itself, and so is a file in a folder where
+// no other can be made.
+class Whole_file {
+public:
+  explicit Whole_file(const std::string& file) : m_file(file) {
+    std::error_code ignored;
+    if(std::filesystem::is_symlink(file, ignored))
+      m_file = std::filesystem::canonical(file, ignored).string();
+    const std::filesystem::file_status status = std::filesystem::status(m_file, ignored);
+    const bool is_new = !std::filesystem::exists(status);
+    if(is_new || std::filesystem::is_regular_file(status)) {
+      m_part = m_file + ".part";
+      m_out.open(m_part, std::ios::binary);
+      if(m_out.is_open() && !is_new)
+        std::filesystem::permissions(m_part, status.permissions(), ignored);
+    }
+    if(!m_out.is_open()) {
+      m_part.clear();
+      m_out.open(m_file, std::ios::binary);
+    }
+  }
+  // nothing is left of what is not whole
+  ~Whole_file() {
+    std::error_code ignored;
+    if(m_out.is_open())
+      m_out.close();
+    if(!m_part.empty())
+      std::filesystem::remove(m_part, ignored);
+    else if(!m_is_whole && std::filesystem::is_regular_file(m_file, ignored))
+      std::filesystem::remove(m_file, ignored);
+  }
+  Whole_file(const Whole_file&) = delete;
+  Whole_file& operator=(const Whole_file&) = delete;
+
+  std::ofstream& stream() { return m_out; }
+
+  // says that all is written; returns whether it arrived
+  bool finish() {
+    m_out.close();
+    m_is_whole = m_out.good();
+    if(m_is_whole && !m_part.empty()) {
+      std::error_code error;
+      std::filesystem::rename(m_part, m_file, error);
+      m_is_whole = !error;
+    }
+    return m_is_whole;
+  }
+
+private:
+  std::string m_file, m_part;
+  std::ofstream m_out;
+  bool m_is_whole = false;
+};
+
+} // namespace internal
+
+// Lets `write` fill a file, and throws unless everything arrived there; then the file is what it
+// was before. Numbers are written so that reading them gives the same number again.
 inline void write_file(const std::string& file, const std::function<void(std::ostream&)>& write) {
-  std::ofstream out(file, std::ios::binary);
-  require(out.good(), "cannot open '" + file + "' for writing");
-  out << std::setprecision(std::numeric_limits<double>::max_digits10);
-  write(out);
-  out.close();
-  std::error_code ignored;
-  if(!out.good() && std::filesystem::is_regular_file(file, ignored))
-    std::filesystem::remove(file, ignored);
-  require(out.good(), "cannot write '" + file + "'");
+  internal::Whole_file whole(file);
+  require(whole.stream().good(), "cannot open '" + file + "' for writing");
+  whole.stream() << std::setprecision(std::numeric_limits<double>::max_digits10);
+  write(whole.stream());
+  require(whole.finish(), "cannot write '" + file + "'");
 }
 
 // the end of the name of a file, in small letters

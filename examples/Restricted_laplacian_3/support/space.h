@@ -52,16 +52,19 @@ RL::Cubic_surface_function<T> vertex_function(const RL::Triangulated_surface_3& 
 // The space that the options ask for, with their way to integrate.
 inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
                                      const Common_options& o) {
-  std::optional<double> cube_scale, joining_tolerance;
+  std::optional<double> cube_scale, joining_tolerance, maximum_memory;
   if(o.space.cube_scale > 0)
     cube_scale = o.space.cube_scale;
   if(o.space.joining_tolerance >= 0)
     joining_tolerance = o.space.joining_tolerance;
+  if(o.space.maximum_gigabytes > 0)
+    maximum_memory = 1e9 * o.space.maximum_gigabytes;
   const RL::Spline_space_3 space(
       surface,
       RL::parameters::octree_depth(o.space.octree_depth)
           .cube_scale(cube_scale)
           .joining_tolerance(joining_tolerance)
+          .maximum_memory(maximum_memory)
           .paper_space(o.space.paper_space)
           .split_elements(surface.is_point_set() ? o.space.split_point_set : o.space.split_elements)
           .concurrency_tag(CGAL::Parallel_if_available_tag()));

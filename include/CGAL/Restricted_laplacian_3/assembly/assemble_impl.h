@@ -11,6 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/shared/sheet_loads.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 
 #include <Eigen/Core>
 
@@ -57,20 +58,22 @@ assemble_operators_of_levels(const Spline_space_3& space, int coarsest, int fine
   std::vector<Operators> operators;
   if(coarsest > finest)
     return operators;
-  operators.resize(static_cast<std::size_t>(finest - coarsest) + 1);
-  std::deque<internal::Sparse_sink> sinks;
-  std::vector<Operator_sink*> pointers;
-  const internal::Progress progress(callback);
-  progress(0);
-  for(int level = coarsest; level <= finest; ++level) {
-    Operators& o = operators[level - coarsest];
-    sinks.emplace_back(
-        space, level,
-        std::vector<internal::Sparse_sink::Target>{{&o.stiffness, 1, 0}, {&o.mass, 0, 1}});
-    pointers.push_back(&sinks.back());
-  }
-  assemble_into(space, coarsest, pointers, normal_stabilization, stabilized,
-                progress.part(internal::part_of_pattern, 1).callback());
+  internal::name_step("not enough memory for the matrices", [&] {
+    operators.resize(static_cast<std::size_t>(finest - coarsest) + 1);
+    std::deque<internal::Sparse_sink> sinks;
+    std::vector<Operator_sink*> pointers;
+    const internal::Progress progress(callback);
+    progress(0);
+    for(int level = coarsest; level <= finest; ++level) {
+      Operators& o = operators[level - coarsest];
+      sinks.emplace_back(
+          space, level,
+          std::vector<internal::Sparse_sink::Target>{{&o.stiffness, 1, 0}, {&o.mass, 0, 1}});
+      pointers.push_back(&sinks.back());
+    }
+    assemble_into(space, coarsest, pointers, normal_stabilization, stabilized,
+                  progress.part(internal::part_of_pattern, 1).callback());
+  });
   return operators;
 }
 

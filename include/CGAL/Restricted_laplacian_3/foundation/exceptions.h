@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_EXCEPTIONS_H
 
 #include <cstddef>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -117,6 +118,22 @@ public:
 class Numerical_error : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
+};
+
+/// \ingroup PkgRestrictedLaplacian3Errors
+/// The system has not given the memory that a step of the work needs. What is known to be too much
+/// for the machine is a `Parameter_error` before the work, see
+/// `Spline_space_options::maximum_memory`.
+class Out_of_memory : public std::bad_alloc {
+public:
+  /// \param message what `what()` returns; it must outlive this object
+  explicit Out_of_memory(const char* message) noexcept : m_message(message) {}
+
+  /// names the step
+  const char* what() const noexcept override { return m_message; }
+
+private:
+  const char* m_message;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Errors

@@ -29,6 +29,7 @@
   PARAMETER(paper_space)                                                                           \
   PARAMETER(split_elements)                                                                        \
   PARAMETER(joining_tolerance)                                                                     \
+  PARAMETER(maximum_memory)                                                                        \
   PARAMETER(surface_geometry)                                                                      \
   PARAMETER(crease_angle)                                                                          \
   PARAMETER(edge_is_feature_map)                                                                   \

@@ -53,8 +53,8 @@ public:
   /// number of windows, at least 1
   std::size_t size() const { return m_first_cells.size() - 1; }
 
-  /// the cells of this level, \f$\min(d, 7)\f$ for an octree of depth \f$d\f$, are not divided among
-  /// windows
+  /// The cells of this level are not divided among windows: \f$\min(d, 7)\f$ for an octree of depth
+  /// \f$d\f$.
   int level() const { return m_level; }
 
   /// a half-open range of Morton keys of finest cells

@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
@@ -36,9 +37,11 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver
 poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                std::vector<Sparse_matrix> coarse_matrices, const Eigen::VectorXd& integrals,
                const Eigen::VectorXd& constant_loads, const Poisson_solver_options& options) {
-  Multigrid_levels levels = multigrid_levels(space);
-  levels.coarse_matrices = std::move(coarse_matrices);
-  return Poisson_solver(std::move(a), std::move(levels), integrals, constant_loads, options);
+  return name_step("not enough memory for the multigrid solver", [&] {
+    Multigrid_levels levels = multigrid_levels(space);
+    levels.coarse_matrices = std::move(coarse_matrices);
+    return Poisson_solver(std::move(a), std::move(levels), integrals, constant_loads, options);
+  });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
@@ -96,9 +97,11 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
     of_multigrid.eigenvalues_only = options.eigenvalues_only;
     if(options.eigenvalues_only && !of_multigrid.relative_tolerance)
       of_multigrid.relative_tolerance = Laplace_spectrum_options::tolerance_of_eigenvalues;
-    internal::take_pairs(
-        internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
-        spectrum);
+    internal::name_step("not enough memory for the eigenvectors", [&] {
+      internal::take_pairs(
+          internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
+          spectrum);
+    });
   } else {
     Eigenpairs_options of_factorization;
     of_factorization.callback = of_solver.callback();

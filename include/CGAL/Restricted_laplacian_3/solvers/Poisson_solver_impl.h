@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
@@ -410,13 +411,15 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Poisson_solver::setup_seconds() const 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
 Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
                       const Solve_options& options) const {
-  return m_impl->solve(b, x, options);
+  return internal::name_step("not enough memory for the iteration",
+                             [&] { return m_impl->solve(b, x, options); });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
 Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
                       const Solve_options& options) const {
-  return m_impl->solve(b, x, options);
+  return internal::name_step("not enough memory for the iteration",
+                             [&] { return m_impl->solve(b, x, options); });
 }
 
 } // namespace Restricted_laplacian_3

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/spline_evaluation.h>
@@ -38,7 +39,8 @@ Spline_functions_3::Spline_functions_3(const Spline_space_3& space,
   : Spline_functions_3(space, coefficients, space.depth()) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd Spline_functions_3::values_at_vertices() const {
-  return values(internal::locate_vertices(m_space, m_level));
+  return internal::name_step("not enough memory for the values at the vertices",
+                             [&] { return values(internal::locate_vertices(m_space, m_level)); });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_jets Spline_functions_3::jets_at_vertices() const {

@@ -68,6 +68,10 @@ struct Spline_space_options {
   /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
   /// are joined if they run along each other; without a value they are not
   std::optional<double> joining_tolerance;
+  /// bytes that the surface, the space and a Poisson problem in it may take, by
+  /// `estimate_memory()`: what would take more is refused before any work. Without a value
+  /// `memory_of_machine()`
+  std::optional<double> maximum_memory;
   /// whether octree, numbering and assembly use several threads; no effect unless the program is
   /// linked with TBB. The results are the same.
   bool is_parallel = false;
@@ -83,6 +87,7 @@ struct Spline_space_options {
     internal::read_parameter(np, internal_np::split_elements, split_elements);
     internal::read_parameter(np, internal_np::split_elements, split_point_set);
     internal::read_parameter(np, internal_np::joining_tolerance, joining_tolerance);
+    internal::read_parameter(np, internal_np::maximum_memory, maximum_memory);
   }
 };
 

@@ -6,11 +6,14 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 
 #include <algorithm>
 #include <array>
@@ -245,10 +248,12 @@ Spline_space_3::Spline_space_3(Triangulated_surface_3 surface, const Options& np
     m_octree(std::make_shared<const Octree_3>(make_octree(std::move(surface), m_options))),
     m_integration(default_integration(*m_octree)) {
   internal::Element_numbering number(*this);
-  std::vector<Level> levels;
-  for(int level = 0; level <= depth(); ++level)
-    levels.push_back(number(level));
-  m_levels = std::make_shared<const std::vector<Level>>(std::move(levels));
+  internal::name_step("not enough memory for the elements of the space", [&] {
+    std::vector<Level> levels;
+    for(int level = 0; level <= depth(); ++level)
+      levels.push_back(number(level));
+    m_levels = std::make_shared<const std::vector<Level>>(std::move(levels));
+  });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE int
@@ -262,9 +267,12 @@ Spline_space_3::checked_level(std::optional<int> level) const {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_3
 Spline_space_3::make_octree(Triangulated_surface_3&& surface, const Options& o) {
+  internal::check_memory(surface, *o.octree_depth, *o.cube_scale, *o.maximum_memory);
   const bool is_split = surface.is_point_set() ? o.split_point_set : o.split_elements;
-  return Octree_3(std::move(surface), *o.octree_depth, *o.cube_scale, is_split,
-                  o.joining_tolerance.value_or(-1), o.is_parallel);
+  return internal::name_step("not enough memory for the octree", [&] {
+    return Octree_3(std::move(surface), *o.octree_depth, *o.cube_scale, is_split,
+                    o.joining_tolerance.value_or(-1), o.is_parallel);
+  });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_space_3::Options
@@ -274,6 +282,11 @@ Spline_space_3::checked(const Triangulated_surface_3& surface, Options options) 
     options.cube_scale = options.paper_space ? default_cube_scale_of_paper : default_cube_scale;
   if(!options.octree_depth)
     options.octree_depth = default_octree_depth(surface, *options.cube_scale);
+  if(!options.maximum_memory)
+    options.maximum_memory = memory_of_machine();
+  if(!(*options.maximum_memory > 0))
+    throw Parameter_error("maximum_memory", "is " + std::to_string(*options.maximum_memory) +
+                                                ", but must be a positive number");
   options.split_elements = options.split_elements && !options.paper_space;
   options.split_point_set = options.split_point_set && !options.paper_space;
   const double tolerance = options.joining_tolerance.value_or(0);

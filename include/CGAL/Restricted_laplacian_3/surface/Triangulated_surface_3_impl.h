@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
@@ -63,7 +64,7 @@ Triangulated_surface_3::Triangulated_surface_3(std::vector<Point_3> points,
       if(v >= m_points.size())
         throw Invalid_face_error(f, "names a vertex that does not exist");
   compute_bounding_box();
-  compute_normals_and_areas();
+  internal::name_step("not enough memory for the surface", [&] { compute_normals_and_areas(); });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3::Triangulated_surface_3(

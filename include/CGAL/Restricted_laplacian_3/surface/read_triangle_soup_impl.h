@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_READ_TRIANGLE_SOUP_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_READ_TRIANGLE_SOUP_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Binary_reader.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Point_table.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_triangle_soup.h>
@@ -226,11 +227,13 @@ read_triangle_soup(const std::string& file, std::vector<Point_3>& points,
   if(!is_ply && !ends_with(".stl"))
     return false;
   try {
-    Binary_reader in(file, progress);
-    if(is_ply)
-      Ply_reader(in, points, triangles).read();
-    else
-      read_stl(in, points, triangles);
+    name_step("not enough memory to read the file", [&] {
+      Binary_reader in(file, progress);
+      if(is_ply)
+        Ply_reader(in, points, triangles).read();
+      else
+        read_stl(in, points, triangles);
+    });
   } catch(const Unreadable&) {
     std::vector<Point_3>().swap(points);
     std::vector<Triangulated_surface_3::Triangle>().swap(triangles);

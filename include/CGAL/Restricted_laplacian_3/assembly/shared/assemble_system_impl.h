@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 
 #include <cmath>
 #include <cstddef>
@@ -37,33 +38,35 @@ assemble_system(const Spline_space_3& space, int coarsest, const Elliptic_operat
   std::optional<Mass_weight> weight;
   if(elliptic.reaction_function)
     weight = Mass_weight{*elliptic.reaction_function, elliptic.name_of_reaction};
-  const std::size_t number_of_levels = static_cast<std::size_t>(space.depth() - coarsest) + 1;
-  System_matrices result;
-  result.matrices.resize(number_of_levels);
-  std::deque<Sparse_sink> sinks;
-  std::vector<Assembly_targets> targets(space.depth() + 1);
-  for(std::size_t i = 0; i < number_of_levels; ++i) {
-    progress(0);
-    const int level = coarsest + static_cast<int>(i);
-    std::vector<Sparse_sink::Target> of_level = {
-        {&result.matrices[i], elliptic.diffusion, weight ? 1 : elliptic.reaction}};
-    if(mass && level == space.depth())
-      of_level.push_back({mass, 0, 0, 1});
-    sinks.emplace_back(space, level, std::move(of_level), stored);
-    targets[level].sink = &sinks.back();
-  }
-  Assembly_targets& finest = targets[space.depth()];
-  result.integrals = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(space.dimension()));
-  finest.integrals = &result.integrals;
-  if(weight) {
-    result.constant_loads = result.integrals;
-    finest.weighted_integrals = &result.constant_loads;
-  }
-  Operator_assembly(space, weight ? &*weight : nullptr, elliptic.normal_stabilization, true)
-      .run(targets, progress.part(part_of_pattern, 1));
-  if(!weight)
-    result.constant_loads = elliptic.reaction * result.integrals;
-  return result;
+  return name_step("not enough memory for the matrices", [&] {
+    const std::size_t number_of_levels = static_cast<std::size_t>(space.depth() - coarsest) + 1;
+    System_matrices result;
+    result.matrices.resize(number_of_levels);
+    std::deque<Sparse_sink> sinks;
+    std::vector<Assembly_targets> targets(space.depth() + 1);
+    for(std::size_t i = 0; i < number_of_levels; ++i) {
+      progress(0);
+      const int level = coarsest + static_cast<int>(i);
+      std::vector<Sparse_sink::Target> of_level = {
+          {&result.matrices[i], elliptic.diffusion, weight ? 1 : elliptic.reaction}};
+      if(mass && level == space.depth())
+        of_level.push_back({mass, 0, 0, 1});
+      sinks.emplace_back(space, level, std::move(of_level), stored);
+      targets[level].sink = &sinks.back();
+    }
+    Assembly_targets& finest = targets[space.depth()];
+    result.integrals = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(space.dimension()));
+    finest.integrals = &result.integrals;
+    if(weight) {
+      result.constant_loads = result.integrals;
+      finest.weighted_integrals = &result.constant_loads;
+    }
+    Operator_assembly(space, weight ? &*weight : nullptr, elliptic.normal_stabilization, true)
+        .run(targets, progress.part(part_of_pattern, 1));
+    if(!weight)
+      result.constant_loads = elliptic.reaction * result.integrals;
+    return result;
+  });
 }
 
 } // namespace internal
