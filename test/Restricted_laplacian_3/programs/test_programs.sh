@@ -544,6 +544,47 @@ test_mesh_output() {
 }
 
 # What is written between the vertices is the spline, not what is linear between them.
+# A program that is killed while it writes, and a disk that is full: a limit of the length of files
+# does both.
+test_whole_files() {
+  make_sphere 12 > ball.off # with tables of more than 20 kB
+  local file
+  for file in whole.csv whole.ply whole.obj; do
+    local option=--output
+    [ "$file" != whole.csv ] || option=--csv
+    local solve=("$programs/solve_poisson" ball.off --depth 3 --quiet "$option")
+    { (ulimit -c 0 -f 4; exec "${solve[@]}" "killed_$file"); status=$?; } > out 2>&1
+    check "$file: killed while it writes" [ "$status" -gt 128 ]
+    check "no part of $file is taken for the whole" [ ! -e "killed_$file" ]
+    echo old > "$file"
+    (trap '' XFSZ; ulimit -f 4; exec "${solve[@]}" "$file") > out 2> err
+    check "$file: a full disk is an error" grep -q "cannot write '$file'" err
+    check "what was in $file is there" [ "$(cat "$file")" = old ]
+    check "no part of $file is left" [ ! -e "$file.part" ]
+    succeeds solve_poisson ball.off --depth 3 "$option" "$file"
+    check "$file is whole" [ "$(wc -c < "$file")" -gt 4096 -a ! -e "$file.part" ]
+  done
+  # a link remains one, and so do permissions
+  mkdir -p elsewhere
+  echo old > elsewhere/table.csv
+  chmod 640 elsewhere/table.csv
+  ln -sf elsewhere/table.csv link.csv
+  succeeds solve_poisson ball.off --depth 3 --csv link.csv
+  check "a link remains a link" [ -L link.csv ]
+  check "the file that it leads to is written" cmp link.csv elsewhere/table.csv
+  check "permissions remain" [ "$(stat -c %a elsewhere/table.csv)" = 640 ]
+}
+
+test_memory() {
+  make_sphere 12 > ball.off
+  fails "--depth is 16, which would take about .* GB of memory, and .* GB are there; a depth of" \
+    solve_poisson ball.off --depth 16
+  fails "--depth is 7, which would take about 4.. MB of memory, and 100 MB are there; a depth of 5" \
+    laplace_spectrum ball.off --depth 7 --memory 0.1
+  succeeds solve_poisson ball.off --depth 6 --memory 0.2
+  fails "memory must be a positive number" solve_poisson ball.off --memory 0
+}
+
 test_refinement() {
   local program
   succeeds fit_function small.off --property z --depth 3 --refine 4 --output fine.ply
