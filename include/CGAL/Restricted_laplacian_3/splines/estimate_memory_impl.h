@@ -24,11 +24,12 @@ public:
   Memory_model(const Triangulated_surface_3& surface, double cube_scale)
     : m_is_point_set(surface.is_point_set()),
       m_faces(static_cast<double>(surface.number_of_faces())),
-      m_surface(24 * static_cast<double>(surface.number_of_vertices()) + 44 * m_faces +
+      m_surface(24 * static_cast<double>(surface.number_of_vertices()) +
+                (surface.is_point_set() ? 44 : 20) * m_faces +
                 (surface.is_smooth() ? bytes_of_patch * m_faces : 0)) {
     const double side = checked_cube_scale(cube_scale) * surface.extent();
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
-      const Vector_3& n = surface.normal(f);
+      const Vector_3 n = surface.normal(f);
       m_cells +=
           surface.area(f) / side / side * (std::abs(n.x()) + std::abs(n.y()) + std::abs(n.z()));
     }

@@ -13,6 +13,7 @@
 #include <CGAL/assertions.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -50,7 +51,7 @@ std::array<Vector_3, 2> tangent_axes(const Vector_3& normal);
 /// at locations, normals there and areas are those of the patches; faces, corners and their normals
 /// remain what they are.
 ///
-/// Copies share all that is large: they cost nothing. A face takes 44 bytes, a vertex 24.
+/// Copies share all that is large: they cost nothing. A face takes 20 bytes, a vertex 24.
 class Triangulated_surface_3 {
 public:
   /// numbers of the three vertices of a triangle, counted from 0
@@ -120,13 +121,15 @@ public:
     return m_triangles[face];
   }
 
-  /// unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate
-  const Vector_3& normal(std::size_t face) const {
-    CGAL_precondition(face < m_normals.size());
-    return m_normals[face];
+  /// Unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate. Those
+  /// of triangles are not stored: to compute one takes less time than to fetch it from far away.
+  Vector_3 normal(std::size_t face) const {
+    CGAL_precondition(face < number_of_faces());
+    return m_is_point_set ? m_normals[face] : scaled_normal(face).normal;
   }
-  /// whether the area of a face is zero, up to `degenerate_height_tolerance`
-  bool is_degenerate(std::size_t face) const { return normal(face) == CGAL::NULL_VECTOR; }
+  /// whether the area of a triangle is zero, up to `degenerate_height_tolerance`; points are not
+  /// degenerate
+  bool is_degenerate(std::size_t face) const { return area(face) == 0 && !m_is_point_set; }
 
   /// area of a face, of its patch if it has one; 0 if it is degenerate
   double area(std::size_t face) const {
@@ -169,7 +172,7 @@ public:
       set_patch_point(p);
       return p;
     }
-    p.normal = m_normals[location.face];
+    p.normal = normal(location.face);
     const Point_3 &a = m_points[p.vertices[0]], &b = m_points[p.vertices[1]],
                   &c = m_points[p.vertices[2]];
     p.point = internal::point_of_triangle(a, b, c, location.barycentric);
@@ -177,9 +180,16 @@ public:
   }
 
 private:
+  /// unit normal, and area in units of the squared extent; both 0 if a triangle is degenerate
+  struct Scaled_normal {
+    Vector_3 normal;
+    double area;
+  };
+  Scaled_normal scaled_normal(std::size_t face) const;
+
   void compute_bounding_box();
 
-  void compute_normals_and_areas();
+  void compute_areas();
 
   Zero_area_error zero_area_error() const;
 
@@ -188,7 +198,7 @@ private:
 
   internal::Shared_array<Point_3> m_points;
   internal::Shared_array<Triangle> m_triangles;
-  internal::Shared_array<Vector_3> m_normals;
+  internal::Shared_array<Vector_3> m_normals; // of points
   internal::Shared_array<double> m_areas;
   Point_3 m_min, m_max;
   double m_extent = 0;
@@ -197,6 +207,28 @@ private:
   bool m_is_point_set = false;
   std::shared_ptr<const Surface_patches> m_patches;
 };
+
+// Inline, because it is called for each fragment of a face.
+inline Triangulated_surface_3::Scaled_normal
+Triangulated_surface_3::scaled_normal(std::size_t face) const {
+  const Triangle& t = m_triangles[face];
+  const double scale = 1 / m_extent;
+  // The cross product is most accurate from the corner opposite to the longest side.
+  std::array<Vector_3, 3> side;
+  std::array<double, 3> squared;
+  for(int i = 0; i < 3; ++i) {
+    side[i] = (m_points[t[(i + 2) % 3]] - m_points[t[(i + 1) % 3]]) * scale;
+    squared[i] = side[i].squared_length();
+  }
+  int corner = squared[1] > squared[0] ? 1 : 0;
+  corner = squared[2] > squared[corner] ? 2 : corner;
+  const Vector_3 product = CGAL::cross_product(side[(corner + 2) % 3], -side[(corner + 1) % 3]);
+  const double length = std::sqrt(product.squared_length());
+  // length = longest side x height over it
+  if(!(length > degenerate_height_tolerance * squared[corner]))
+    return {Vector_3(0, 0, 0), 0};
+  return {product / length, length / 2};
+}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -64,7 +64,7 @@ Triangulated_surface_3::Triangulated_surface_3(std::vector<Point_3> points,
       if(v >= m_points.size())
         throw Invalid_face_error(f, "names a vertex that does not exist");
   compute_bounding_box();
-  internal::name_step("not enough memory for the surface", [&] { compute_normals_and_areas(); });
+  internal::name_step("not enough memory for the surface", [&] { compute_areas(); });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3::Triangulated_surface_3(
@@ -120,32 +120,13 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Triangulated_surface_3::compute_bounding
     throw Parameter_error("extent", "of the bounding box is outside of 1e-100 .. 1e100");
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Triangulated_surface_3::compute_normals_and_areas() {
-  std::vector<double> areas(m_triangles.size(), 0);
-  std::vector<Vector_3> normals(m_triangles.size(), Vector_3(0, 0, 0));
-  const double scale = 1 / m_extent;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Triangulated_surface_3::compute_areas() {
+  std::vector<double> areas(m_triangles.size());
   for(std::size_t f = 0; f < m_triangles.size(); ++f) {
-    // The cross product is most accurate from the corner opposite to the longest side.
-    std::array<Vector_3, 3> side;
-    std::array<double, 3> squared;
-    for(int i = 0; i < 3; ++i) {
-      side[i] = (point(f, (i + 2) % 3) - point(f, (i + 1) % 3)) * scale;
-      squared[i] = side[i].squared_length();
-    }
-    const int corner =
-        static_cast<int>(std::max_element(squared.begin(), squared.end()) - squared.begin());
-    const Vector_3 product = CGAL::cross_product(side[(corner + 2) % 3], -side[(corner + 1) % 3]);
-    const double length = std::sqrt(product.squared_length());
-    // length = longest side x height over it
-    if(!(length > degenerate_height_tolerance * squared[corner])) {
-      ++m_number_of_degenerate_faces;
-      continue;
-    }
-    normals[f] = product / length;
-    areas[f] = length / 2 * m_extent * m_extent;
+    areas[f] = scaled_normal(f).area * m_extent * m_extent;
+    m_number_of_degenerate_faces += areas[f] == 0;
     m_area += areas[f];
   }
-  m_normals = internal::Shared_array<Vector_3>(std::move(normals));
   m_areas = internal::Shared_array<double>(std::move(areas));
   if(!(m_area > 0))
     throw zero_area_error();
