@@ -17,10 +17,12 @@
 #include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <new>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -142,6 +144,23 @@ TEST_CASE("spaces_that_are_too_large_for_the_memory_are_refused", "[limits]") {
   // as a named parameter
   CHECK_THROWS_AS(RL::Spline_space_3(sphere, RL::parameters::octree_depth(4).maximum_memory(1e4)),
                   RL::Parameter_error);
+}
+
+TEST_CASE("surfaces_have_as_many_faces_as_can_be_numbered", "[limits]") {
+  constexpr std::size_t most = RL::Triangulated_surface_3::maximum_number_of_faces;
+  CHECK(3 * most <= (std::numeric_limits<std::uint32_t>::max)());
+  internal::check_size_of_surface(most, most);
+  for(const auto& [vertices, faces, word] :
+      {std::make_tuple(most + 1, most, " vertices"), {most, most + 1, " faces"}}) {
+    std::string message;
+    try {
+      internal::check_size_of_surface(vertices, faces);
+    } catch(const RL::Parameter_error& error) {
+      message = error.what();
+    }
+    CHECK(message ==
+          "surface has 1431655766" + std::string(word) + ", but can have at most 1431655765");
+  }
 }
 
 TEST_CASE("a_step_without_memory_has_a_name", "[limits]") {

@@ -29,6 +29,9 @@ namespace internal {
 /// \throws Invalid_point_error unless the coordinates are finite, and the normal is and not zero
 void check_oriented_point(std::size_t i, const Point_3& point, const Vector_3& normal);
 
+/// \throws Parameter_error unless so many faces and vertices can be numbered
+void check_size_of_surface(std::size_t vertices, std::size_t faces);
+
 /// a vector that is finite and not zero, divided by its length, however long or short it is
 Vector_3 unit_vector(const Vector_3& v);
 
@@ -68,11 +71,15 @@ public:
   /// shortest longest side of the bounding box that is accepted, for the same reason
   static constexpr double smallest_extent = 1e-100;
 
+  /// Largest number of faces, and of vertices: the sides of faces are numbered with 32 bits.
+  static constexpr std::size_t maximum_number_of_faces = 0xffffffff / 3;
+
   /// The triangles need not form a manifold, nor be oriented alike, nor differ from each other.
   /// \throws Empty_surface_error, Zero_area_error
   /// \throws Invalid_face_error a face names a vertex that does not exist
   /// \throws Invalid_vertex_error a vertex of a face is not finite
-  /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`
+  /// \throws Parameter_error the extent is outside of `smallest_extent` to `largest_extent`, or
+  /// there are more than `maximum_number_of_faces` faces or vertices
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Triangle> triangles);
 
   /// Oriented points. Points may coincide; normals need not have unit length, and are divided by

@@ -35,6 +35,15 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void check_oriented_point(std::size_t i, cons
     throw Invalid_point_error(i, "has a normal of length zero");
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void check_size_of_surface(std::size_t vertices,
+                                                              std::size_t faces) {
+  constexpr std::size_t most = Triangulated_surface_3::maximum_number_of_faces;
+  if(vertices > most || faces > most)
+    throw Parameter_error("surface", "has " + std::to_string((std::max)(vertices, faces)) +
+                                         (faces > most ? " faces" : " vertices") +
+                                         ", but can have at most " + std::to_string(most));
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Vector_3 unit_vector(const Vector_3& v) {
   const double largest = (std::max)({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
   const Vector_3 scaled(v.x() / largest, v.y() / largest, v.z() / largest);
@@ -59,6 +68,7 @@ Triangulated_surface_3::Triangulated_surface_3(std::vector<Point_3> points,
   : m_points(std::move(points)), m_triangles(std::move(triangles)) {
   if(m_triangles.empty())
     throw Empty_surface_error();
+  internal::check_size_of_surface(m_points.size(), m_triangles.size());
   for(std::size_t f = 0; f < m_triangles.size(); ++f)
     for(std::uint32_t v : m_triangles[f])
       if(v >= m_points.size())
@@ -72,6 +82,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3::Triangulated_surface_
   : m_points(std::move(points)), m_areas(std::move(areas)), m_is_point_set(true) {
   if(m_points.empty())
     throw Empty_surface_error("the point set has no point");
+  internal::check_size_of_surface(m_points.size(), 0);
   if(normals.size() != m_points.size() || m_areas.size() != m_points.size())
     throw Parameter_error("points", "has another length than normals or areas");
   std::vector<Triangle> triangles(m_points.size());

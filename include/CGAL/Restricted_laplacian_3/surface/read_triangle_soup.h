@@ -27,7 +27,7 @@ bool read_triangle_soup(const std::string& file, std::vector<Point_3>& points,
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Reads a binary PLY or STL file of triangles, piece by piece: beside the results it takes a few
-/// megabytes, and for STL files about 10 bytes a vertex, where the readers of \cgal take two to four
+/// megabytes, and for STL files about 10 bytes a vertex. The readers of \cgal take two to four
 /// times as much memory as the file is long. So meshes of a hundred million triangles can be read.
 ///
 /// The results are those of `CGAL::IO::read_polygon_soup()`: points in the order of a PLY file, and
