@@ -89,9 +89,11 @@ def estimate_memory(V: Any, F: Any = None, *, depth: int, cube_scale: float = 1.
     --------
     >>> import restricted_laplacian as rl
     >>> V, F = rl.icosphere(5)
-    >>> for depth in 6, 7, 8:
-    ...     estimate = rl.estimate_memory(V, F, depth=depth)
-    ...     print(depth, f"{estimate.dimension:.0f} splines, {estimate.total / 1e6:.0f} MB")
+    >>> estimate = rl.estimate_memory(V, F, depth=6)
+    >>> bool(abs(estimate.dimension / rl.Space(V, F, depth=6).dimension - 1) < 0.05)
+    True
+    >>> rl.estimate_memory(V, F, depth=12).total > 1e11
+    True
     """
     surface = make_surface(V, F, normals=normals, areas=areas)
     return MemoryEstimate(*_core.estimate_memory(surface, int(depth), float(cube_scale)))

@@ -106,6 +106,10 @@ def test_types_and_layouts(dtype, itype):
     (lambda: rl.solve_poisson(V, F, f, depth=10 ** 30), "depth"),
     (lambda: rl.solve_poisson(V, F, f, tolerance=0), "tolerance"),
     (lambda: rl.solve_poisson(V, F, f, tolerance="small"), "tolerance"),
+    (lambda: rl.Space(V, F, maximum_memory=0), "maximum_memory"),
+    (lambda: rl.Space(V, F, maximum_memory=np.nan), "maximum_memory"),
+    (lambda: rl.Space(V, F, depth=6, maximum_memory=1e6), "depth"),
+    (lambda: rl.estimate_memory(V, F, depth=6, cube_scale=0), "cube_scale"),
     (lambda: rl.solve_poisson(V, F, f, stabilization=-1), "stabilization"),
     (lambda: rl.solve_poisson(V, F, f, cycle="x"), "cycle"),
     (lambda: rl.solve_poisson(V, F, f, max_iterations=-1), "max_iterations"),
@@ -282,14 +286,21 @@ V, F = rl.icosphere(6)
 rl.eigs(*rl.icosphere(2), 3, threads=1)
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + 300 * 2 ** 20, -1))
-try:
+try:  # known before any work
     rl.solve_poisson(V, F, V[:, 2], depth=9, threads=1)
-except MemoryError:
-    print("MemoryError")
+except rl.InputError as e:
+    print(e.argument)
+try:
+    rl.Space(V, F, depth=9, maximum_memory=float("inf"), threads=1).operators()
+except MemoryError as e:
+    print("MemoryError", e)
 rl.eigs(*rl.icosphere(2), 3, threads=1)
 """
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert done.stdout == "MemoryError\n" and done.returncode == 0, done.stderr
+    assert done.returncode == 0, done.stderr
+    refusal, error = done.stdout.splitlines()
+    assert refusal == "depth"
+    assert error.startswith("MemoryError not enough memory for the ")
 
 
 def test_nothing_is_leaked():

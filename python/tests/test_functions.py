@@ -159,6 +159,36 @@ def test_screening_by_functions(sphere):
         assert abs(rl.solve_screened_poisson(V, F, f, alpha, tolerance=1e-9) - number).max() < 1e-7
 
 
+def test_memory_is_estimated(sphere):
+    V, F = sphere
+    estimates = [rl.estimate_memory(V, F, depth=depth) for depth in (5, 6)]
+    for depth, estimate in zip((5, 6), estimates):
+        space = rl.Space(V, F, depth=depth)
+        assert abs(estimate.dimension / space.dimension - 1) < 0.05
+        assert estimate.total == estimate.surface + estimate.solver
+    assert estimates[0].surface == estimates[1].surface == 24 * len(V) + 20 * len(F)
+    rl.Space(V, F, depth=6, maximum_memory=estimates[1].total)
+    with pytest.raises(rl.InputError, match="a depth of 5 would take"):
+        rl.Space(V, F, depth=6, maximum_memory=0.99 * estimates[1].total)
+
+
+def test_binary_files_are_read_with_progress(sphere, tmp_path):
+    V, F = sphere
+    faces = np.zeros(len(F), np.dtype([("count", "u1"), ("corners", "<i4", 3)]))
+    faces["count"], faces["corners"] = 3, F
+    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(V)}\n"
+              "property double x\nproperty double y\nproperty double z\n"
+              f"element face {len(F)}\nproperty list uchar int vertex_indices\nend_header\n")
+    file = tmp_path / "sphere.ply"
+    file.write_bytes(header.encode() + V.astype("<f8").tobytes() + faces.tobytes())
+    parts = []
+    points, triangles = rl.read_mesh(file, progress=parts.append)
+    assert np.array_equal(points, V) and np.array_equal(triangles, F)
+    assert parts[-1] == 1 and parts == sorted(parts)
+    with pytest.raises(rl.Canceled):
+        rl.read_mesh(file, progress=lambda part: False)
+
+
 def test_points_without_faces():
     V, _ = rl.icosphere(5)
     u = rl.solve_poisson(V, None, V[:, 2], normals=V, depth=4)
