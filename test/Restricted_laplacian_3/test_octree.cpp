@@ -492,6 +492,7 @@ TEST_CASE("octrees_do_not_depend_on_windows", "[octree][threads]") {
   run("near layers", shapes::joined(sphere, shapes::scaled(sphere, 0.99)), 5, true);
   run("soup", torn(sphere), 5, true, 1e-5);
   run("coarse soup", torn(shapes::sphere(1)), 4, true, 1e-5);
+  run("all is near", torn(shapes::sphere(0)), 3, true, 1e300);
   run("octahedron", shapes::sphere(0), 6, true);
   run("in walls", shapes::stairs(8, 0.1), 6, true);
   run("flat box", shapes::box(1, 0.5, 0.25, 4, 1), 5, true);

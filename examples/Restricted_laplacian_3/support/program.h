@@ -146,15 +146,15 @@ public:
       m_part.clear();
       m_out.open(m_file, std::ios::binary);
     }
+    m_is_open = m_out.is_open();
   }
   // nothing is left of what is not whole
   ~Whole_file() {
     std::error_code ignored;
-    if(m_out.is_open())
-      m_out.close();
+    m_out.close();
     if(!m_part.empty())
       std::filesystem::remove(m_part, ignored);
-    else if(!m_is_whole && std::filesystem::is_regular_file(m_file, ignored))
+    else if(m_is_open && !m_is_whole && std::filesystem::is_regular_file(m_file, ignored))
       std::filesystem::remove(m_file, ignored);
   }
   Whole_file(const Whole_file&) = delete;
@@ -177,7 +177,7 @@ public:
 private:
   std::string m_file, m_part;
   std::ofstream m_out;
-  bool m_is_whole = false;
+  bool m_is_open = false, m_is_whole = false;
 };
 
 } // namespace internal

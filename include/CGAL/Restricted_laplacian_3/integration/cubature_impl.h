@@ -68,7 +68,7 @@ Triangle_cubature::add_moments(std::size_t sheet, const internal::Face_weight* w
   const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
   for(std::uint32_t face : m_octree->faces(sheet)) {
     const Fragment fragment = m_octree->fragment(cell, face);
-    const Vector_3& normal = surface.normal(face);
+    const Vector_3 normal = surface.normal(face);
     internal::add_fragment(fragment, cell.index, tangent_projector(normal), integrals.moments,
                            weight ? (*weight)(face) : 1, integrals.degree);
     integrals.add_normal(normal, fragment.double_area() / 2);
@@ -231,7 +231,7 @@ Patch_cubature::add_moments(std::size_t sheet, const internal::Face_weight* weig
     const double factor = weight ? (*weight)(m_octree->division()->face(piece)) : 1;
     if(m_octree->division()->is_flat(piece)) {
       const Fragment fragment = m_octree->fragment(cell, piece);
-      const Vector_3& normal = pieces.normal(piece);
+      const Vector_3 normal = pieces.normal(piece);
       internal::add_fragment(fragment, cell.index, tangent_projector(normal), integrals.moments,
                              factor, integrals.degree);
       integrals.add_normal(normal, fragment.double_area() / 2);

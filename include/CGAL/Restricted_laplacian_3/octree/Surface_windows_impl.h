@@ -31,7 +31,8 @@ public:
                         int level, double margin)
     : m_surface(surface), m_vertices(vertices),
       m_cell_width(static_cast<double>(vertices.cells_per_side() >> level)),
-      m_cell_area(vertices.cell_width() * vertices.cell_width()), m_margin(margin),
+      m_cell_area(vertices.cell_width() * vertices.cell_width()),
+      m_margin((std::min)(margin, static_cast<double>(vertices.cells_per_side()))),
       m_last((1 << level) - 1) {}
 
   std::size_t number_of_faces() const { return m_surface.number_of_faces(); }
@@ -101,7 +102,7 @@ private:
     constexpr double reserve = 1e-3;
     if(m_surface.is_degenerate(face))
       return true;
-    const Vector_3& n = m_surface.normal(face);
+    const Vector_3 n = m_surface.normal(face);
     const double radius = (0.5 + reserve) * m_cell_width + m_margin;
     double distance = 0, reach = 0;
     for(int axis = 0; axis < 3; ++axis) {

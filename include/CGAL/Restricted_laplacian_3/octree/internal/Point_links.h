@@ -89,7 +89,7 @@ public:
 private:
   static bool are_linked(const Triangulated_surface_3& surface, std::size_t i, std::size_t j) {
     const Vector_3 way = surface.point(j) - surface.point(i);
-    const Vector_3 &n = surface.normal(i), &m = surface.normal(j);
+    const Vector_3 n = surface.normal(i), m = surface.normal(j);
     const double height = (std::max)(std::abs(way * n), std::abs(way * m));
     return n * m >= smallest_cosine_of_normals &&
            height <= largest_sine_with_tangent_plane * std::sqrt(way.squared_length());
