@@ -131,6 +131,8 @@ TEST_CASE("spaces_that_are_too_large_for_the_memory_are_refused", "[limits]") {
   CHECK(contains(message, "a depth of 4 would take " + internal::memory_text(total(4))));
   CHECK(contains(refusal(sphere, options(9, total(5))), "a depth of 5 would take"));
   CHECK(contains(refusal(sphere, options(3, 1000)), "the surface itself takes"));
+  for(int depth : {-3, 0, 21, 70, 1000000})
+    CHECK(contains(refusal(sphere, options(depth, 1e6)), ", but must be in 1 .. 20"));
   // A square of 2^20 x 2^20 cells: before any work, with the memory of the machine.
   const RL::Triangulated_surface_3 square = surface_of(shapes::rectangle(1, 1));
   RL::Spline_space_options o;

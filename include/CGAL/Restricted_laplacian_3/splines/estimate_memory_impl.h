@@ -58,6 +58,9 @@ private:
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void check_memory(const Triangulated_surface_3& surface,
                                                      int depth, double cube_scale, double maximum) {
+  // what no octree can have is not a matter of memory
+  if(depth < 1 || depth > maximum_octree_depth)
+    return;
   const Memory_model model(surface, cube_scale);
   const auto total = [&](int d) { return model.at(d).total(); };
   if(!(total(depth) > maximum))
