@@ -8,10 +8,8 @@
 
 #include "meshes.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 
 #include <array>

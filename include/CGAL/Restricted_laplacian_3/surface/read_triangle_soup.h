@@ -27,8 +27,8 @@ bool read_triangle_soup(const std::string& file, std::vector<Point_3>& points,
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Reads a binary PLY or STL file of triangles, piece by piece: beside the results it takes a few
-/// megabytes, and for STL files about 10 bytes a vertex. The readers of \cgal take two to four
-/// times as much memory as the file is long. So meshes of a hundred million triangles can be read.
+/// megabytes, and for STL files about 10 bytes a vertex. The readers of \cgal make a list of
+/// corners for each face, or a mesh. So a hundred million triangles can be read.
 ///
 /// The results are those of `CGAL::IO::read_polygon_soup()`: points in the order of a PLY file, and
 /// in STL files equal points as one, in the order in which they are met. Nothing is repaired.
