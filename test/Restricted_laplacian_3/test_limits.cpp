@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 #include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
@@ -146,6 +147,67 @@ TEST_CASE("spaces_that_are_too_large_for_the_memory_are_refused", "[limits]") {
   // as a named parameter
   CHECK_THROWS_AS(RL::Spline_space_3(sphere, RL::parameters::octree_depth(4).maximum_memory(1e4)),
                   RL::Parameter_error);
+}
+
+TEST_CASE("memory_of_many_small_triangles_is_that_of_their_parts", "[limits]") {
+  const RL::Triangulated_surface_3 sphere = surface_of(shapes::sphere(6));
+  const auto faces = static_cast<double>(sphere.number_of_faces());
+  // what is less than a part for each triangle cannot be right, whatever the depth
+  const double least = 100 * faces, at_least_one = RL::estimate_memory(sphere, 1).solver;
+  CHECK(at_least_one > least);
+  CHECK(at_least_one < 2 * least);
+  for(int depth = 2; depth < 9; ++depth)
+    CHECK(RL::estimate_memory(sphere, depth).total() >
+          RL::estimate_memory(sphere, depth - 1).total());
+}
+
+TEST_CASE("pairs_that_are_too_many_for_the_memory_are_refused", "[limits]") {
+  const RL::Triangulated_surface_3 sphere = surface_of(shapes::sphere(6));
+  const int depth = 3, k = 100;
+  const double of_space = RL::estimate_memory(sphere, depth).total(),
+               at_vertices = 8. * k * static_cast<double>(sphere.number_of_vertices());
+  RL::Laplace_spectrum_options of_spectrum;
+  const auto refusal_of_pairs = [&](double memory) -> std::string {
+    const RL::Spline_space_3 space(sphere, options(depth, memory));
+    bool is_called = false;
+    of_spectrum.multigrid.callback = [&](double) { return is_called = true; };
+    try {
+      RL::laplace_spectrum(space, k, of_spectrum);
+      return "";
+    } catch(const RL::Parameter_error& error) {
+      CHECK(error.parameter() == "k");
+      CHECK_FALSE(is_called);
+      return error.what();
+    }
+  };
+  const double memory = of_space + at_vertices / 2;
+  const std::string message = refusal_of_pairs(memory);
+  INFO(message);
+  CHECK(contains(message, "k is 100, which would take about "));
+  CHECK(contains(message, "and " + internal::memory_text(memory) + " are there; "));
+  CHECK(contains(message, " would fit; laplace_eigenpairs(), without values at the vertices, "));
+  CHECK(refusal_of_pairs(2 * of_space + 2 * at_vertices).empty());
+  // without values at the vertices they do fit
+  const RL::Spline_space_3 space(sphere, options(depth, memory));
+  CHECK(RL::laplace_eigenpairs(space, k).eigenvalues.size() == k);
+  of_spectrum.eigenvalues_only = true;
+  CHECK(refusal_of_pairs(memory).empty());
+  // what fits is as said
+  const int possible = std::stoi(message.substr(message.find("are there; ") + 11));
+  CHECK(RL::laplace_spectrum(space, possible).vertex_values.cols() == possible);
+  CHECK_THROWS_AS(RL::laplace_spectrum(space, possible + 1), RL::Parameter_error);
+  // the matrices alone
+  of_spectrum.eigenvalues_only = false;
+  const RL::Spline_space_3 fine(sphere, options(6, RL::estimate_memory(sphere, 6).total()));
+  try {
+    RL::laplace_eigenpairs(fine, 1);
+    FAIL("no exception");
+  } catch(const RL::Parameter_error& error) {
+    INFO(error.what());
+    CHECK(contains(error.what(), "k is 1, which would take about "));
+    CHECK_FALSE(contains(error.what(), "fit"));
+    CHECK_FALSE(contains(error.what(), "laplace_eigenpairs"));
+  }
 }
 
 TEST_CASE("surfaces_have_as_many_faces_as_can_be_numbered", "[limits]") {

@@ -511,6 +511,32 @@ TEST_CASE("windows_on_a_million_triangles", "[octree][slow]") {
   }
 }
 
+TEST_CASE("lone_sides_do_not_depend_on_parts", "[octree]") {
+  // open, with a hole, a face of area zero, and three faces at an edge
+  shapes::Triangles t =
+      shapes::grid(12, [](double x, double y) { return RL::Point_3(x, y, x * y); });
+  t.faces.erase(t.faces.begin() + 100, t.faces.begin() + 107);
+  t.faces.push_back({0, 1, 1});
+  t.faces.push_back({40, 41, 3});
+  const RL::Triangulated_surface_3 surface(t.points, t.faces);
+  const double thinness = GENERATE(0., 0.01);
+  const RL::Surface_seams seams(surface, thinness, -1);
+  std::map<RL::Surface_seams::Key, int> sizes;
+  for(std::size_t f = 0; f < t.faces.size(); ++f)
+    for(int side = 0; side < 3; ++side)
+      ++sizes[seams.seam(f, side)];
+  const std::size_t sides_at_once = GENERATE(1, 7, 50, 100, 1000);
+  std::vector<std::pair<std::size_t, int>> lone, expected;
+  for(const auto& side : seams.lone_sides(sides_at_once))
+    lone.emplace_back(side.face, side.number);
+  for(std::size_t f = 0; f < t.faces.size(); ++f)
+    for(int side = 0; side < 3; ++side)
+      if(sizes[seams.seam(f, side)] == 1)
+        expected.emplace_back(f, side);
+  CHECK(expected.size() > 48);
+  CHECK(lone == expected);
+}
+
 TEST_CASE("violated_preconditions_throw_in_debug_builds", "[octree]") {
 #ifdef CGAL_NO_PRECONDITIONS
   SUCCEED("Preconditions are not checked in this build.");

@@ -10,9 +10,11 @@
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <CGAL/Real_timer.h>
@@ -20,6 +22,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -72,10 +75,51 @@ multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest, std::vector<O
 
 } // namespace internal
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
-laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_options& options) {
+namespace internal {
+
+/// bytes that `k` pairs take with their space, at most at one time
+inline double memory_of_pairs(const Spline_space_3& space, int k, bool with_vertex_values) {
+  // of an unknown, measured: matrices when they are made; what an iteration needs of them; each of
+  // its vectors, for a pair
+  constexpr double of_matrices = 6000, of_levels = 1500, of_pair = 40;
+  const auto dimension = static_cast<double>(space.dimension()),
+             vertices = static_cast<double>(space.surface().number_of_vertices());
+  const double solver = dimension * (std::max)(of_matrices, of_levels + of_pair * k),
+               // the vectors are there twice
+      values = with_vertex_values ? sizeof(double) * k * (vertices + 2 * dimension) : 0;
+  return memory_of_space(space.surface(), 0).total() + (std::max)(solver, values);
+}
+
+/// \throws Parameter_error if `k` is not positive, or if so many pairs, perhaps with values at the
+/// vertices, would take more memory than the space may have
+inline void check_number_of_pairs(const Spline_space_3& space, int k, bool with_vertex_values) {
   if(k < 1)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
+  const double maximum = *space.options().maximum_memory,
+               needed = memory_of_pairs(space, k, with_vertex_values);
+  if(!(needed > maximum))
+    return;
+  int possible = 0;
+  for(int too_many = k; too_many - possible > 1;) {
+    const int middle = possible + (too_many - possible) / 2;
+    (memory_of_pairs(space, middle, with_vertex_values) > maximum ? too_many : possible) = middle;
+  }
+  std::string reason = "is " + std::to_string(k) + ", which would take about " +
+                       memory_text(needed) + " of memory, and " + memory_text(maximum) +
+                       " are there";
+  if(possible > 0)
+    reason += "; " + std::to_string(possible) + " would fit";
+  if(with_vertex_values && memory_of_pairs(space, k, false) <= maximum)
+    reason += "; laplace_eigenpairs(), without values at the vertices, would take " +
+              memory_text(memory_of_pairs(space, k, false));
+  throw Parameter_error("k", reason);
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
+laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_options& options) {
+  internal::check_number_of_pairs(space, k, false);
   const double stabilization =
       options.normal_stabilization.value_or(default_spectrum_stabilization(space));
   const bool is_multigrid = internal::uses_multigrid(space, stabilization, options);
@@ -116,6 +160,7 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
 laplace_spectrum(const Spline_space_3& space, int k, const Laplace_spectrum_options& options) {
+  internal::check_number_of_pairs(space, k, !options.eigenvalues_only);
   Laplace_spectrum result = laplace_eigenpairs(space, k, options);
   if(!options.eigenvalues_only)
     result.vertex_values = Spline_functions_3(space, result.pairs.vectors).values_at_vertices();

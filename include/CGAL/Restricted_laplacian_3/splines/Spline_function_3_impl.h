@@ -7,7 +7,6 @@
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/spline_evaluation.h>
 
@@ -58,14 +57,12 @@ Spline_function_3::gradient(const Surface_location& location) const {
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 Spline_function_3::values_at_vertices() const {
   return internal::name_step("not enough memory for the values at the vertices", [&] {
-    const std::vector<internal::Sheet_point> points = internal::locate_vertices(m_space, m_level);
-    std::vector<double> values(points.size());
-    constexpr std::size_t grain = 1024;
-    internal::parallel_for(m_space.options().is_parallel, 0, points.size(), grain,
-                           [&](std::size_t begin, std::size_t end) {
-                             for(std::size_t v = begin; v < end; ++v)
-                               values[v] = value(points[v]);
-                           });
+    std::vector<double> values(surface().number_of_vertices());
+    internal::for_each_vertex_chunk(
+        m_space, m_level, [&](std::size_t first, const std::vector<internal::Sheet_point>& points) {
+          for(std::size_t i = 0; i < points.size(); ++i)
+            values[first + i] = value(points[i]);
+        });
     return values;
   });
 }

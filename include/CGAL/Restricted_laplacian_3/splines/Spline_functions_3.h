@@ -98,6 +98,9 @@ public:
   }
 
 private:
+  /// so many points a thread takes
+  static constexpr std::size_t points_at_once = 64;
+
   Eigen::MatrixXd values_at(const std::vector<Surface_location>& locations) const;
 
   Spline_jets jets_at(const std::vector<Surface_location>& locations) const;
@@ -110,6 +113,11 @@ private:
   /// \param values_of local coordinate &rarr; numbers for the elements
   Eigen::MatrixXd sums(const std::vector<internal::Sheet_point>& points,
                        const internal::Element_numbers& values_of) const;
+
+  /// the same for a few points, into rows of a matrix
+  void write_sums(const internal::Sheet_point* points, std::size_t number_of_points,
+                  const internal::Element_numbers& values_of, std::size_t first_row,
+                  Eigen::MatrixXd& result) const;
 
   Spline_space_3 m_space;
   int m_level;

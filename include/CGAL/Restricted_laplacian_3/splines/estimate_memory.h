@@ -17,7 +17,8 @@ struct Memory_estimate {
   double dimension;
   /// bytes of the surface, whatever the depth
   double surface;
-  /// bytes of the space, and of the matrices and the multigrid solver of a Poisson problem
+  /// bytes of the space, and of the matrices and the multigrid solver of a Poisson problem; or of
+  /// what is needed to make the space, if that is more
   double solver;
 
   /// bytes of both
@@ -31,7 +32,8 @@ struct Memory_estimate {
 /// \f$\lVert n \rVert_1 A / h^2\f$ cells of width \f$h\f$; to a cell belong 3 unknowns, and about
 /// 7 kB. That is right within some percent where pieces are larger than cells. With many
 /// boundaries, as in ragged scans, there are up to three times as many unknowns at small depths;
-/// without splitting, and where many layers lie in one cell, fewer. Eigenvectors, values at
+/// without splitting, and where many layers lie in one cell, fewer. Of the parts of triangles in
+/// cells, at most some four million are held at once, 140 bytes each. Eigenvectors, values at
 /// vertices and what is made of them come on top, 8 bytes for each number.
 ///
 /// Takes time linear in the number of faces.
@@ -44,6 +46,9 @@ Memory_estimate estimate_memory(const Triangulated_surface_3& surface, int depth
                                 double cube_scale = 1.1);
 
 namespace internal {
+
+/// What a space of this dimension has, once it is made, without a look at the faces.
+Memory_estimate memory_of_space(const Triangulated_surface_3& surface, double dimension);
 
 /// \param maximum in bytes
 /// \throws Parameter_error if the estimate is larger, with the depths that would do

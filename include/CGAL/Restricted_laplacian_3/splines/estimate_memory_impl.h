@@ -18,42 +18,62 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
+// measured: maximum of the resident memory of `solve_poisson`, less that of the surface
+constexpr double unknowns_per_sheet = 3, bytes_per_sheet = 7200, bytes_per_face = 6,
+                 bytes_of_patch = 180;
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Memory_estimate
+memory_of_space(const Triangulated_surface_3& surface, double dimension) {
+  const auto faces = static_cast<double>(surface.number_of_faces());
+  Memory_estimate result;
+  result.dimension = dimension;
+  result.surface = 24 * static_cast<double>(surface.number_of_vertices()) +
+                   (surface.is_point_set() ? 44 : 20) * faces +
+                   (surface.is_smooth() ? bytes_of_patch * faces : 0);
+  result.solver = bytes_per_sheet / unknowns_per_sheet * dimension + bytes_per_face * faces;
+  return result;
+}
+
 /// What all depths have in common.
 class Memory_model {
 public:
-  Memory_model(const Triangulated_surface_3& surface, double cube_scale)
-    : m_is_point_set(surface.is_point_set()),
-      m_faces(static_cast<double>(surface.number_of_faces())),
-      m_surface(24 * static_cast<double>(surface.number_of_vertices()) +
-                (surface.is_point_set() ? 44 : 20) * m_faces +
-                (surface.is_smooth() ? bytes_of_patch * m_faces : 0)) {
+  Memory_model(const Triangulated_surface_3& surface, double cube_scale) : m_surface(surface) {
     const double side = checked_cube_scale(cube_scale) * surface.extent();
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
       const Vector_3 n = surface.normal(f);
-      m_cells +=
-          surface.area(f) / side / side * (std::abs(n.x()) + std::abs(n.y()) + std::abs(n.z()));
+      const double area = surface.area(f) / side / side;
+      m_cells += area * (std::abs(n.x()) + std::abs(n.y()) + std::abs(n.z()));
+      m_area += area;
+      m_root_of_area += std::sqrt(area);
     }
   }
 
   Memory_estimate at(int depth) const {
     double sheets = std::ldexp(m_cells, 2 * depth);
-    if(m_is_point_set)
-      sheets = (std::min)(sheets, m_faces);
-    Memory_estimate result;
-    result.dimension = unknowns_per_sheet * sheets;
-    result.surface = m_surface;
-    result.solver = bytes_per_sheet * sheets + bytes_per_face * m_faces;
+    if(m_surface.is_point_set())
+      sheets = (std::min)(sheets, static_cast<double>(m_surface.number_of_faces()));
+    Memory_estimate result = memory_of_space(m_surface, unknowns_per_sheet * sheets);
+    result.solver = (std::max)(result.solver, memory_to_cut(depth));
     return result;
   }
 
 private:
-  // measured: maximum of the resident memory of `solve_poisson`, less that of the surface
-  static constexpr double unknowns_per_sheet = 3, bytes_per_sheet = 7200, bytes_per_face = 6,
-                          bytes_of_patch = 180;
+  /// of what lives while the surface is cut into cells, window by window
+  double memory_to_cut(int depth) const {
+    constexpr double bytes_of_fragment = 140;
+    const auto faces = static_cast<double>(m_surface.number_of_faces());
+    // more than its first one has a small triangle for each wall, and a large one for its area
+    const double fragments =
+        faces + 3 * std::ldexp(m_root_of_area, depth) + 1.5 * std::ldexp(m_area, 2 * depth);
+    return bytes_per_face * faces +
+           bytes_of_fragment *
+               (std::min)(fragments, static_cast<double>(Octree_3::default_fragments_at_once));
+  }
 
-  bool m_is_point_set;
-  double m_faces, m_surface;
-  double m_cells = 0; // that a cube without divisions would have, not a whole number
+  const Triangulated_surface_3& m_surface;
+  // of a cube without divisions: number of cells that it would have, not a whole one; area; sum of
+  // the roots of the areas of faces
+  double m_cells = 0, m_area = 0, m_root_of_area = 0;
 };
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void check_memory(const Triangulated_surface_3& surface,
@@ -75,7 +95,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void check_memory(const Triangulated_surface_
     reason +=
         "; a depth of " + std::to_string(possible) + " would take " + memory_text(total(possible));
   else
-    reason += "; the surface itself takes " + memory_text(model.at(1).surface);
+    reason += "; the surface itself takes " + memory_text(memory_of_space(surface, 0).surface);
   throw Parameter_error("octree_depth", reason);
 }
 

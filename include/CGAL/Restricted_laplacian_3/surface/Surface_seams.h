@@ -81,8 +81,11 @@ public:
     return !m_edges.empty() && m_index.find(m_edges, seam) != m_edges.size();
   }
 
-  /// the sides that are alone in their seam, in the order of faces: the boundary of the surface
-  std::vector<internal::Face_side> lone_sides() const;
+  /// The sides that are alone in their seam, in the order of faces: the boundary of the surface.
+  /// \param sides_at_once about how many are sorted at once, positive, 16 bytes each; for each
+  /// such part all faces are looked at
+  std::vector<internal::Face_side> lone_sides(std::size_t sides_at_once = std::size_t(1)
+                                                                          << 24) const;
 
 private:
   using Keys = std::vector<Key>;

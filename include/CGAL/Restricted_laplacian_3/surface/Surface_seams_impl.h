@@ -172,13 +172,13 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Surface_seams::unite(const Pairs& pairs)
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<internal::Face_side>
-Surface_seams::lone_sides() const {
+Surface_seams::lone_sides(std::size_t sides_at_once) const {
+  CGAL_precondition(sides_at_once > 0);
   struct Side_of_seam {
     Key seam;
     std::uint64_t side; // three times the number of the face, and more
   };
-  // Seams are looked at in ranges of their lower vertex, as many as fit into this.
-  constexpr std::size_t sides_at_once = std::size_t(1) << 24;
+  // Seams are looked at in ranges of their lower vertex.
   const std::size_t number_of_sides = 3 * m_surface.number_of_faces(),
                     number_of_vertices = m_surface.number_of_vertices(),
                     number_of_ranges = (number_of_sides - 1) / sides_at_once + 1;

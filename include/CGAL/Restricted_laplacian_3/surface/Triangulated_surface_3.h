@@ -129,7 +129,7 @@ public:
   }
 
   /// Unit normal, of a triangle by the right-hand rule; the zero vector if it is degenerate. Those
-  /// of triangles are not stored: to compute one takes less time than to fetch it from far away.
+  /// of triangles are not stored, but computed when they are asked for.
   Vector_3 normal(std::size_t face) const {
     CGAL_precondition(face < number_of_faces());
     return m_is_point_set ? m_normals[face] : scaled_normal(face).normal;

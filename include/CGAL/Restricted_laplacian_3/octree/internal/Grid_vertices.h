@@ -17,8 +17,8 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// The vertices of a surface in the grid of the finest cells of an octree, in units of the cell
-/// width, as the clipper sees them: on the walls that they are near to. They are computed when they
-/// are asked for, which takes less time than to fetch them from far away.
+/// width, as the clipper sees them: on the walls that they are near to. They are not stored, but
+/// computed when they are asked for.
 class Grid_vertices {
 public:
   using Point = std::array<double, 3>;

@@ -67,21 +67,23 @@ inline std::vector<Sheet_point> locate_on_surface(const Spline_space_3& space, i
 
 /// Finds sheet points for the vertices that have none: the tips of needles whose fragments were
 /// lost to rounding.
-/// \param is_lost which vertices they are; on return, those for which there is none either
 class Lost_vertices {
 public:
-  Lost_vertices(const Spline_space_3& space, int level, std::vector<Sheet_point>& points,
-                std::vector<char>& is_lost)
-    : m_space(space), m_surface(space.octree().pieces()), m_level(level), m_points(points),
-      m_is_lost(is_lost) {}
+  /// \param is_lost which vertices of the pieces they are, of the first ones
+  Lost_vertices(const Spline_space_3& space, int level, std::vector<char> is_lost)
+    : m_space(space), m_surface(space.octree().pieces()), m_level(level),
+      m_is_lost(std::move(is_lost)) {}
 
-  void find() {
+  /// the vertices that were found, each with its point
+  std::vector<std::pair<std::uint32_t, Sheet_point>> find() {
     for_each([this](std::size_t f, std::uint32_t v) { try_face(f, v, m_surface.point(v)); });
     for_each([this](std::size_t f, std::uint32_t v) { search_inwards(f, v); });
     search_neighbors();
+    return std::move(m_found);
   }
 
 private:
+  bool is_lost(std::uint32_t v) const { return v < m_is_lost.size() && m_is_lost[v]; }
   bool is_any_lost() const {
     return std::find(m_is_lost.begin(), m_is_lost.end(), 1) != m_is_lost.end();
   }
@@ -92,13 +94,16 @@ private:
       for(std::size_t f = 0; f < m_surface.number_of_faces(); ++f)
         if(!m_surface.is_degenerate(f))
           for(std::uint32_t v : m_surface.triangle(f))
-            if(m_is_lost[v])
+            if(is_lost(v))
               work(f, v);
   }
 
   void try_face(std::size_t f, std::uint32_t v, const Point_3& place) {
-    m_points[v] = locate_on_face(m_space, m_level, place, f);
-    m_is_lost[v] = m_points[v].sheet == Sheet_point::not_on_surface;
+    const Sheet_point point = locate_on_face(m_space, m_level, place, f);
+    if(point.sheet == Sheet_point::not_on_surface)
+      return;
+    m_found.emplace_back(v, point);
+    m_is_lost[v] = 0;
   }
 
   /// The nearest place of a face that has a fragment stands for its tip, of places that are twice
@@ -123,7 +128,7 @@ private:
           lost_at.emplace_back(corner, v);
     });
     std::sort(lost_at.begin(), lost_at.end());
-    std::vector<int> trials(lost_at.empty() ? 0 : m_points.size(), 0);
+    std::vector<int> trials(lost_at.empty() ? 0 : m_is_lost.size(), 0);
     for(std::size_t f = 0; f < m_surface.number_of_faces() && !lost_at.empty(); ++f)
       if(!m_surface.is_degenerate(f))
         for(std::uint32_t corner : m_surface.triangle(f))
@@ -136,36 +141,52 @@ private:
   const Spline_space_3& m_space;
   const Triangulated_surface_3& m_surface;
   int m_level;
-  std::vector<Sheet_point>& m_points;
-  std::vector<char>& m_is_lost;
+  std::vector<char> m_is_lost;
+  std::vector<std::pair<std::uint32_t, Sheet_point>> m_found;
 };
 
-/// The sheet points of all vertices; `not_on_surface` for those without a face of positive area.
-/// Those of a smooth surface are the first ones of its pieces, and lie on them.
-inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int level) {
+/// Calls `visit(first, points)`, perhaps on several threads, with the sheet points of the vertices
+/// from `first` on, `not_on_surface` for those without a face of positive area; once more for the
+/// few that are found late. The vertices of a smooth surface are the first ones of its pieces, and
+/// lie on them. Holds 5 bytes for each vertex.
+template <class Visitor>
+void for_each_vertex_chunk(const Spline_space_3& space, int level, Visitor&& visit) {
   const Triangulated_surface_3& surface = space.octree().pieces();
+  const std::size_t number_of_vertices = space.surface().number_of_vertices();
   const auto none = (std::numeric_limits<std::uint32_t>::max)();
-  std::vector<std::uint32_t> first_face(surface.number_of_vertices(), none);
+  std::vector<std::uint32_t> first_face(number_of_vertices, none);
   for(std::size_t f = surface.number_of_faces(); f-- > 0;)
     if(!surface.is_degenerate(f))
       for(std::uint32_t v : surface.triangle(f))
-        first_face[v] = static_cast<std::uint32_t>(f);
+        if(v < number_of_vertices)
+          first_face[v] = static_cast<std::uint32_t>(f);
 
-  std::vector<Sheet_point> points(surface.number_of_vertices());
+  std::vector<char> is_lost(number_of_vertices);
   constexpr std::size_t grain = 1024;
-  parallel_for(space.options().is_parallel, 0, points.size(), grain,
+  parallel_for(space.options().is_parallel, 0, number_of_vertices, grain,
                [&](std::size_t begin, std::size_t end) {
+                 std::vector<Sheet_point> points(end - begin);
                  for(std::size_t v = begin; v < end; ++v)
-                   if(first_face[v] != none)
-                     points[v] = locate_on_face(space, level, surface.point(v), first_face[v]);
+                   if(first_face[v] != none) {
+                     Sheet_point& point = points[v - begin];
+                     point = locate_on_face(space, level, surface.point(v), first_face[v]);
+                     is_lost[v] = point.sheet == Sheet_point::not_on_surface;
+                   }
+                 visit(begin, points);
                });
+  for(const auto& [v, point] : Lost_vertices(space, level, std::move(is_lost)).find())
+    visit(std::size_t(v), std::vector<Sheet_point>{point});
+}
 
-  std::vector<char> is_lost(points.size());
-  for(std::size_t v = 0; v < points.size(); ++v)
-    is_lost[v] = first_face[v] != none && points[v].sheet == Sheet_point::not_on_surface;
-  Lost_vertices(space, level, points, is_lost).find();
-  points.resize(space.surface().number_of_vertices());
-  return points;
+/// The sheet points of all vertices; `not_on_surface` for those without a face of positive area.
+inline std::vector<Sheet_point> locate_vertices(const Spline_space_3& space, int level) {
+  std::vector<Sheet_point> result(space.surface().number_of_vertices());
+  for_each_vertex_chunk(space, level,
+                        [&](std::size_t first, const std::vector<Sheet_point>& points) {
+                          std::copy(points.begin(), points.end(),
+                                    result.begin() + static_cast<std::ptrdiff_t>(first));
+                        });
+  return result;
 }
 
 } // namespace internal
