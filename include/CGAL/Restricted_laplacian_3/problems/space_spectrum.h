@@ -85,8 +85,8 @@ struct Laplace_spectrum_options {
 /// \cgalNamedParamsBegin
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain, or if `k` pairs would take more than
-/// the `maximum_memory` of the space
+/// \throws Parameter_error if a parameter is outside its domain, or if so many pairs would take
+/// more than the `maximum_memory` of the space
 /// \throws Numerical_error if a factorization fails
 /// \throws Canceled if the callback returned `false`
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
@@ -102,8 +102,8 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
 /// \cgalNamedParamsBegin
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
-/// \throws Parameter_error if a parameter is outside its domain, or if `k` pairs would take more than
-/// the `maximum_memory` of the space
+/// \throws Parameter_error if a parameter is outside its domain, or if so many pairs would take
+/// more than the `maximum_memory` of the space
 /// \throws Numerical_error if a factorization fails
 /// \throws Canceled if the callback returned `false`
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
