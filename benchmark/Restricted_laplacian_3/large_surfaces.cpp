@@ -3,8 +3,8 @@
 
 // How do time and memory grow with the number of triangles, from the file to the result?
 //
-//   large_surfaces [--depth D...] [--threads T] [--pairs K] [--format ply|stl] [--folder FOLDER]
-//                  MESH N...
+//   large_surfaces MESH N... [--depth D...] [--threads T] [--pairs K] [--format ply|stl]
+//                  [--folder FOLDER]
 //
 // Divides the triangles of MESH into N^2 each (as refine_mesh does), writes a file into FOLDER (by
 // default that for temporary files), and solves a Poisson problem with the coordinate x at the

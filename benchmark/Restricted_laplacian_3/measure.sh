@@ -90,10 +90,10 @@ smooth_geometry          smooth_geometry --held-out fandisk_14k fandisk_32k wing
 smooth_geometry          smooth_geometry --curvature
 thin_features            thin_features
 thin_features            thin_features --gaps
-large_surfaces           large_surfaces --depth 6 7 8 9 armadillo_mc1m 1 2 4 8 10
-large_surfaces           large_surfaces --pairs 50 --depth 7 armadillo_mc1m 1 2 4 10
-large_surfaces           large_surfaces --format stl --depth 7 armadillo_mc1m 10
-large_surfaces           large_surfaces --depth 7 armadillo_mc1m 16
+large_surfaces           large_surfaces armadillo_mc1m 1 2 4 8 10 --depth 6 7 8 9
+large_surfaces           large_surfaces armadillo_mc1m 1 2 4 10 --depth 7 --pairs 50
+large_surfaces           large_surfaces armadillo_mc1m 10 --depth 7 --format stl
+large_surfaces           large_surfaces armadillo_mc1m 16 --depth 7
 compile_times            compile_times.sh"
 
 # What runs on one thread need not wait for the other processor.

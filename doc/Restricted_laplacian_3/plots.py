@@ -169,6 +169,15 @@ def by_size(title, column, y_title):
                         for method, name in names.items()], lines=False)
 
 
+def by_triangles(title, column, y_title):
+    found = figures.large_runs()
+    styles = dict(zip(sorted({depth for _, depth in found}),
+                      [STYLES[m] for m in ("restricted_v", "restricted", "smooth", "cotangent")]))
+    return logarithmic(title, "triangles", y_title,
+                       [(f"depth {depth}", style, [(triangles, r[column]) for (triangles, d), r in found.items()
+                                                   if d == depth], []) for depth, style in styles.items()])
+
+
 def iterations_by_mesh():
     depth = 7
     found = {}
@@ -208,6 +217,10 @@ PLOTS = {
 }
 PLOTS["plot_seconds"] = lambda: by_size("Poisson on twelve meshes: time by size", "seconds", "seconds")
 PLOTS["plot_memory"] = lambda: by_size("Poisson on twelve meshes: memory by size", "MiB", "MiB")
+PLOTS["plot_large_seconds"] = lambda: by_triangles("Poisson, from the file to values: time by triangles", "all_s",
+                                                   "seconds")
+PLOTS["plot_large_memory"] = lambda: by_triangles("Poisson, from the file to values: memory by triangles",
+                                                  "memory_gb", "GB")
 PLOTS["plot_iterations"] = iterations_by_mesh
 
 

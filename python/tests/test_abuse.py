@@ -110,6 +110,8 @@ def test_types_and_layouts(dtype, itype):
     (lambda: rl.Space(V, F, maximum_memory=np.nan), "maximum_memory"),
     (lambda: rl.Space(V, F, depth=6, maximum_memory=1e6), "depth"),
     (lambda: rl.estimate_memory(V, F, depth=6, cube_scale=0), "cube_scale"),
+    (lambda: rl.laplace_spectrum(rl.Space(V, F, depth=3, maximum_memory=rl.estimate_memory(
+        V, F, depth=3).total), k=5), "k"),
     (lambda: rl.solve_poisson(V, F, f, stabilization=-1), "stabilization"),
     (lambda: rl.solve_poisson(V, F, f, cycle="x"), "cycle"),
     (lambda: rl.solve_poisson(V, F, f, max_iterations=-1), "max_iterations"),

@@ -22,7 +22,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -73,10 +72,6 @@ multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest, std::vector<O
                               options);
 }
 
-} // namespace internal
-
-namespace internal {
-
 /// bytes that `k` pairs take with their space, at most at one time
 inline double memory_of_pairs(const Spline_space_3& space, int k, bool with_vertex_values) {
   // of an unknown, measured: matrices when they are made; what an iteration needs of them; each of
@@ -110,7 +105,7 @@ inline void check_number_of_pairs(const Spline_space_3& space, int k, bool with_
   if(possible > 0)
     reason += "; " + std::to_string(possible) + " would fit";
   if(with_vertex_values && memory_of_pairs(space, k, false) <= maximum)
-    reason += "; laplace_eigenpairs(), without values at the vertices, would take " +
+    reason += "; without values at the vertices they would take " +
               memory_text(memory_of_pairs(space, k, false));
   throw Parameter_error("k", reason);
 }

@@ -65,9 +65,9 @@ private:
     // more than its first one has a small triangle for each wall, and a large one for its area
     const double fragments =
         faces + 3 * std::ldexp(m_root_of_area, depth) + 1.5 * std::ldexp(m_area, 2 * depth);
-    return bytes_per_face * faces +
-           bytes_of_fragment *
-               (std::min)(fragments, static_cast<double>(Octree_3::default_fragments_at_once));
+    const double windows =
+        std::ceil(fragments / static_cast<double>(Octree_3::default_fragments_at_once));
+    return bytes_per_face * faces + bytes_of_fragment * fragments / windows;
   }
 
   const Triangulated_surface_3& m_surface;
