@@ -81,6 +81,12 @@ def marker(x, y, style, size=4.2, faint=False):
     return f'<polygon points="{points}" {fill}/>'
 
 
+def tick(value):
+    """a number for a scale"""
+    exponent = round(math.log10(value))
+    return power_of_ten(exponent) if math.isclose(value, 10.0 ** exponent) else f"{value:g}"
+
+
 def power_of_ten(exponent):
     if -2 <= exponent <= 3:
         return f"{10.0 ** exponent:g}" if exponent < 3 else "1,000"
@@ -100,8 +106,12 @@ class Scale:
         t = (math.log10(value) - self.first) / (self.last - self.first)
         return self.low + t * (self.high - self.low)
 
-    def powers(self):
-        return range(math.ceil(self.first), math.floor(self.last) + 1)
+    def ticks(self):
+        """the powers of ten, and what lies between them where there are no two"""
+        powers = [10.0 ** e for e in range(math.floor(self.first), math.ceil(self.last) + 1)]
+        inside = [p for p in powers if self.first <= math.log10(p) <= self.last]
+        between = [p * i for p in powers for i in (1, 2, 5)]
+        return inside if len(inside) > 1 else [p for p in between if self.first <= math.log10(p) <= self.last]
 
 
 def page(body, title, height=HEIGHT):
@@ -119,12 +129,10 @@ def logarithmic(title, x_title, y_title, series, notes=(), lines=True):
     shown = [p for _, _, points, faint in series for p in [*points, *faint]]
     x, y = Scale([p[0] for p in shown], left, right), Scale([p[1] for p in shown], bottom, top)
     body = [text(20, 48, y_title + " ↑, " + x_title + " →", color=QUIET)]
-    for e in y.powers():
-        body += [line(left, y(10.0 ** e), right, y(10.0 ** e)),
-                 text(left - 8, y(10.0 ** e) + 4.5, power_of_ten(e), "end", QUIET, 12)]
-    for e in x.powers():
-        body += [line(x(10.0 ** e), top, x(10.0 ** e), bottom),
-                 text(x(10.0 ** e), bottom + 18, power_of_ten(e), "middle", QUIET, 12)]
+    for value in y.ticks():
+        body += [line(left, y(value), right, y(value)), text(left - 8, y(value) + 4.5, tick(value), "end", QUIET, 12)]
+    for value in x.ticks():
+        body += [line(x(value), top, x(value), bottom), text(x(value), bottom + 18, tick(value), "middle", QUIET, 12)]
     for _, style, _, faint in series:
         body += [marker(x(a), y(b), style, 3.2, True) for a, b in faint]
     for _, style, points, _ in series:
