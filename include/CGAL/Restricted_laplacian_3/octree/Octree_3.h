@@ -89,7 +89,7 @@ public:
   /// `Spline_space_3`.
   static constexpr std::size_t maximum_number_of_sheets = 0xffffffff / 27;
 
-  /// The octree is built in `Surface_windows` of about so many fragments, of which each takes 64
+  /// The octree is built in `Surface_windows` of about so many fragments, of which each takes 140
   /// bytes meanwhile.
   static constexpr std::size_t default_fragments_at_once = std::size_t(1) << 22;
 
