@@ -60,7 +60,8 @@ class MemoryEstimate(NamedTuple):
     surface: float
     """Bytes of the surface, whatever the depth."""
     solver: float
-    """Bytes of the space, the matrices and the multigrid solver."""
+    """Bytes of the space, the matrices and the multigrid solver, or of what is needed to make the
+    space, if that is more."""
 
     @property
     def total(self) -> float:
@@ -145,7 +146,7 @@ class Space:
     vertex_normals : array_like, (n, 3), optional
         Of smooth geometry and data; estimated by default, and where they are 0 or NaN.
     maximum_memory : float, optional
-        Bytes that the surface, the space and a Poisson problem in it may take, by
+        Bytes that the surface, the space and a Poisson problem or eigenpairs in it may take, see
         `estimate_memory`: what would take more is refused before any work. By default those of the
         machine.
     threads : int, optional

@@ -40,8 +40,7 @@ po::options_description space_options(Common_options& o) {
       "distance of T or less, in the unit of the coordinates; unsplit elements do not depend on "
       "this");
   add("memory", po::value(&o.space.maximum_gigabytes)->value_name("GB"),
-      "refuse a depth at which the space and a Poisson problem in it would take more memory; by "
-      "default that of the machine");
+      "refuse what would take more memory, before any work; by default that of the machine");
   add("geometry", po::value(&o.space.geometry)->value_name("KIND")->default_value(o.space.geometry),
       "flat: the surface consists of the triangles; smooth: it is a smooth one through the "
       "vertices, for meshes whose vertices lie on such a surface, and not for those whose "

@@ -102,8 +102,8 @@ inline void check_number_of_pairs(const Spline_space_3& space, int k, bool with_
   std::string reason = "is " + std::to_string(k) + ", which would take about " +
                        memory_text(needed) + " of memory, and " + memory_text(maximum) +
                        " are there";
-  if(possible > 0)
-    reason += "; " + std::to_string(possible) + " would fit";
+  reason += possible > 0 ? "; " + std::to_string(possible) + " would fit"
+                         : std::string("; not even one would fit: choose a smaller depth");
   if(with_vertex_values && memory_of_pairs(space, k, false) <= maximum)
     reason += "; without values at the vertices they would take " +
               memory_text(memory_of_pairs(space, k, false));

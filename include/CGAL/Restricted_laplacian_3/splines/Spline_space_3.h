@@ -68,8 +68,8 @@ struct Spline_space_options {
   /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
   /// are joined if they run along each other; without a value they are not
   std::optional<double> joining_tolerance;
-  /// bytes that the surface, the space and a Poisson problem in it may take, by
-  /// `estimate_memory()`: what would take more is refused before any work. Without a value
+  /// bytes that the surface, the space and a Poisson problem or eigenpairs in it may take: what
+  /// would take more, see `estimate_memory()`, is refused before any work. Without a value
   /// `memory_of_machine()`
   std::optional<double> maximum_memory;
   /// whether octree, numbering and assembly use several threads; no effect unless the program is
