@@ -296,6 +296,28 @@ TEST_CASE("levels_of_a_split_space_equal_spaces_of_that_depth", "[sheets]") {
   }
 }
 
+TEST_CASE("elements_of_a_cell_of_any_level_have_consecutive_numbers", "[sheets]") {
+  // The cube of scale 1 touches the surface, so there are elements outside the grid on all sides.
+  const RL::Spline_space_3 space = space_of(rotor(5, 0.06), 5, true, 1);
+  const auto nearest_cell = [&](int level, std::size_t element) {
+    RL::Cell_3 cell = space.center(level, element);
+    for(int& x : cell.index)
+      x = (std::min)((std::max)(x, 0), (1 << level) - 1);
+    return cell;
+  };
+  for(int level = 1; level <= 5; ++level) {
+    INFO("level " << level);
+    std::size_t number_outside = 0;
+    for(std::size_t i = 0; i < space.dimension(level); ++i) {
+      number_outside += !space.center(level, i).is_inside_grid();
+      if(i > 0)
+        REQUIRE(nearest_cell(level, i - 1).key() <= nearest_cell(level, i).key());
+    }
+    CHECK(number_outside > 0);
+    CHECK(number_outside < space.dimension(level));
+  }
+}
+
 TEST_CASE("splitting_does_not_depend_on_the_triangulation", "[sheets]") {
   const auto check_same = [](const Triangles& a, const Triangles& b, int depth) {
     for(double cube_scale : {1., 1.1, 2.}) {

@@ -8,8 +8,8 @@
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Domain_cube.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Octree_level.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/Octree_level.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/element_masks.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 
@@ -125,6 +125,8 @@ public:
   /// \cond
   // how the patches are divided; null if the surface is not smooth
   const internal::Divided_surface* division() const { return m_division.get(); }
+  // cells and sheets of a level
+  const internal::Octree_level& level_data(int level) const { return at(level); }
   /// \endcond
 
   /// side of the domain cube
@@ -236,6 +238,10 @@ public:
 
 private:
   friend class internal::Octree_builder;
+
+  /// without levels
+  Octree_3(Triangulated_surface_3&& surface, int depth, double cube_scale, bool is_split,
+           bool is_parallel);
 
   const internal::Octree_level& at(int level) const {
     CGAL_precondition(level >= 0 && level <= m_depth);

@@ -11,10 +11,11 @@
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Points_in_grid.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Sheet_sorter.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Surface_in_grid.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Triangles_in_grid.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/Octree_builder.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/Sheet_sorter.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/element_masks.h>
 
 #include <algorithm>
 #include <array>
@@ -32,139 +33,143 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// Makes the levels of an octree whose surface, domain cube and depth are known.
-class Octree_builder {
-public:
-  explicit Octree_builder(Octree_3& octree) : m_octree(octree) {}
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_3 Octree_builder::without_levels(
+    Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split, bool is_parallel) {
+  return Octree_3(std::move(surface), depth, cube_scale, is_split, is_parallel);
+}
 
-  void build(double joining_tolerance, std::size_t fragments_at_once) {
-    for(int level = 0; level <= m_octree.depth(); ++level) {
-      m_octree.m_levels.emplace_back();
-      m_octree.m_levels.back().level = level;
-    }
-    std::vector<Place> places =
-        build_finest_level(*surface_in_grid(joining_tolerance, fragments_at_once));
-    for(int level = m_octree.depth() - 1; level >= 0; --level)
-      build_coarser_level(level, places);
-  }
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Octree_builder::set_levels(std::vector<Octree_level> levels) {
+  m_octree.m_levels = std::move(levels);
+}
 
-private:
-  using Level = Octree_level;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Grid_vertices Octree_builder::vertices() const {
+  return {m_octree.pieces(), m_octree.m_cube, m_octree.depth(), m_octree.clipper()};
+}
 
-  std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance,
-                                                   std::size_t fragments_at_once) const {
-    Grid_input input = {m_octree.pieces(),   m_octree.division(), vertices(),
-                        m_octree.is_split(), fragments_at_once,   m_octree.is_parallel()};
-    if(m_octree.surface().is_point_set())
-      return std::make_unique<Points_in_grid>(std::move(input));
-    return std::make_unique<Triangles_in_grid>(std::move(input), m_octree.clipper(),
-                                               Octree_3::thin_face_height, joining_tolerance);
-  }
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Octree_builder::build(double joining_tolerance,
+                                                              std::size_t fragments_at_once) {
+  std::vector<Place> places;
+  std::vector<Octree_level> levels(static_cast<std::size_t>(m_octree.depth()) + 1);
+  levels.back() = finest_level(joining_tolerance, fragments_at_once, places);
+  if(levels.back().number_of_sheets() == 0)
+    throw Zero_area_error("the surface has area zero: none of its " +
+                          std::to_string(m_octree.pieces().number_of_faces()) +
+                          " faces is wider than rounding errors in the octree");
+  for(std::size_t level = levels.size() - 1; level > 0; --level)
+    levels[level - 1] = coarser_level(levels[level], places, m_octree.is_split());
+  set_levels(std::move(levels));
+}
 
-  Grid_vertices vertices() const {
-    return {m_octree.pieces(), m_octree.m_cube, m_octree.depth(), m_octree.clipper()};
-  }
-
-  /// returns the places of the sheets
-  std::vector<Place> build_finest_level(const Surface_in_grid& surface) {
-    const auto join = [&](const Cell_fragment* fragments, std::uint32_t size,
-                          Sheet_scratch& scratch) {
-      if(m_octree.is_split())
-        return surface.join(fragments, size, scratch);
-      scratch.sets.reset(size);
-      for(std::uint32_t i = 1; i < size; ++i)
-        scratch.sets.unite(0, i);
-    };
-    Finest_sheets sheets;
-    sheets.faces.reserve(surface.estimated_number_of_fragments());
-    for(std::size_t window = 0; window < surface.number_of_windows(); ++window) {
-      group_into_sheets(surface.fragments(window), join, m_octree.is_parallel(), sheets);
-      check_number_of_sheets(sheets.cells.size());
-    }
-    if(sheets.faces.empty())
-      throw Zero_area_error("the surface has area zero: none of its " +
-                            std::to_string(m_octree.pieces().number_of_faces()) +
-                            " faces is wider than rounding errors in the octree");
-    sheets.first_sheets.push_back(static_cast<std::uint32_t>(sheets.cells.size()));
-    sheets.first_faces.push_back(sheets.faces.size());
-    Level& finest = m_octree.m_levels.back();
-    finest.keys = std::move(sheets.keys);
-    finest.first_sheets = std::move(sheets.first_sheets);
-    finest.cells = std::move(sheets.cells);
-    finest.element_masks = std::move(sheets.element_masks);
-    finest.faces = Number_lists(std::move(sheets.first_faces), std::move(sheets.faces));
-    finest.index_keys();
-    Surface_in_grid::Links links;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_level
+Octree_builder::finest_level(double joining_tolerance, std::size_t fragments_at_once,
+                             std::vector<Place>& places, const Cell_filter* filter) const {
+  const std::unique_ptr<Surface_in_grid> surface =
+      surface_in_grid(joining_tolerance, fragments_at_once, filter);
+  const auto join = [&](const Cell_fragment* fragments, std::uint32_t size,
+                        Sheet_scratch& scratch) {
     if(m_octree.is_split())
-      surface.link(finest, links);
-    finest.links = Number_lists(finest.cells.size(), links);
-    return std::move(sheets.places);
+      return surface->join(fragments, size, scratch);
+    scratch.sets.reset(size);
+    for(std::uint32_t i = 1; i < size; ++i)
+      scratch.sets.unite(0, i);
+  };
+  Finest_sheets sheets;
+  sheets.faces.reserve(surface->estimated_number_of_fragments());
+  for(std::size_t window = 0; window < surface->number_of_windows(); ++window) {
+    group_into_sheets(surface->fragments(window), join, m_octree.is_parallel(), sheets);
+    check_number_of_sheets(sheets.cells.size());
   }
+  sheets.first_sheets.push_back(static_cast<std::uint32_t>(sheets.cells.size()));
+  sheets.first_faces.push_back(sheets.faces.size());
+  places = std::move(sheets.places);
+  Octree_level finest;
+  finest.level = m_octree.depth();
+  finest.keys = std::move(sheets.keys);
+  finest.first_sheets = std::move(sheets.first_sheets);
+  finest.cells = std::move(sheets.cells);
+  finest.element_masks = std::move(sheets.element_masks);
+  finest.faces = Number_lists(std::move(sheets.first_faces), std::move(sheets.faces));
+  finest.index_keys();
+  Surface_in_grid::Links links;
+  if(m_octree.is_split() && finest.number_of_sheets() > 0)
+    surface->link(finest, links);
+  finest.links = Number_lists(finest.cells.size(), links);
+  return finest;
+}
 
-  void check_number_of_sheets(std::size_t number) const {
-    if(number > Octree_3::maximum_number_of_sheets)
-      throw Parameter_error("octree_depth", "is " + std::to_string(m_octree.depth()) +
-                                                ", which gives this surface more than " +
-                                                std::to_string(Octree_3::maximum_number_of_sheets) +
-                                                " sheets");
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::unique_ptr<Surface_in_grid>
+Octree_builder::surface_in_grid(double joining_tolerance, std::size_t fragments_at_once,
+                                const Cell_filter* filter) const {
+  Grid_input input = {m_octree.pieces(), m_octree.division(),    vertices(), m_octree.is_split(),
+                      fragments_at_once, m_octree.is_parallel(), filter};
+  if(m_octree.surface().is_point_set())
+    return std::make_unique<Points_in_grid>(std::move(input));
+  return std::make_unique<Triangles_in_grid>(std::move(input), m_octree.clipper(),
+                                             Octree_3::thin_face_height, joining_tolerance);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Octree_builder::check_number_of_sheets(std::size_t number) const {
+  if(number > Octree_3::maximum_number_of_sheets)
+    throw Parameter_error("octree_depth", "is " + std::to_string(m_octree.depth()) +
+                                              ", which gives this surface more than " +
+                                              std::to_string(Octree_3::maximum_number_of_sheets) +
+                                              " sheets");
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_level
+Octree_builder::coarser_level(Octree_level& fine, std::vector<Place>& places, bool is_split) {
+  Octree_level coarse;
+  coarse.level = fine.level - 1;
+  const auto number_of_fine_sheets = static_cast<std::uint32_t>(fine.cells.size());
+  const auto parent_key = [&fine](std::size_t sheet) { return fine.keys[fine.cells[sheet]] >> 3; };
+  Disjoint_sets sets;
+  Sheet_sorter sort;
+  sets.reset(number_of_fine_sheets);
+  for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
+    if(!is_split && sheet > 0 && parent_key(sheet - 1) == parent_key(sheet))
+      sets.unite(sheet - 1, sheet);
+    for(std::uint32_t other : fine.links[sheet])
+      if(other < sheet && parent_key(other) == parent_key(sheet))
+        sets.unite(other, sheet);
   }
-
-  /// \param places of the sheets of the next finer level; on return of those of this level
-  void build_coarser_level(int level, std::vector<Place>& places) {
-    Level &coarse = m_octree.m_levels[level], &fine = m_octree.m_levels[level + 1];
-    const auto number_of_fine_sheets = static_cast<std::uint32_t>(fine.cells.size());
-    const auto parent_key = [&fine](std::size_t sheet) {
-      return fine.keys[fine.cells[sheet]] >> 3;
-    };
-    Disjoint_sets sets;
-    Sheet_sorter sort;
-    sets.reset(number_of_fine_sheets);
-    for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
-      if(!m_octree.m_is_split && sheet > 0 && parent_key(sheet - 1) == parent_key(sheet))
-        sets.unite(sheet - 1, sheet);
-      for(std::uint32_t other : fine.links[sheet])
-        if(other < sheet && parent_key(other) == parent_key(sheet))
-          sets.unite(other, sheet);
-    }
-    fine.parents.resize(number_of_fine_sheets);
-    std::vector<Place> coarse_places;
-    for(std::uint32_t begin = 0, end = 0; begin < number_of_fine_sheets; begin = end) {
-      while(end < number_of_fine_sheets && parent_key(end) == parent_key(begin))
-        ++end;
-      const auto& firsts = sort(
-          sets, begin, end, [&places](std::uint32_t sheet) { return places[sheet]; },
-          coarse_places);
-      coarse.keys.push_back(parent_key(begin));
-      coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
-      for(std::uint32_t first : firsts) {
-        fine.parents[first] = static_cast<std::uint32_t>(coarse.cells.size());
-        coarse.cells.push_back(static_cast<std::uint32_t>(coarse.keys.size() - 1));
-        coarse.element_masks.push_back(0);
-      }
-      for(std::uint32_t sheet = begin; sheet < end; ++sheet) {
-        const std::uint32_t parent = fine.parents[sheet] = fine.parents[sets.find(sheet)];
-        coarse.element_masks[parent] |= parent_element_mask(
-            fine.element_masks[sheet], static_cast<int>(fine.keys[fine.cells[sheet]] & 7));
-      }
-    }
+  fine.parents.resize(number_of_fine_sheets);
+  std::vector<Place> coarse_places;
+  for(std::uint32_t begin = 0, end = 0; begin < number_of_fine_sheets; begin = end) {
+    while(end < number_of_fine_sheets && parent_key(end) == parent_key(begin))
+      ++end;
+    const auto& firsts = sort(
+        sets, begin, end, [&places](std::uint32_t sheet) { return places[sheet]; }, coarse_places);
+    coarse.keys.push_back(parent_key(begin));
     coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
-    coarse.index_keys();
-    places.swap(coarse_places);
-
-    std::vector<Number_lists::Pair> children, links;
-    children.reserve(number_of_fine_sheets);
-    for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
-      children.emplace_back(fine.parents[sheet], sheet);
-      for(std::uint32_t other : fine.links[sheet])
-        if(fine.parents[other] != fine.parents[sheet])
-          links.emplace_back(fine.parents[sheet], fine.parents[other]);
+    for(std::uint32_t first : firsts) {
+      fine.parents[first] = static_cast<std::uint32_t>(coarse.cells.size());
+      coarse.cells.push_back(static_cast<std::uint32_t>(coarse.keys.size() - 1));
+      coarse.element_masks.push_back(0);
     }
-    coarse.children = Number_lists(coarse.cells.size(), children);
-    coarse.links = Number_lists(coarse.cells.size(), links);
+    for(std::uint32_t sheet = begin; sheet < end; ++sheet) {
+      const std::uint32_t parent = fine.parents[sheet] = fine.parents[sets.find(sheet)];
+      coarse.element_masks[parent] |= parent_element_mask(
+          fine.element_masks[sheet], static_cast<int>(fine.keys[fine.cells[sheet]] & 7));
+    }
   }
+  coarse.first_sheets.push_back(static_cast<std::uint32_t>(coarse.cells.size()));
+  coarse.index_keys();
+  places.swap(coarse_places);
 
-  Octree_3& m_octree;
-};
+  std::vector<Number_lists::Pair> children, links;
+  children.reserve(number_of_fine_sheets);
+  for(std::uint32_t sheet = 0; sheet < number_of_fine_sheets; ++sheet) {
+    children.emplace_back(fine.parents[sheet], sheet);
+    for(std::uint32_t other : fine.links[sheet])
+      if(fine.parents[other] != fine.parents[sheet])
+        links.emplace_back(fine.parents[sheet], fine.parents[other]);
+  }
+  coarse.children = Number_lists(coarse.cells.size(), children);
+  coarse.links = Number_lists(coarse.cells.size(), links);
+  return coarse;
+}
 
 /// \throws Parameter_error if the coordinates of a surface are too large, compared with its extent,
 /// for the cells of a depth
@@ -199,6 +204,13 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double internal::checked_cube_scale(double cu
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale, bool is_split,
                    double joining_tolerance, bool is_parallel, std::size_t fragments_at_once)
+  : Octree_3(std::move(surface), depth, cube_scale, is_split, is_parallel) {
+  internal::Octree_builder(*this).build(joining_tolerance, fragments_at_once);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Octree_3::Octree_3(Triangulated_surface_3&& surface, int depth, double cube_scale, bool is_split,
+                   bool is_parallel)
   : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split),
     m_is_parallel(is_parallel) {
   if(depth < 1 || depth > maximum_octree_depth)
@@ -219,7 +231,6 @@ Octree_3::Octree_3(Triangulated_surface_3 surface, int depth, double cube_scale,
   m_wall_tolerance = (std::max)(relative_wall_tolerance,
                                 4 * std::numeric_limits<double>::epsilon() * (largest / side()));
   internal::check_digits(*this, largest);
-  internal::Octree_builder(*this).build(joining_tolerance, fragments_at_once);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Fragment Octree_3::fragment(const Cell_3& cell,

@@ -10,6 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
+#include <CGAL/Restricted_laplacian_3/splines/shared/Level_elements.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
@@ -27,7 +28,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
-class Element_numbering;
+class Partial_space;
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
@@ -110,7 +111,8 @@ struct Spline_space_options {
 /// With `paper_space(true)` only elements centered inside the grid exist, and they are not split,
 /// as in the paper (section 4.4).
 ///
-/// Elements of a level are numbered in Morton order of their cells.
+/// Elements of a level are numbered in Morton order of their cells; those centered outside the grid
+/// follow those of the nearest cell inside.
 ///
 /// *Integration.* A space knows how functions on its surface are integrated, `integration()`: by
 /// `default_integration()`, or as `integrated_by()` says.
@@ -236,18 +238,18 @@ public:
   }
 
 private:
-  struct Level {
-    std::vector<Cell_elements> elements; // of sheets
-    std::vector<std::uint32_t> first_slots;
-    std::size_t number_of_split_elements = 0;
-  };
+  friend class internal::Partial_space;
 
-  friend class internal::Element_numbering;
+  /// a part of a space, whose octree and elements were made elsewhere
+  Spline_space_3(const Options& options, Octree_3&& octree,
+                 std::vector<internal::Level_elements>&& levels);
 
-  const Level& at(int level) const {
+  const internal::Level_elements& at(int level) const {
     CGAL_precondition(level >= 0 && level <= depth());
     return (*m_levels)[level];
   }
+
+  internal::Level_elements number_elements(const internal::Octree_level& level) const;
 
   static Octree_3 make_octree(Triangulated_surface_3&& surface, const Options& o);
 
@@ -256,7 +258,7 @@ private:
 
   Options m_options;
   std::shared_ptr<const Octree_3> m_octree;
-  std::shared_ptr<const std::vector<Level>> m_levels;
+  std::shared_ptr<const std::vector<internal::Level_elements>> m_levels;
   Surface_integration m_integration;
 };
 

@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Sheet_sorter.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/Sheet_sorter.h>
 
 #include <cstddef>
 #include <cstdint>

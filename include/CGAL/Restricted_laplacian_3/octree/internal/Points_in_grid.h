@@ -9,7 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Point_links.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Surface_in_grid.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/element_masks.h>
 
 #include <algorithm>
 #include <array>
@@ -63,6 +63,11 @@ public:
             result[i] = {morton_key(cell), static_cast<std::uint32_t>(i), mask, {1, position}};
           }
         });
+    if(m_input.filter)
+      result.erase(std::remove_if(
+                       result.begin(), result.end(),
+                       [&](const Cell_fragment& fragment) { return !m_input.wants(fragment.key); }),
+                   result.end());
     stable_sort_by_key(result, 3 * m_input.vertices.depth(), m_input.is_parallel,
                        [](const Cell_fragment& fragment) { return fragment.key; });
     return result;

@@ -7,17 +7,22 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Finest_sheets.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Grid_vertices.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/Octree_level.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/Octree_level.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 namespace internal {
+
+/// whether a cell is wanted, by its Morton key; may be called from several threads at once
+using Cell_filter = std::function<bool(std::uint64_t key)>;
 
 /// What a `Surface_in_grid` is made of.
 struct Grid_input {
@@ -30,6 +35,11 @@ struct Grid_input {
   /// about how many fragments are in memory at once
   std::size_t fragments_at_once;
   bool is_parallel;
+  /// which cells are wanted; null for all
+  const Cell_filter* filter;
+
+  /// whether fragments in a cell are wanted
+  bool wants(std::uint64_t key) const { return !filter || (*filter)(key); }
 };
 
 /// The surface in the grid of the finest cells: what kind of surface it is, of triangles or of

@@ -11,7 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Seams_in_grid.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Surface_in_grid.h>
-#include <CGAL/Restricted_laplacian_3/octree/internal/element_masks.h>
+#include <CGAL/Restricted_laplacian_3/octree/shared/element_masks.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 
 #include <algorithm>
@@ -103,7 +103,7 @@ private:
     m_clipper.cut_snapped(m_input.vertices.corners(face), [&](const std::array<int, 3>& cell,
                                                               const Fragment& fragment) {
       const std::uint64_t key = morton_key(cell);
-      if(key < cells[0] || key >= cells[1])
+      if(key < cells[0] || key >= cells[1] || !m_input.wants(key))
         return;
       Place place;
       if(has_places)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_OCTREE_LEVEL_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_OCTREE_LEVEL_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_OCTREE_LEVEL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_OCTREE_LEVEL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Key_index.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
@@ -62,4 +62,4 @@ inline std::size_t Octree_level::sheet_of_face(std::size_t i, std::size_t face) 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_OCTREE_LEVEL_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_OCTREE_LEVEL_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_SHEET_SORTER_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_SHEET_SORTER_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_SHEET_SORTER_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_SHEET_SORTER_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 
@@ -78,4 +78,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_SHEET_SORTER_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_SHEET_SORTER_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_ELEMENT_MASKS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_ELEMENT_MASKS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_ELEMENT_MASKS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_ELEMENT_MASKS_H
 
 #include <array>
 #include <cstdint>
@@ -67,4 +67,4 @@ inline std::uint32_t parent_element_mask(std::uint32_t child_mask, int octant) {
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_INTERNAL_ELEMENT_MASKS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SHARED_ELEMENT_MASKS_H
