@@ -12,9 +12,9 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \ingroup PkgRestrictedLaplacian3Functions
-/// largest depth of an octree: coordinates of cells, with one more bit for the elements centered one
-/// cell outside the grid, take 21 bits each, and three of them one 64-bit key
+/// \ingroup PkgRestrictedLaplacian3Functions largest depth of an octree: coordinates of cells, with
+/// one more bit for the elements centered one cell outside the grid, take 21 bits each, and three
+/// of them one 64-bit key
 constexpr int maximum_octree_depth = 20;
 
 /// \ingroup PkgRestrictedLaplacian3Dev

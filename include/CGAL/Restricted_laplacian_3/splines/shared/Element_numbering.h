@@ -24,9 +24,9 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// Numbers the elements of a level of an octree: in Morton order of the cells that they are centered
-/// on, where those outside the grid follow the cell inside that is nearest to them. So the elements
-/// of the cells in a range of Morton keys have consecutive numbers.
+/// Numbers the elements of a level of an octree: in Morton order of the cells that they are
+/// centered on, where those outside the grid follow the cell inside that is nearest to them. So the
+/// elements of the cells in a range of Morton keys have consecutive numbers.
 class Element_numbering {
 public:
   /// \param level must outlive this object
@@ -37,8 +37,8 @@ public:
       m_is_parallel(is_parallel) {}
 
   /// A number for the cell that an element is centered on, by which elements are sorted. On all
-  /// levels but the coarsest, `center_key() >> 3` is the Morton key of the cell inside the grid that
-  /// is nearest to it.
+  /// levels but the coarsest, `center_key() >> 3` is the Morton key of the cell inside the grid
+  /// that is nearest to it.
   static std::uint64_t center_key(const Cell_3& cell) {
     std::uint64_t key = 0;
     for(int axis = 0; axis < 3; ++axis)
