@@ -51,6 +51,8 @@ endif()
 summarize_package("Spectra" "${Spectra_INCLUDE_DIR}" "${Spectra_INCLUDE_DIR}"
   "laplace_spectrum, its example and its tests are off")
 summarize_package("TBB" "${TBB_FOUND}" "${TBB_VERSION}" "programs run on one thread")
+summarize_package("PETSc over MPI" "${RESTRICTED_LAPLACIAN_3_PETSC}"
+  "${RESTRICTED_LAPLACIAN_3_PETSC}" "programs for several machines are off")
 summarize_package("OpenMesh" "${OpenMesh_FOUND}" "found"
   "examples and tests on OpenMesh meshes are off")
 summarize_package("libpng" "${PNG_FOUND}" "${PNG_VERSION_STRING}"

@@ -18,7 +18,7 @@ packages=(
 )
 others=(
   pkg-config ccache clang libclang-rt-14-dev llvm clang-format catch2
-  libbenchmark-dev libhypre-dev
+  libbenchmark-dev libhypre-dev libpetsc-real-dev libslepc-real-dev
   doxygen libjs-mathjax python3 python3-dev python3-venv hunspell hunspell-en-us
   chromium
 )

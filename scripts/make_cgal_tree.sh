@@ -101,6 +101,8 @@ if [[ -n ${DEBEMAIL-} ]]; then
   echo "${DEBFULLNAME-} <$DEBEMAIL>" >"$package/package_info/$name/maintainer"
 fi
 
+# what needs MPI
+rm -r "$package/include/CGAL/$name/distributed" "$package/test/$name/distributed"
 # The license belongs to CGAL's package Installation.
 license=Installation/include/CGAL/license
 mkdir -p "$cgal/$license"

@@ -28,7 +28,9 @@ template class Group_smoother<Patch_groups>;
                                                              Level_vectors<K>&, int) const;        \
   template void Group_smoother<Patch_groups>::residual<K>(                                         \
       const Level_vectors<K>&, const Level_vectors<K>&, Level_vectors<K>&) const;                  \
-  template void Regularized_inverse::apply<K>(const Block_vector<K>&, Block_vector<K>&) const;          \
+  template void Group_smoother<Patch_groups>::relax_color<K>(std::size_t, const Level_vectors<K>&, \
+                                                             Level_vectors<K>&, bool) const;       \
+  template void Regularized_inverse::apply<K>(const Block_vector<K>&, Block_vector<K>&) const;     \
   template void Mean_projection::project_load<K>(Block_vector<K>&) const;                          \
   template void Mean_projection::shift_solution<K>(const Block_vector<K>&, Block_vector<K>&) const;
 

@@ -43,8 +43,9 @@ Octree_builder::set_levels(std::vector<Octree_level> levels) {
   m_octree.m_levels = std::move(levels);
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Grid_vertices Octree_builder::vertices() const {
-  return {m_octree.pieces(), m_octree.m_cube, m_octree.depth(), m_octree.clipper()};
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Grid_vertices
+Octree_builder::vertices(const Octree_3& octree, const Triangulated_surface_3& surface) {
+  return {surface, octree.m_cube, octree.depth(), octree.clipper()};
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Octree_builder::build(double joining_tolerance,
@@ -101,8 +102,13 @@ Octree_builder::finest_level(double joining_tolerance, std::size_t fragments_at_
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::unique_ptr<Surface_in_grid>
 Octree_builder::surface_in_grid(double joining_tolerance, std::size_t fragments_at_once,
                                 const Cell_filter* filter) const {
-  Grid_input input = {m_octree.pieces(), m_octree.division(),    vertices(), m_octree.is_split(),
-                      fragments_at_once, m_octree.is_parallel(), filter};
+  Grid_input input = {m_octree.pieces(),
+                      m_octree.division(),
+                      vertices(m_octree, m_octree.pieces()),
+                      m_octree.is_split(),
+                      fragments_at_once,
+                      m_octree.is_parallel(),
+                      filter};
   if(m_octree.surface().is_point_set())
     return std::make_unique<Points_in_grid>(std::move(input));
   return std::make_unique<Triangles_in_grid>(std::move(input), m_octree.clipper(),

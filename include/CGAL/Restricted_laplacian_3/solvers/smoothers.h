@@ -45,6 +45,14 @@ public:
   template <int K>
   void residual(const Level_vectors<K>& b, const Level_vectors<K>& x, Level_vectors<K>& r) const;
 
+  /// number of colors of the patches
+  std::size_t number_of_colors() const;
+  /// Relaxes the groups of one color, in order or in reverse: for those who have a part of the
+  /// unknowns, and must learn others between two colors.
+  template <int K>
+  void relax_color(std::size_t color, const Level_vectors<K>& b, Level_vectors<K>& x,
+                   bool is_reversed) const;
+
   /// \name The concept
   /// Of `MultigridSmoother_3`; a step in single precision, so that corrections are accurate to
   /// about \f$10^{-6}\f$.

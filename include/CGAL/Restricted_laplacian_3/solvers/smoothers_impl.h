@@ -57,18 +57,27 @@ void Group_smoother<Implementation>::residual(const Level_vectors<K>& b, const L
 }
 
 template <class Implementation>
+std::size_t Group_smoother<Implementation>::number_of_colors() const {
+  return m_implementation->colors.size() - 1;
+}
+
+template <class Implementation>
+template <int K>
+void Group_smoother<Implementation>::relax_color(std::size_t color, const Level_vectors<K>& b,
+                                                 Level_vectors<K>& x, bool is_reversed) const {
+  const std::vector<std::uint32_t>& colors = m_implementation->colors;
+  parallel_for(m_implementation->is_parallel, colors[color], colors[color + 1], 1,
+               [&](std::size_t group, std::size_t) {
+                 m_implementation->template relax_group<K>(group, b, x, is_reversed);
+               });
+}
+
+template <class Implementation>
 template <int K>
 void Group_smoother<Implementation>::sweep(const Level_vectors<K>& b, Level_vectors<K>& x,
                                            bool is_reversed) const {
-  const std::vector<std::uint32_t>& colors = m_implementation->colors;
-  const std::size_t number_of_colors = colors.size() - 1;
-  for(std::size_t i = 0; i < number_of_colors; ++i) {
-    const std::size_t color = is_reversed ? number_of_colors - 1 - i : i;
-    parallel_for(m_implementation->is_parallel, colors[color], colors[color + 1], 1,
-                 [&](std::size_t group, std::size_t) {
-                   m_implementation->template relax_group<K>(group, b, x, is_reversed);
-                 });
-  }
+  for(std::size_t i = 0; i < number_of_colors(); ++i)
+    relax_color<K>(is_reversed ? number_of_colors() - 1 - i : i, b, x, is_reversed);
 }
 
 template <class Implementation>

@@ -253,6 +253,11 @@ private:
 
   static Octree_3 make_octree(Triangulated_surface_3&& surface, const Options& o);
 
+  /// whether elements are split, by checked options
+  static bool splits(const Triangulated_surface_3& surface, const Options& o) {
+    return surface.is_point_set() ? o.split_point_set : o.split_elements;
+  }
+
   /// with defaults, also those that depend on the surface
   static Options checked(const Triangulated_surface_3& surface, Options options);
 

@@ -7,11 +7,11 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
-#include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/Element_numbering.h>
+#include <CGAL/Restricted_laplacian_3/splines/shared/default_depth.h>
 
 #include <algorithm>
 #include <array>
@@ -27,60 +27,15 @@
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
-namespace internal {
-
-// `side` is that of the domain cube.
-inline int default_depth_of_triangles(const Triangulated_surface_3& surface, double side) {
-  constexpr int default_smallest_depth = 5;
-  constexpr int default_largest_depth = 8;
-  constexpr double least_edge_over_width = 0.5;
-  double sum = 0;
-  for(std::size_t face = 0; face < surface.number_of_faces(); ++face) {
-    for(int i = 0; i < 3; ++i) {
-      const Vector_3 edge = surface.point(face, (i + 1) % 3) - surface.point(face, i);
-      sum += std::hypot(edge.x() / side, edge.y() / side, edge.z() / side);
-    }
-  }
-  const double mean = sum / (3. * static_cast<double>(surface.number_of_faces()));
-  int depth = default_smallest_depth;
-  while(depth < default_largest_depth && std::ldexp(mean, depth) < least_edge_over_width)
-    ++depth;
-  return depth;
-}
-
-inline int default_depth_of_points(const Triangulated_surface_3& surface, double side) {
-  constexpr std::size_t points_per_cell = 50;
-  constexpr int largest_depth = 6;
-  const Point_3 center = surface.center();
-  std::vector<std::uint64_t> keys;
-  keys.reserve(surface.number_of_vertices());
-  for(std::size_t i = 0; i < surface.number_of_vertices(); ++i) {
-    std::array<int, 3> index;
-    for(int axis = 0; axis < 3; ++axis) {
-      const double x =
-          ((surface.point(i)[axis] - center[axis]) / side + 0.5) * (1 << largest_depth);
-      index[axis] = (std::min)((std::max)(static_cast<int>(x), 0), (1 << largest_depth) - 1);
-    }
-    keys.push_back(morton_key(index));
-  }
-  std::sort(keys.begin(), keys.end());
-  int depth = largest_depth;
-  for(;; --depth) {
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    if(depth == 1 || surface.number_of_vertices() >= points_per_cell * keys.size())
-      return depth;
-    for(std::uint64_t& key : keys)
-      key >>= 3;
-  }
-}
-
-} // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_octree_depth(const Triangulated_surface_3& surface,
                                                             double cube_scale) {
   const double side = internal::checked_cube_scale(cube_scale) * surface.extent();
-  return surface.is_point_set() ? internal::default_depth_of_points(surface, side)
-                                : internal::default_depth_of_triangles(surface, side);
+  if(surface.is_point_set())
+    return internal::depth_of_points(internal::cells_of_points(surface, side),
+                                     surface.number_of_vertices());
+  return internal::depth_of_edges(internal::sum_of_edges(surface) / side,
+                                  surface.number_of_faces());
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
@@ -120,7 +75,7 @@ Spline_space_3::checked_level(std::optional<int> level) const {
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_3
 Spline_space_3::make_octree(Triangulated_surface_3&& surface, const Options& o) {
   internal::check_memory(surface, *o.octree_depth, *o.cube_scale, *o.maximum_memory);
-  const bool is_split = surface.is_point_set() ? o.split_point_set : o.split_elements;
+  const bool is_split = splits(surface, o);
   return internal::name_step("not enough memory for the octree", [&] {
     return Octree_3(std::move(surface), *o.octree_depth, *o.cube_scale, is_split,
                     o.joining_tolerance.value_or(-1), o.is_parallel);

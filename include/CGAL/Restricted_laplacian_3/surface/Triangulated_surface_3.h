@@ -32,6 +32,18 @@ void check_oriented_point(std::size_t i, const Point_3& point, const Vector_3& n
 /// \throws Parameter_error unless so many faces and vertices can be numbered
 void check_size_of_surface(std::size_t vertices, std::size_t faces);
 
+/// Some of the triangles or points of a surface, whose bounding box is known: what takes part in
+/// work that is divided. Normals and areas are those of points, and empty for triangles.
+struct Part_of_surface {
+  std::vector<Point_3> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Vector_3> normals;
+  std::vector<double> areas;
+  bool is_point_set = false;
+  /// of the whole surface
+  Point_3 low, high;
+};
+
 /// a vector that is finite and not zero, divided by its length, however long or short it is
 Vector_3 unit_vector(const Vector_3& v);
 
@@ -95,6 +107,12 @@ public:
   /// sum of the areas is infinite, or the three vectors differ in length
   Triangulated_surface_3(std::vector<Point_3> points, std::vector<Vector_3> normals,
                          std::vector<double> areas);
+
+  /// \cond
+  // A part, of which there is at least one face; it may have area zero. Bounding box and extent are
+  // those of the whole surface, so all that is computed for a face is as there.
+  explicit Triangulated_surface_3(internal::Part_of_surface&& part);
+  /// \endcond
 
   /// whether the surface is given by points
   bool is_point_set() const { return m_is_point_set; }
@@ -195,6 +213,7 @@ private:
   Scaled_normal scaled_normal(std::size_t face) const;
 
   void compute_bounding_box();
+  void set_bounding_box(const Point_3& low, const Point_3& high);
 
   void compute_areas();
 

@@ -75,6 +75,22 @@ Triangulated_surface_3::Triangulated_surface_3(std::vector<Point_3> points,
         throw Invalid_face_error(f, "names a vertex that does not exist");
   compute_bounding_box();
   internal::name_step("not enough memory for the surface", [&] { compute_areas(); });
+  if(!(m_area > 0))
+    throw zero_area_error();
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Triangulated_surface_3::Triangulated_surface_3(internal::Part_of_surface&& part)
+  : m_points(std::move(part.points)), m_triangles(std::move(part.triangles)),
+    m_normals(std::move(part.normals)), m_areas(std::move(part.areas)),
+    m_is_point_set(part.is_point_set) {
+  CGAL_precondition(!m_triangles.empty());
+  set_bounding_box(part.low, part.high);
+  if(m_is_point_set)
+    for(double area : m_areas)
+      m_area += area;
+  else
+    internal::name_step("not enough memory for the surface", [&] { compute_areas(); });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3::Triangulated_surface_3(
@@ -122,8 +138,13 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Triangulated_surface_3::compute_bounding
         low[axis] = (std::min)(low[axis], x);
         high[axis] = (std::max)(high[axis], x);
       }
-  m_min = Point_3(low[0], low[1], low[2]);
-  m_max = Point_3(high[0], high[1], high[2]);
+  set_bounding_box(Point_3(low[0], low[1], low[2]), Point_3(high[0], high[1], high[2]));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Triangulated_surface_3::set_bounding_box(const Point_3& low, const Point_3& high) {
+  m_min = low;
+  m_max = high;
   m_extent = (std::max)({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
   if(m_extent == 0)
     throw zero_area_error();
@@ -139,8 +160,6 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Triangulated_surface_3::compute_areas() 
     m_area += areas[f];
   }
   m_areas = internal::Shared_array<double>(std::move(areas));
-  if(!(m_area > 0))
-    throw zero_area_error();
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Zero_area_error Triangulated_surface_3::zero_area_error() const {

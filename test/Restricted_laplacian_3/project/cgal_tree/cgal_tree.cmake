@@ -51,6 +51,7 @@ foreach(file package_info/${name}/copyright package_info/${name}/description.txt
 endforeach()
 file(GLOB_RECURSE headers "${package}/include/*.h")
 file(GLOB_RECURSE own_headers "${ROOT}/include/CGAL/${name}/*.h")
+list(FILTER own_headers EXCLUDE REGEX "/distributed/")
 list(APPEND own_headers "${ROOT}/include/CGAL/${name}.h")
 list(LENGTH headers number_of_headers)
 list(LENGTH own_headers number_of_own_headers)

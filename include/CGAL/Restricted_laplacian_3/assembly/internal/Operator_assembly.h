@@ -178,9 +178,12 @@ private:
     Range result = {m_octree.number_of_sheets(level + 1), 0};
     for(std::size_t sheet = sheets.begin; sheet < sheets.end; ++sheet) {
       const auto children = m_octree.children(level, sheet);
+      if(children.empty()) // in a part of an octree
+        continue;
       result.begin = (std::min)(result.begin, static_cast<std::size_t>(children.front()));
       result.end = (std::max)(result.end, static_cast<std::size_t>(children.back()) + 1);
     }
+    result.begin = (std::min)(result.begin, result.end);
     return result;
   }
 

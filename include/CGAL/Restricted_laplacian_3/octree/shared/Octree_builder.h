@@ -47,8 +47,8 @@ public:
   /// \param levels from 0 to the depth
   void set_levels(std::vector<Octree_level> levels);
 
-  /// the vertices of the surface in the grid of the finest cells
-  Grid_vertices vertices() const;
+  /// the vertices of a surface in the grid of the finest cells of an octree
+  static Grid_vertices vertices(const Octree_3& octree, const Triangulated_surface_3& surface);
 
 private:
   std::unique_ptr<Surface_in_grid> surface_in_grid(double joining_tolerance,

@@ -46,6 +46,18 @@ public:
     return key;
   }
 
+  /// the cell of a `center_key()` of a level that is not the coarsest
+  static Cell_3 center(int level, std::uint64_t key) {
+    Cell_3 cell = {level, morton_index(key)};
+    for(int& x : cell.index) {
+      const bool is_outside = (x & 1) != 0;
+      x >>= 1;
+      if(is_outside)
+        x = x == 0 ? -1 : x + 1;
+    }
+    return cell;
+  }
+
   /// Sorts the centers of the elements of all sheets; those of equal center are one element for
   /// each component of their sheets under the links. Chunks of sorted slots are numbered on their
   /// own, first from 0: how many elements a chunk has is known only then.

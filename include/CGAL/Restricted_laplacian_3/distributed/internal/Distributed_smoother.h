@@ -1,0 +1,335 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_INTERNAL_DISTRIBUTED_SMOOTHER_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_INTERNAL_DISTRIBUTED_SMOOTHER_H
+
+#include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
+#include <CGAL/Restricted_laplacian_3/distributed/Distributed_space.h>
+#include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_patches.h>
+#include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_rows.h>
+#include <CGAL/Restricted_laplacian_3/distributed/internal/Element_exchange.h>
+#include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
+#include <CGAL/Restricted_laplacian_3/foundation/morton_key.h>
+#include <CGAL/Restricted_laplacian_3/solvers/smoothers.h>
+#include <CGAL/Restricted_laplacian_3/splines/shared/Element_numbering.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// `Patch_smoother` of a level whose unknowns are divided among ranks: the same patches in the same
+/// order, whatever the number of ranks. Between two colors ranks tell each other what has changed.
+///
+/// A rank has the rows of the unknowns that it owns, and of those in its patches; with the columns
+/// in which these have entries they are the unknowns that it knows.
+class Distributed_smoother {
+public:
+  /// \param rows of the matrix, of the unknowns that this rank owns
+  Distributed_smoother(const Distributed_space& space, int level, const Distributed_rows& rows)
+    : m_communicator(space.communicator()) {
+    const Distributed_level& of_level = space.level(level);
+    const Distributed_patches patches = distributed_patches(space, level);
+    const Element_exchange none(m_communicator, of_level.first_elements, {});
+    // rows of others that are needed here
+    std::vector<std::uint64_t> far;
+    for(std::uint64_t unknown : patches.unknowns)
+      if(!none.owns(unknown))
+        far.push_back(unknown);
+    make_unique(far);
+    const Distributed_rows of_others = rows_of_others(m_communicator, none, rows, far);
+
+    std::vector<std::uint64_t> known = far;
+    for(std::size_t i = 0; i < rows.size(); ++i)
+      known.push_back(none.first() + i);
+    for(const Distributed_rows* r : {&rows, &of_others})
+      for(PetscInt column : r->columns)
+        if(!none.owns(static_cast<std::uint64_t>(column)))
+          known.push_back(static_cast<std::uint64_t>(column));
+    make_unique(known);
+    const Element_exchange exchange(m_communicator, of_level.first_elements, known);
+    const auto place = [&](std::uint64_t element) {
+      return static_cast<std::uint32_t>(std::lower_bound(known.begin(), known.end(), element) -
+                                        known.begin());
+    };
+    m_own = exchange.known(static_cast<std::size_t>(m_communicator.rank()));
+
+    // diagonals and centers of all that are known
+    struct Element {
+      double diagonal;
+      std::uint64_t center;
+    };
+    std::vector<Element> own(rows.size());
+    for(std::size_t i = 0; i < own.size(); ++i) {
+      own[i] = {0, of_level.own_centers[i]};
+      for(PetscInt k = rows.first[i]; k < rows.first[i + 1]; ++k)
+        if(static_cast<std::uint64_t>(rows.columns[k]) == none.first() + i)
+          own[i].diagonal = rows.values[k];
+    }
+    const std::vector<Element> elements = exchange.values(own);
+    double largest = 0;
+    for(const Element& element : own)
+      largest = (std::max)(largest, element.diagonal);
+    largest = m_communicator.maximum(largest);
+
+    Smoothing_patches smoothing;
+    set_patches(patches, place, smoothing);
+    for(const Element& element : elements) {
+      std::array<int, 3> corner = Element_numbering::center(level, element.center).index;
+      for(int& x : corner)
+        x = (x + 1) >> 1;
+      smoothing.neighborhoods.push_back(morton_key(corner));
+    }
+    std::vector<double> diagonals;
+    for(const Element& element : elements)
+      diagonals.push_back(element.diagonal);
+    m_smoother.emplace(upper_half(known, far, rows, of_others, diagonals, largest), smoothing,
+                       space.part().options().is_parallel);
+    set_lists(exchange, known, patches, place);
+  }
+
+  /// One sweep, in order or in reverse.
+  /// \param b of the unknowns that this rank owns
+  /// \param x the same; it is 0 at first if `is_zero`
+  void smooth(const double* b, double* x, bool is_reversed, bool is_zero) {
+    const std::vector<double>& d = m_smoother->scale();
+    const std::vector<std::uint32_t>& position = m_smoother->positions().of_unknown;
+    double largest = 0;
+    for(std::size_t i = m_own[0]; i < m_own[1]; ++i) {
+      largest = (std::max)(largest, std::abs(b[i - m_own[0]] * d[i]));
+      if(!is_zero)
+        largest = (std::max)(largest, std::abs(x[i - m_own[0]] / d[i]));
+    }
+    largest = m_communicator.maximum(largest);
+    m_unit = largest > 0 ? std::ldexp(1., std::ilogb(largest)) : 1;
+    m_b.set_zero(m_smoother->positions().number_of_positions);
+    m_x.set_zero(m_smoother->positions().number_of_positions);
+    for(std::size_t i = m_own[0]; i < m_own[1]; ++i)
+      *m_b.position(position[i]) = static_cast<float>(b[i - m_own[0]] * d[i] / m_unit);
+    m_all->exchange(m_b.data());
+    if(!is_zero) {
+      for(std::size_t i = m_own[0]; i < m_own[1]; ++i)
+        *m_x.position(position[i]) = static_cast<float>(x[i - m_own[0]] / d[i] / m_unit);
+      m_all->exchange(m_x.data());
+    }
+    const std::size_t colors = m_smoother->number_of_colors();
+    for(std::size_t k = 0; k < colors; ++k) {
+      const std::size_t color = is_reversed ? colors - 1 - k : k;
+      m_smoother->relax_color<1>(color, m_b, m_x, is_reversed);
+      m_of_colors[color].exchange(m_x.data());
+    }
+    for(std::size_t i = m_own[0]; i < m_own[1]; ++i)
+      x[i - m_own[0]] = *m_x.position(position[i]) * d[i] * m_unit;
+  }
+
+  /// \f$b - A x\f$ of the last call of `smooth()`
+  void residual(double* r) {
+    const std::vector<double>& d = m_smoother->scale();
+    const std::vector<std::uint32_t>& position = m_smoother->positions().of_unknown;
+    m_smoother->residual<1>(m_b, m_x, m_r);
+    for(std::size_t i = m_own[0]; i < m_own[1]; ++i)
+      r[i - m_own[0]] = *m_r.position(position[i]) / d[i] * m_unit;
+  }
+
+  /// number of unknowns that this rank owns
+  std::size_t size() const { return m_own[1] - m_own[0]; }
+  /// messages and values that this rank sends in a sweep
+  std::size_t number_of_messages() const { return count(&Neighbor_lists::number_of_messages); }
+  /// \copydoc number_of_messages
+  std::size_t number_of_values() const { return count(&Neighbor_lists::number_of_values); }
+
+private:
+  static void make_unique(std::vector<std::uint64_t>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  }
+
+  template <class Number> std::size_t count(Number number) const {
+    std::size_t result = (*m_all.*number)();
+    for(const Neighbor_lists& lists : m_of_colors)
+      result += (lists.*number)();
+    return result;
+  }
+
+  template <class Place>
+  static void set_patches(const Distributed_patches& from, Place&& place, Smoothing_patches& to) {
+    to.number_of_patches = from.patches.size();
+    std::vector<std::size_t> first(1, 0);
+    std::vector<std::uint32_t> unknowns;
+    to.groups.clear();
+    to.colors.clear();
+    std::uint32_t color = 0;
+    const auto begin_colors_up_to = [&](std::uint32_t last) {
+      for(; color <= last; ++color)
+        to.colors.push_back(static_cast<std::uint32_t>(to.groups.size()));
+    };
+    for(std::size_t p = 0; p < from.patches.size(); ++p) {
+      const Distributed_patches::Patch& patch = from.patches[p];
+      begin_colors_up_to(patch.color);
+      if(p == 0 || patch.block != from.patches[p - 1].block ||
+         patch.color != from.patches[p - 1].color)
+        to.groups.push_back(static_cast<std::uint32_t>(p));
+      for(std::size_t k = patch.first; k < patch.last; ++k)
+        unknowns.push_back(place(from.unknowns[k]));
+      first.push_back(unknowns.size());
+    }
+    begin_colors_up_to(from.number_of_colors);
+    to.groups.push_back(static_cast<std::uint32_t>(from.patches.size()));
+    to.unknowns = Number_lists(std::move(first), std::move(unknowns));
+  }
+
+  /// The rows that this rank has, as a symmetric matrix of all that are known; of the others only
+  /// the diagonals.
+  Sparse_matrix upper_half(const std::vector<std::uint64_t>& known,
+                           const std::vector<std::uint64_t>& far, const Distributed_rows& rows,
+                           const Distributed_rows& of_others, const std::vector<double>& diagonals,
+                           double largest) const {
+    const auto n = static_cast<Eigen::Index>(known.size());
+    std::vector<char> has_row(known.size(), 0);
+    std::fill(has_row.begin() + static_cast<std::ptrdiff_t>(m_own[0]),
+              has_row.begin() + static_cast<std::ptrdiff_t>(m_own[1]), 1);
+    std::vector<std::size_t> far_places;
+    for(std::uint64_t element : far) {
+      far_places.push_back(static_cast<std::size_t>(
+          std::lower_bound(known.begin(), known.end(), element) - known.begin()));
+      has_row[far_places.back()] = 1;
+    }
+    // calls visit(row, column, value) for what is stored, once for each
+    const auto for_each = [&](auto&& visit) {
+      const auto of_row = [&](std::size_t i, const Distributed_rows& from, std::size_t k) {
+        // columns ascend as what is known does
+        std::size_t j = 0;
+        for(PetscInt e = from.first[k]; e < from.first[k + 1]; ++e) {
+          const auto column = static_cast<std::uint64_t>(from.columns[e]);
+          j = static_cast<std::size_t>(
+              std::lower_bound(known.begin() + static_cast<std::ptrdiff_t>(j), known.end(),
+                               column) -
+              known.begin());
+          if(j > i || (j < i && !has_row[j]))
+            visit((std::min)(i, j), (std::max)(i, j), from.values[e]);
+        }
+      };
+      for(std::size_t i = 0; i < rows.size(); ++i)
+        of_row(m_own[0] + i, rows, i);
+      for(std::size_t k = 0; k < far.size(); ++k)
+        of_row(far_places[k], of_others, k);
+    };
+    Eigen::VectorXi sizes = Eigen::VectorXi::Ones(n); // the diagonal
+    for_each([&](std::size_t, std::size_t j, double) { ++sizes[static_cast<Eigen::Index>(j)]; });
+    Sparse_matrix result(n, n);
+    std::vector<std::size_t> first(static_cast<std::size_t>(n) + 1, 0);
+    for(Eigen::Index j = 0; j < n; ++j)
+      first[static_cast<std::size_t>(j) + 1] =
+          first[static_cast<std::size_t>(j)] + static_cast<std::size_t>(sizes[j]);
+    std::vector<std::pair<int, double>> entries(first.back());
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for_each([&](std::size_t i, std::size_t j, double value) {
+      entries[next[j]++] = {static_cast<int>(i), value};
+    });
+    for(std::size_t j = 0; j < known.size(); ++j)
+      // the scale of an unknown is the same on all ranks
+      entries[next[j]++] = {static_cast<int>(j), (std::max)(diagonals[j], 1e-30 * largest)};
+    result.resizeNonZeros(static_cast<Eigen::Index>(first.back()));
+    for(std::size_t j = 0; j < known.size(); ++j) {
+      std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first[j]),
+                entries.begin() + static_cast<std::ptrdiff_t>(first[j + 1]));
+      result.outerIndexPtr()[j + 1] = static_cast<int>(first[j + 1]);
+      for(std::size_t k = first[j]; k < first[j + 1]; ++k) {
+        result.innerIndexPtr()[k] = entries[k].first;
+        result.valuePtr()[k] = entries[k].second;
+      }
+    }
+    return result;
+  }
+
+  /// Who must learn what: the ranks that know an unknown, from the one that owns it or has relaxed
+  /// it.
+  template <class Place>
+  void set_lists(const Element_exchange& exchange, const std::vector<std::uint64_t>& known,
+                 const Distributed_patches& patches, Place&& place) {
+    const std::vector<std::uint32_t>& position = m_smoother->positions().of_unknown;
+    const auto ranks = static_cast<std::size_t>(m_communicator.size()),
+               me = static_cast<std::size_t>(m_communicator.rank());
+    std::vector<std::vector<std::uint32_t>> sent(ranks), received(ranks);
+    std::vector<std::vector<std::uint32_t>> known_by(exchange.own_size());
+    for(std::size_t rank = 0; rank < ranks; ++rank) {
+      if(rank != me)
+        for(std::size_t i = exchange.known(rank)[0]; i < exchange.known(rank)[1]; ++i)
+          received[rank].push_back(position[i]);
+      for(std::uint32_t i : exchange.known_by(rank)) {
+        if(rank != me)
+          sent[rank].push_back(position[m_own[0] + i]);
+        known_by[i].push_back(static_cast<std::uint32_t>(rank));
+      }
+    }
+    m_all.emplace(m_communicator, sent, received);
+
+    // The owner tells each rank who else knows an unknown.
+    struct Holder {
+      std::uint64_t element, rank;
+    };
+    std::vector<std::vector<Holder>> lists(ranks);
+    for(std::size_t rank = 0; rank < ranks; ++rank)
+      for(std::uint32_t i : exchange.known_by(rank))
+        for(std::uint32_t other : known_by[i])
+          if(other != rank)
+            lists[rank].push_back({exchange.first() + i, other});
+    std::vector<std::vector<std::uint32_t>> holders(known.size());
+    for(const auto& list : m_communicator.exchange(lists))
+      for(const Holder& holder : list)
+        holders[place(holder.element)].push_back(static_cast<std::uint32_t>(holder.rank));
+
+    struct Change {
+      std::uint64_t color, element;
+    };
+    std::vector<std::vector<Change>> changes(ranks);
+    std::vector<std::uint32_t> last_color(known.size(), patches.number_of_colors);
+    for(const Distributed_patches::Patch& patch : patches.patches)
+      for(std::size_t k = patch.first; k < patch.last; ++k) {
+        const std::uint32_t i = place(patches.unknowns[k]);
+        if(last_color[i] == patch.color)
+          continue;
+        last_color[i] = patch.color;
+        for(std::uint32_t rank : holders[i])
+          changes[rank].push_back({patch.color, patches.unknowns[k]});
+      }
+    const auto changes_of_others = m_communicator.exchange(changes);
+    const auto by_color = [&](const std::vector<std::vector<Change>>& from, std::uint32_t color,
+                              std::vector<std::vector<std::uint32_t>>& to) {
+      to.assign(ranks, {});
+      for(std::size_t rank = 0; rank < ranks; ++rank)
+        for(const Change& change : from[rank])
+          if(change.color == color)
+            to[rank].push_back(position[place(change.element)]);
+    };
+    for(std::uint32_t color = 0; color < patches.number_of_colors; ++color) {
+      by_color(changes, color, sent);
+      by_color(changes_of_others, color, received);
+      m_of_colors.emplace_back(m_communicator, sent, received);
+    }
+  }
+
+  Communicator m_communicator;
+  std::array<std::size_t, 2> m_own; // those that this rank owns, among those that it knows
+  std::optional<Patch_smoother> m_smoother;
+  std::optional<Neighbor_lists> m_all;
+  std::vector<Neighbor_lists> m_of_colors;
+  Level_vectors<1> m_b, m_x, m_r;
+  double m_unit = 1;
+};
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_INTERNAL_DISTRIBUTED_SMOOTHER_H

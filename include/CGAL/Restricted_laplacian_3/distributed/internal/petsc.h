@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_INTERNAL_PETSC_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_INTERNAL_PETSC_H
+
+#include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
+
+#include <petscksp.h>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// \throws Distributed_error if a function of PETSc has failed
+inline void petsc_check(PetscErrorCode code) {
+  if(code == 0)
+    return;
+  const char* text = nullptr;
+  char* specific = nullptr;
+  PetscErrorMessage(code, &text, &specific);
+  std::string message = "PETSc: ";
+  if(text)
+    message += text;
+  if(specific && *specific)
+    message += std::string(": ") + specific;
+  throw Distributed_error(message);
+}
+
+/// Owns an object of PETSc.
+template <class Object, PetscErrorCode (*destroy)(Object*)> class Petsc_handle {
+public:
+  Petsc_handle() = default;
+  Petsc_handle(const Petsc_handle&) = delete;
+  Petsc_handle& operator=(const Petsc_handle&) = delete;
+  Petsc_handle(Petsc_handle&& other) noexcept : m_object(other.m_object) {
+    other.m_object = nullptr;
+  }
+  Petsc_handle& operator=(Petsc_handle&& other) noexcept {
+    std::swap(m_object, other.m_object);
+    return *this;
+  }
+  ~Petsc_handle() {
+    if(m_object)
+      destroy(&m_object);
+  }
+
+  /// for a function that makes an object
+  Object* address() { return &m_object; }
+  operator Object() const { return m_object; }
+
+private:
+  Object m_object = nullptr;
+};
+
+using Petsc_matrix = Petsc_handle<Mat, MatDestroy>;
+using Petsc_vector = Petsc_handle<Vec, VecDestroy>;
+using Petsc_solver = Petsc_handle<KSP, KSPDestroy>;
+using Petsc_scatter = Petsc_handle<VecScatter, VecScatterDestroy>;
+using Petsc_null_space = Petsc_handle<MatNullSpace, MatNullSpaceDestroy>;
+
+/// \throws Parameter_error if there are more numbers than PETSc's indices can hold
+inline PetscInt petsc_int(std::uint64_t number) {
+  if(number > static_cast<std::uint64_t>((std::numeric_limits<PetscInt>::max)()))
+    throw Parameter_error("octree_depth", "gives more unknowns or entries, " +
+                                              std::to_string(number) +
+                                              ", than this PETSc can number: it needs one with "
+                                              "indices of 64 bits");
+  return static_cast<PetscInt>(number);
+}
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_INTERNAL_PETSC_H

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_TEST_DISTRIBUTED_SLICES_H
+#define RESTRICTED_LAPLACIAN_3_TEST_DISTRIBUTED_SLICES_H
+
+#include <CGAL/Restricted_laplacian_3/distributed/Distributed_surface.h>
+
+#include <cstddef>
+#include <utility>
+
+/// what a rank has of a surface that all of them know; uneven, and with ranks that have nothing
+inline CGAL::Restricted_laplacian_3::Surface_slice
+slice_of(const CGAL::Restricted_laplacian_3::Triangulated_surface_3& surface,
+         const CGAL::Restricted_laplacian_3::Communicator& communicator) {
+  const auto part = [&](std::size_t size) {
+    const auto ranks = static_cast<std::size_t>(communicator.size()),
+               rank = static_cast<std::size_t>(communicator.rank());
+    return std::pair<std::size_t, std::size_t>(size * rank * rank / (ranks * ranks),
+                                               size * (rank + 1) * (rank + 1) / (ranks * ranks));
+  };
+  CGAL::Restricted_laplacian_3::Surface_slice slice;
+  slice.is_point_set = surface.is_point_set();
+  const auto [first, last] = part(surface.number_of_vertices());
+  for(std::size_t v = first; v < last; ++v) {
+    slice.points.push_back(surface.point(v));
+    if(slice.is_point_set) {
+      slice.normals.push_back(surface.normal(v));
+      slice.areas.push_back(surface.area(v));
+    }
+  }
+  const auto [first_face, last_face] = part(surface.number_of_faces());
+  for(std::size_t f = first_face; f < last_face && !slice.is_point_set; ++f)
+    slice.triangles.push_back(surface.triangle(f));
+  return slice;
+}
+
+#endif // RESTRICTED_LAPLACIAN_3_TEST_DISTRIBUTED_SLICES_H
