@@ -102,7 +102,8 @@ if [[ -n ${DEBEMAIL-} ]]; then
 fi
 
 # what needs MPI
-rm -r "$package/include/CGAL/$name/distributed" "$package/test/$name/distributed"
+rm -r "$package/include/CGAL/$name/distributed" "$package/test/$name/distributed" \
+  "$package/examples/$name/distributed"
 # The license belongs to CGAL's package Installation.
 license=Installation/include/CGAL/license
 mkdir -p "$cgal/$license"

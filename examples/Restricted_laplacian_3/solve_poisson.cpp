@@ -5,6 +5,7 @@
 
 #include "support/command_line.h"
 #include "support/point_input.h"
+#include "support/poisson_input.h"
 #include "support/program.h"
 #include "support/solver_options.h"
 #include "support/surface_program.h"
@@ -14,14 +15,11 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
-#include <boost/random/normal_distribution.hpp>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <optional>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,27 +45,19 @@ NaN at vertices that have no face, or only faces without area.
       on points with normals
 )"};
 
-struct Options : Common_options, Point_options, Solver_options {
+struct Options : Common_options, Point_options, Solver_options, Poisson_options {
   Options() : Solver_options(RL::Poisson_solver::default_tolerance) {}
 
-  std::string rhs = "z", rhs_property;
-  double alpha = 0;
   std::string cycle = "v", smoother = "patch";
 };
 
 // returns false if there is nothing more to do
 bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
-  auto add = problem.add_options();
-  add("rhs", po::value(&o.rhs)->value_name("x|y|z|random")->default_value(o.rhs),
-      "f: a coordinate, or independent normal random numbers at the vertices");
-  add("rhs-property", po::value(&o.rhs_property)->value_name("NAME"),
-      "f: a vertex property of MESH, a PLY file");
-  add("alpha", po::value(&o.alpha)->value_name("A")->default_value(o.alpha),
-      "screening weight, in units of 1 / area");
+  add_poisson_options(problem, o);
   add_vertex_data_option(problem, o);
   po::options_description solver = solver_options(o, "default 0.001, or 0 with --paper");
-  add = solver.add_options();
+  auto add = solver.add_options();
   add("cycle", po::value(&o.cycle)->value_name("v|w")->default_value(o.cycle), "multigrid cycle");
   add("smoother", po::value(&o.smoother)->value_name("point|patch")->default_value(o.smoother),
       "smoother of the multigrid cycle");
@@ -82,24 +72,11 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
 
   if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
-  require_choice("rhs", o.rhs, {"x", "y", "z", "random"});
-  require(given["rhs"].defaulted() || given.count("rhs-property") == 0,
-          "give --rhs or --rhs-property, not both");
-  require(o.alpha >= 0 && std::isfinite(o.alpha), "the argument of --alpha must not be negative");
+  check_poisson_options(o, given);
   check_solver_options(o, given);
   require_choice("cycle", o.cycle, {"v", "w"});
   require_choice("smoother", o.smoother, {"point", "patch"});
   return true;
-}
-
-std::vector<double> random_values(std::size_t number, long long seed) {
-  // std::normal_distribution differs between standard libraries
-  std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
-  boost::random::normal_distribution<double> distribution;
-  std::vector<double> values(number);
-  for(double& value : values)
-    value = distribution(generator);
-  return values;
 }
 
 // f at the vertices
@@ -111,7 +88,7 @@ std::vector<double> right_hand_side(const RL::Triangulated_surface_3& surface, c
     return f;
   }
   if(o.rhs == "random")
-    return random_values(number, o.seed);
+    return random_values(0, number, o.seed);
   std::vector<double> f;
   for(std::size_t v = 0; v < number; ++v)
     f.push_back(surface.point(v)[o.rhs[0] - 'x']);

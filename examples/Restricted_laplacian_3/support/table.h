@@ -26,6 +26,8 @@ constexpr int value_column = 24;
 // What a program knows about its result, in the order in which it is printed.
 class Summary {
 public:
+  // without a line
+  Summary() = default;
   // starts with what was read
   explicit Summary(const Mesh_input& input) {
     if(input.surface.is_point_set())

@@ -5,3 +5,4 @@
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_surface_impl.h>
 #include <CGAL/Restricted_laplacian_3/distributed/surface_slices_impl.h>
 #include <CGAL/Restricted_laplacian_3/distributed/vertex_values_impl.h>
+#include <CGAL/Restricted_laplacian_3/distributed/write_in_order_impl.h>

@@ -221,6 +221,7 @@ TEST_CASE("ranges_have_about_the_same_weight", "[shapes]") {
         are_there &= is_there[face] == 1;
   CHECK(are_there);
   CHECK((communicator.size() == 1 || part.faces.size() < 0.8 * surface.number_of_faces()));
+  CHECK(communicator.concatenation(distributed.points()).size() == surface.number_of_vertices());
   CHECK(distributed.slice().faces.size() == slice_of(surface, communicator).triangles.size());
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Restricted_laplacian_3/distributed/surface_slices.h>
 #include <CGAL/Restricted_laplacian_3/distributed/vertex_values.h>
+#include <CGAL/Restricted_laplacian_3/distributed/write_in_order.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
 #include <unistd.h>
@@ -20,6 +21,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -199,6 +201,51 @@ TEST_CASE("values_at_vertices_come_in_the_order_of_the_file", "[shapes]") {
   REQUIRE(in_part.size() == space.surface_part().vertices.size());
   for(std::size_t i = 0; i < in_part.size(); ++i)
     CHECK(in_part[i] == space.surface_part().vertices[i]);
+  // of the coordinate x, over a surface with this area
+  std::vector<double> x;
+  for(const RL::Point_3& p : distributed.points())
+    x.push_back(p.x());
+  double sum = 0;
+  for(std::size_t i = 0; i < surface.number_of_faces(); ++i)
+    for(std::uint32_t v : surface.triangle(i))
+      sum += surface.area(i) * surface.point(v).x() / 3;
+  CHECK(std::abs(RL::surface_mean(distributed, x) - sum / surface.area()) <= 1e-12);
   numbers.push_back(0);
+  CHECK_THROWS_AS(RL::surface_mean(distributed, numbers), RL::Distributed_error);
   CHECK_THROWS_AS(RL::vertex_values_of_part(distributed, space, numbers), RL::Distributed_error);
+}
+
+TEST_CASE("ranks_write_a_file_in_their_order", "[shapes]") {
+  const RL::Communicator communicator;
+  const std::string file = temporary_file();
+  const auto content = [&] {
+    std::ifstream in(file, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  std::string expected = "first";
+  for(int rank = 0; rank < communicator.size(); ++rank)
+    expected += std::string(static_cast<std::size_t>(rank), static_cast<char>('a' + rank));
+  const auto parts_of = [&](int rank) {
+    return std::vector<std::string>{
+        rank == 0 ? "first" : "",
+        std::string(static_cast<std::size_t>(rank), static_cast<char>('a' + rank))};
+  };
+  for(int time = 0; time < 2; ++time) { // a new file, and one that is there
+    RL::write_in_order(communicator, file, parts_of(communicator.rank()));
+    CHECK(content() == expected);
+    CHECK(!std::filesystem::exists(file + ".part"));
+    communicator.agree([] {}); // before it is written again
+  }
+  // nothing is left where it cannot be written, and the device is still one
+  if(std::filesystem::exists("/dev/full")) {
+    CHECK_THROWS_AS(RL::write_in_order(communicator, "/dev/full", parts_of(communicator.rank())),
+                    RL::Distributed_error);
+    CHECK(!std::filesystem::is_regular_file("/dev/full"));
+  }
+  CHECK_THROWS_AS(
+      RL::write_in_order(communicator, "/no/such/folder/file", parts_of(communicator.rank())),
+      RL::Distributed_error);
+  communicator.agree([] {});
+  if(communicator.rank() == 0)
+    std::remove(file.c_str());
 }

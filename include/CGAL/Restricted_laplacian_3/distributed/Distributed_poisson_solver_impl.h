@@ -117,9 +117,64 @@ struct Gathered_shell {
   }
 };
 
+/// The smoother of a level that is divided, and the vectors that it has seen last.
+class Level_smoother {
+public:
+  std::unique_ptr<Distributed_smoother> smoother;
+
+  void remember(Vec b, Vec x) {
+    m_b = state(b);
+    m_x = state(x);
+  }
+
+  /// For PETSc: \f$b - A x\f$, by the matrix of the smoother if it has just found `x`.
+  static PetscErrorCode residual(Mat a, Vec b, Vec x, Vec r) {
+    PetscObject container = nullptr;
+    PetscCall(PetscObjectQuery(reinterpret_cast<PetscObject>(a), name, &container));
+    void* pointer = nullptr;
+    if(container)
+      PetscCall(PetscContainerGetPointer(reinterpret_cast<PetscContainer>(container), &pointer));
+    auto* const level = static_cast<Level_smoother*>(pointer);
+    if(!level || level->m_b != state(b) || level->m_x != state(x)) {
+      PetscCall(MatResidual(a, b, x, r));
+      return 0;
+    }
+    PetscScalar* values = nullptr;
+    PetscCall(VecGetArrayWrite(r, &values));
+    level->smoother->residual(values);
+    PetscCall(VecRestoreArrayWrite(r, &values));
+    return 0;
+  }
+
+  /// lets `residual()` find this object, which must live as long as the matrix
+  PetscErrorCode attach_to(Mat a) {
+    PetscContainer container = nullptr;
+    PetscCall(PetscContainerCreate(PetscObjectComm(reinterpret_cast<PetscObject>(a)), &container));
+    PetscCall(PetscContainerSetPointer(container, this));
+    PetscCall(PetscObjectCompose(reinterpret_cast<PetscObject>(a), name,
+                                 reinterpret_cast<PetscObject>(container)));
+    PetscCall(PetscContainerDestroy(&container));
+    return 0;
+  }
+
+private:
+  static constexpr const char* name = "Restricted_laplacian_3_smoother";
+  /// which vector, and how often it has changed
+  using State = std::pair<PetscObjectId, PetscObjectState>;
+
+  static State state(Vec v) {
+    State result = {0, 0};
+    PetscObjectGetId(reinterpret_cast<PetscObject>(v), &result.first);
+    PetscObjectStateGet(reinterpret_cast<PetscObject>(v), &result.second);
+    return result;
+  }
+
+  State m_b = {0, 0}, m_x = {0, 0};
+};
+
 /// what PETSc calls to smooth on a level that is divided
 struct Smoother_shell {
-  Distributed_smoother* smoother;
+  Level_smoother* level;
   bool is_reversed;
 
   static PetscErrorCode sweep(PC pc, Vec b, Vec x, PetscInt steps, bool is_zero) {
@@ -131,9 +186,10 @@ struct Smoother_shell {
     PetscCall(VecGetArrayRead(b, &load));
     PetscCall(VecGetArray(x, &solution));
     for(PetscInt step = 0; step < steps; ++step)
-      shell.smoother->smooth(load, solution, shell.is_reversed, is_zero && step == 0);
+      shell.level->smoother->smooth(load, solution, shell.is_reversed, is_zero && step == 0);
     PetscCall(VecRestoreArray(x, &solution));
     PetscCall(VecRestoreArrayRead(b, &load));
+    shell.level->remember(b, x);
     return 0;
   }
 
@@ -309,8 +365,10 @@ struct Distributed_poisson_solver::Impl {
           internal::sum_of_matrices(communicator, of_elements, of_level.elements, a);
       Sparse_matrix().swap(a);
       const std::size_t size = of_elements.own_size();
-      smoothers[i] = std::make_unique<internal::Distributed_smoother>(space, level, rows);
+      smoothers[i] = std::make_unique<internal::Level_smoother>();
+      smoothers[i]->smoother = std::make_unique<internal::Distributed_smoother>(space, level, rows);
       matrices[i] = internal::petsc_matrix(communicator, rows, size);
+      internal::petsc_check(smoothers[i]->attach_to(matrices[i]));
       Sparse_matrix p;
       communicator.agree([&] { p = prolongation_matrix(space.part(), level - 1); });
       prolongations[i] = internal::petsc_matrix(
@@ -416,6 +474,9 @@ struct Distributed_poisson_solver::Impl {
     petsc_check(PCShellSetName(coarse_pc, "a cycle that each rank makes"));
     petsc_check(KSPSetFromOptions(solver));
     petsc_check(KSPSetUp(solver));
+    // what the setup says of the finest level is replaced
+    for(PetscInt i = 1; i < number && is_multigrid(); ++i)
+      petsc_check(PCMGSetResidual(pc, i, internal::Level_smoother::residual, matrices[i]));
     for(std::size_t i = 0; i < matrices.size(); ++i) {
       vectors.emplace_back();
       for(internal::Petsc_vector* v : {&vectors[i].b, &vectors[i].x, &vectors[i].r})
@@ -458,7 +519,7 @@ struct Distributed_poisson_solver::Impl {
     petsc_check(VecSet(v.x, 0));
     petsc_check(KSPSetInitialGuessNonzero(level_solver(level, false), PETSC_FALSE));
     petsc_check(KSPSolve(level_solver(level, false), b, v.x));
-    petsc_check(MatResidual(matrices[level], b, v.x, v.r));
+    petsc_check(internal::Level_smoother::residual(matrices[level], b, v.x, v.r));
     petsc_check(MatMultTranspose(prolongations[level], v.r, coarse.r));
     make_cycle(level - 1);
     petsc_check(MatMultAdd(prolongations[level], coarse.x, v.x, v.x));
@@ -596,7 +657,7 @@ struct Distributed_poisson_solver::Impl {
   std::size_t coarse_size = 0;
   std::unique_ptr<internal::Gathered_cycle> cycle;
   std::unique_ptr<internal::Distributed_means> means;
-  std::vector<std::unique_ptr<internal::Distributed_smoother>> smoothers;
+  std::vector<std::unique_ptr<internal::Level_smoother>> smoothers;
   std::vector<std::unique_ptr<internal::Smoother_shell>> shells;
   mutable internal::Gathered_shell gathered_shell;
   struct Level_vectors {

@@ -62,6 +62,8 @@ public:
   const Communicator& communicator() const { return m_communicator; }
   /// the faces of the slice of this rank
   const Surface_part& slice() const { return m_slice.front(); }
+  /// the vertices of the slice of this rank
+  const std::vector<Point_3>& points() const { return m_points; }
   /// whether it is a point set
   bool is_point_set() const { return m_is_point_set; }
   /// of the whole surface
@@ -109,6 +111,7 @@ private:
   std::uint64_t m_number_of_faces = 0, m_number_of_degenerate_faces = 0;
   double m_area = 0;
   Point_3 m_low, m_high;
+  std::vector<Point_3> m_points;
   std::vector<Surface_part> m_slice; // one
 };
 

@@ -84,6 +84,7 @@ Distributed_surface::Distributed_surface(const Communicator& communicator, Surfa
           {first_vertex + static_cast<std::uint32_t>(i), slice.points[i], normal, area});
     }
   });
+  m_points = std::move(slice.points);
   const auto answers =
       communicator.ask(wanted, [&](std::uint32_t v) { return vertices[v - first_vertex]; });
   for(const auto& list : answers)

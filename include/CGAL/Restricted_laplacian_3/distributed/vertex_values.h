@@ -25,6 +25,14 @@ std::vector<double> values_at_vertices(const Distributed_surface& surface,
                                        const Distributed_space& space,
                                        const Eigen::VectorXd& coefficients);
 
+/// \ingroup PkgRestrictedLaplacian3Distributed The mean over the surface of the function that is
+/// linear in each triangle, or has a value at each point.
+/// \param surface whose slices the vertices are in
+/// \param values at the vertices of the slice of this rank, in their order; those of vertices
+/// without a face of positive area do not count
+/// \throws Distributed_error if there are not as many values as vertices on a rank
+double surface_mean(const Distributed_surface& surface, const std::vector<double>& values);
+
 /// \ingroup PkgRestrictedLaplacian3Distributed
 /// Values at the vertices of the surface of `Distributed_space::part()`, from those at the vertices
 /// of the slices.

@@ -20,12 +20,19 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// The vertices of the part of a surface, each of which is in the slice of one rank.
+/// The vertices of a part of a surface, each of which is in the slice of one rank.
 inline Element_exchange vertex_exchange(const Distributed_surface& surface,
-                                        const Distributed_space& space) {
-  const std::vector<std::uint32_t>& vertices = space.surface_part().vertices;
+                                        const Surface_part& part) {
   return Element_exchange(surface.communicator(), surface.first_vertices(),
-                          std::vector<std::uint64_t>(vertices.begin(), vertices.end()));
+                          std::vector<std::uint64_t>(part.vertices.begin(), part.vertices.end()));
+}
+
+inline void check_number_of_values(const Distributed_surface& surface,
+                                   const std::vector<double>& values) {
+  surface.communicator().agree([&] {
+    if(values.size() != surface.points().size())
+      throw Parameter_error("values", "are not those of the vertices of the slice");
+  });
 }
 
 } // namespace internal
@@ -33,7 +40,8 @@ inline Element_exchange vertex_exchange(const Distributed_surface& surface,
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 values_at_vertices(const Distributed_surface& surface, const Distributed_space& space,
                    const Eigen::VectorXd& coefficients) {
-  const internal::Element_exchange exchange = internal::vertex_exchange(surface, space);
+  const internal::Element_exchange exchange =
+      internal::vertex_exchange(surface, space.surface_part());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const int level = space.depth();
   const Octree_3& octree = space.part().octree();
@@ -70,12 +78,21 @@ values_at_vertices(const Distributed_surface& surface, const Distributed_space& 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 vertex_values_of_part(const Distributed_surface& surface, const Distributed_space& space,
                       const std::vector<double>& values) {
-  const internal::Element_exchange exchange = internal::vertex_exchange(surface, space);
-  surface.communicator().agree([&] {
-    if(values.size() != exchange.own_size())
-      throw Parameter_error("values", "are not those of the vertices of the slice");
-  });
-  return exchange.values(values);
+  internal::check_number_of_values(surface, values);
+  return internal::vertex_exchange(surface, space.surface_part()).values(values);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double surface_mean(const Distributed_surface& surface,
+                                                       const std::vector<double>& values) {
+  internal::check_number_of_values(surface, values);
+  const Surface_part& slice = surface.slice();
+  const std::vector<double> of_slice = internal::vertex_exchange(surface, slice).values(values);
+  double sum = 0;
+  for(std::size_t f = 0; f < slice.faces.size(); ++f)
+    for(std::uint32_t v : slice.surface.triangle(f))
+      if(slice.surface.area(f) > 0)
+        sum += slice.surface.area(f) * of_slice[v] / 3;
+  return surface.communicator().sum(sum) / surface.area();
 }
 
 } // namespace Restricted_laplacian_3

@@ -55,26 +55,15 @@ inline Distributed_patches distributed_patches(const Distributed_space& space, i
   struct Member {
     std::uint64_t sheet, unknown;
   };
-  std::vector<std::vector<Member>> members(static_cast<std::size_t>(communicator.size()));
-  for(std::size_t sheet = 0; sheet < octree.number_of_sheets(level - 1); ++sheet) {
-    const std::uint64_t first_child = octree.cell(level - 1, sheet).key() << 3;
-    std::vector<Member>& list = members[space.ranges().owner(level, first_child)];
-    for(std::uint32_t child : octree.children(level - 1, sheet))
-      for(std::uint32_t element : space.part().elements(level, child))
-        if(element != no_element)
-          list.push_back({space.level(level - 1).first_sheet + sheet, of_level.elements[element]});
-  }
-  std::vector<Member> all;
-  for(const auto& list : communicator.exchange(members))
-    all.insert(all.end(), list.begin(), list.end());
-  std::sort(all.begin(), all.end(), [](const Member& a, const Member& b) {
-    return std::tie(a.sheet, a.unknown) < std::tie(b.sheet, b.unknown);
-  });
   const std::uint64_t first_sheet = space.level(level - 1).first_sheet;
-  for(std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+  const bool are_whole = level - 1 > space.gathered_level();
+  std::vector<std::vector<Member>> members(static_cast<std::size_t>(communicator.size()));
+  std::vector<std::uint64_t> unknowns;
+  // `unknowns` become a patch
+  const auto add_patch = [&](std::uint64_t sheet) {
     const std::array<int, 3> cell =
-        octree.cell(level - 1, static_cast<std::size_t>(all[begin].sheet - first_sheet)).index;
-    Distributed_patches::Patch patch = {0, 0, all[begin].sheet, result.unknowns.size(), 0};
+        octree.cell(level - 1, static_cast<std::size_t>(sheet - first_sheet)).index;
+    Distributed_patches::Patch patch = {0, 0, sheet, result.unknowns.size(), 0};
     std::array<int, 3> block;
     for(int axis = 2; axis >= 0; --axis) {
       block[axis] = cell[axis] >> log_width;
@@ -82,11 +71,40 @@ inline Distributed_patches distributed_patches(const Distributed_space& space, i
                     static_cast<std::uint32_t>(block[axis] % period);
     }
     patch.block = morton_key(block);
-    for(; end < all.size() && all[end].sheet == all[begin].sheet; ++end)
-      if(end == begin || all[end].unknown != all[end - 1].unknown)
-        result.unknowns.push_back(all[end].unknown);
+    result.unknowns.insert(result.unknowns.end(), unknowns.begin(), unknowns.end());
     patch.last = result.unknowns.size();
     result.patches.push_back(patch);
+  };
+  for(std::size_t sheet = 0; sheet < octree.number_of_sheets(level - 1); ++sheet) {
+    unknowns.clear();
+    for(std::uint32_t child : octree.children(level - 1, sheet))
+      for(std::uint32_t element : space.part().elements(level, child))
+        if(element != no_element)
+          unknowns.push_back(of_level.elements[element]);
+    std::sort(unknowns.begin(), unknowns.end());
+    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+    if(are_whole) {
+      add_patch(first_sheet + sheet);
+      continue;
+    }
+    const std::uint64_t first_child = octree.cell(level - 1, sheet).key() << 3;
+    for(std::uint64_t unknown : unknowns)
+      members[space.ranges().owner(level, first_child)].push_back({first_sheet + sheet, unknown});
+  }
+  if(!are_whole) {
+    std::vector<Member> all;
+    for(const auto& list : communicator.exchange(members))
+      all.insert(all.end(), list.begin(), list.end());
+    std::sort(all.begin(), all.end(), [](const Member& a, const Member& b) {
+      return std::tie(a.sheet, a.unknown) < std::tie(b.sheet, b.unknown);
+    });
+    for(std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+      unknowns.clear();
+      for(; end < all.size() && all[end].sheet == all[begin].sheet; ++end)
+        if(unknowns.empty() || unknowns.back() != all[end].unknown)
+          unknowns.push_back(all[end].unknown);
+      add_patch(all[begin].sheet);
+    }
   }
   std::sort(result.patches.begin(), result.patches.end(),
             [](const Distributed_patches::Patch& a, const Distributed_patches::Patch& b) {

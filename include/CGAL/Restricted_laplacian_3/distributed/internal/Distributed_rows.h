@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -109,33 +110,45 @@ inline Distributed_rows rows_of_owner(const Communicator& communicator,
                                       const std::vector<std::uint64_t>& columns,
                                       const Sparse_matrix& a) {
   const Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows = a;
+  using Row = decltype(by_rows)::InnerIterator;
+  const auto me = static_cast<std::size_t>(communicator.rank());
   std::vector<std::vector<Matrix_entry>> lists(static_cast<std::size_t>(communicator.size()));
   for(std::size_t rank = 0; rank < lists.size(); ++rank)
-    for(std::size_t i = exchange.known(rank)[0]; i < exchange.known(rank)[1]; ++i)
-      for(decltype(by_rows)::InnerIterator k(by_rows, static_cast<int>(i)); k; ++k)
+    for(std::size_t i = exchange.known(rank)[0]; i < exchange.known(rank)[1] && rank != me; ++i)
+      for(Row k(by_rows, static_cast<int>(i)); k; ++k)
         lists[rank].push_back({elements[i], columns[static_cast<std::size_t>(k.col())], k.value()});
   const auto received = communicator.exchange(lists);
-  // the first rank that has a row
-  std::vector<std::size_t> rank_of_row(exchange.own_size(), received.size());
-  std::vector<std::size_t> place_of_row(exchange.own_size());
+  // where rows are that are not known here: the first rank that has one
+  constexpr std::size_t nowhere = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::size_t> rank_of_row(exchange.own_size(), nowhere),
+      place_of_row(exchange.own_size());
+  for(std::size_t i = exchange.known(me)[0]; i < exchange.known(me)[1]; ++i) {
+    const auto row = static_cast<std::size_t>(elements[i] - exchange.first());
+    rank_of_row[row] = me;
+    place_of_row[row] = i;
+  }
   for(std::size_t rank = 0; rank < received.size(); ++rank)
     for(std::size_t k = 0; k < received[rank].size(); ++k) {
       const auto row = static_cast<std::size_t>(received[rank][k].row - exchange.first());
-      if(rank_of_row[row] < received.size())
+      if(rank_of_row[row] != nowhere)
         continue;
       rank_of_row[row] = rank;
       place_of_row[row] = k;
     }
   Distributed_rows result;
+  const auto add = [&](std::uint64_t column, double value) {
+    result.columns.push_back(petsc_int(column));
+    result.values.push_back(value);
+  };
   for(std::size_t i = 0; i < exchange.own_size(); ++i) {
-    if(rank_of_row[i] < received.size()) {
-      const std::vector<Matrix_entry>& list = received[rank_of_row[i]];
-      for(std::size_t k = place_of_row[i]; k < list.size() && list[k].row == exchange.first() + i;
-          ++k) {
-        result.columns.push_back(petsc_int(list[k].column));
-        result.values.push_back(list[k].value);
-      }
-    }
+    const std::size_t rank = rank_of_row[i];
+    if(rank == me)
+      for(Row k(by_rows, static_cast<int>(place_of_row[i])); k; ++k)
+        add(columns[static_cast<std::size_t>(k.col())], k.value());
+    else if(rank != nowhere)
+      for(std::size_t k = place_of_row[i];
+          k < received[rank].size() && received[rank][k].row == exchange.first() + i; ++k)
+        add(received[rank][k].column, received[rank][k].value);
     result.first.push_back(petsc_int(result.columns.size()));
   }
   return result;

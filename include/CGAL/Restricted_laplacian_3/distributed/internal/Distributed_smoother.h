@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -58,11 +59,15 @@ public:
           known.push_back(static_cast<std::uint64_t>(column));
     make_unique(known);
     const Element_exchange exchange(m_communicator, of_level.first_elements, known);
-    const auto place = [&](std::uint64_t element) {
-      return static_cast<std::uint32_t>(std::lower_bound(known.begin(), known.end(), element) -
-                                        known.begin());
-    };
     m_own = exchange.known(static_cast<std::size_t>(m_communicator.rank()));
+    const std::uint64_t first = none.first();
+    // those that are owned are consecutive, and most of all
+    const auto place = [&, first](std::uint64_t element) {
+      return none.owns(element)
+                 ? static_cast<std::uint32_t>(m_own[0] + (element - first))
+                 : static_cast<std::uint32_t>(
+                       std::lower_bound(known.begin(), known.end(), element) - known.begin());
+    };
 
     // diagonals and centers of all that are known
     struct Element {
@@ -93,7 +98,7 @@ public:
     std::vector<double> diagonals;
     for(const Element& element : elements)
       diagonals.push_back(element.diagonal);
-    m_smoother.emplace(upper_half(known, far, rows, of_others, diagonals, largest), smoothing,
+    m_smoother.emplace(upper_half(place, far, rows, of_others, diagonals, largest), smoothing,
                        space.part().options().is_parallel);
     set_lists(exchange, known, patches, place);
   }
@@ -190,64 +195,62 @@ private:
 
   /// The rows that this rank has, as a symmetric matrix of all that are known; of the others only
   /// the diagonals.
-  Sparse_matrix upper_half(const std::vector<std::uint64_t>& known,
-                           const std::vector<std::uint64_t>& far, const Distributed_rows& rows,
-                           const Distributed_rows& of_others, const std::vector<double>& diagonals,
-                           double largest) const {
-    const auto n = static_cast<Eigen::Index>(known.size());
-    std::vector<char> has_row(known.size(), 0);
+  template <class Place>
+  Sparse_matrix upper_half(Place&& place, const std::vector<std::uint64_t>& far,
+                           const Distributed_rows& rows, const Distributed_rows& of_others,
+                           const std::vector<double>& diagonals, double largest) const {
+    const std::size_t n = diagonals.size();
+    std::vector<char> has_row(n, 0);
     std::fill(has_row.begin() + static_cast<std::ptrdiff_t>(m_own[0]),
               has_row.begin() + static_cast<std::ptrdiff_t>(m_own[1]), 1);
-    std::vector<std::size_t> far_places;
-    for(std::uint64_t element : far) {
-      far_places.push_back(static_cast<std::size_t>(
-          std::lower_bound(known.begin(), known.end(), element) - known.begin()));
-      has_row[far_places.back()] = 1;
-    }
-    // calls visit(row, column, value) for what is stored, once for each
+    for(std::uint64_t element : far)
+      has_row[place(element)] = 1;
+    // Calls visit(row, column, value) for what is stored, once for each; rows ascend.
     const auto for_each = [&](auto&& visit) {
       const auto of_row = [&](std::size_t i, const Distributed_rows& from, std::size_t k) {
-        // columns ascend as what is known does
-        std::size_t j = 0;
         for(PetscInt e = from.first[k]; e < from.first[k + 1]; ++e) {
-          const auto column = static_cast<std::uint64_t>(from.columns[e]);
-          j = static_cast<std::size_t>(
-              std::lower_bound(known.begin() + static_cast<std::ptrdiff_t>(j), known.end(),
-                               column) -
-              known.begin());
+          const std::size_t j = place(static_cast<std::uint64_t>(from.columns[e]));
           if(j > i || (j < i && !has_row[j]))
             visit((std::min)(i, j), (std::max)(i, j), from.values[e]);
         }
       };
+      std::size_t k = 0;
+      for(; k < far.size() && place(far[k]) < m_own[0]; ++k)
+        of_row(place(far[k]), of_others, k);
       for(std::size_t i = 0; i < rows.size(); ++i)
         of_row(m_own[0] + i, rows, i);
-      for(std::size_t k = 0; k < far.size(); ++k)
-        of_row(far_places[k], of_others, k);
+      for(; k < far.size(); ++k)
+        of_row(place(far[k]), of_others, k);
     };
-    Eigen::VectorXi sizes = Eigen::VectorXi::Ones(n); // the diagonal
-    for_each([&](std::size_t, std::size_t j, double) { ++sizes[static_cast<Eigen::Index>(j)]; });
-    Sparse_matrix result(n, n);
-    std::vector<std::size_t> first(static_cast<std::size_t>(n) + 1, 0);
-    for(Eigen::Index j = 0; j < n; ++j)
-      first[static_cast<std::size_t>(j) + 1] =
-          first[static_cast<std::size_t>(j)] + static_cast<std::size_t>(sizes[j]);
-    std::vector<std::pair<int, double>> entries(first.back());
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    std::vector<int> next(n + 1, 0);
+    for_each([&](std::size_t, std::size_t j, double) { ++next[j + 1]; });
+    Sparse_matrix result(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    int* const first = result.outerIndexPtr();
+    for(std::size_t j = 0; j < n; ++j) {
+      first[j + 1] = first[j] + next[j + 1] + 1; // with the diagonal
+      next[j] = first[j];
+    }
+    result.resizeNonZeros(first[n]);
+    int* const inner = result.innerIndexPtr();
+    double* const values = result.valuePtr();
     for_each([&](std::size_t i, std::size_t j, double value) {
-      entries[next[j]++] = {static_cast<int>(i), value};
+      inner[next[j]] = static_cast<int>(i);
+      values[next[j]++] = value;
     });
-    for(std::size_t j = 0; j < known.size(); ++j)
-      // the scale of an unknown is the same on all ranks
-      entries[next[j]++] = {static_cast<int>(j), (std::max)(diagonals[j], 1e-30 * largest)};
-    result.resizeNonZeros(static_cast<Eigen::Index>(first.back()));
-    for(std::size_t j = 0; j < known.size(); ++j) {
-      std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first[j]),
-                entries.begin() + static_cast<std::ptrdiff_t>(first[j + 1]));
-      result.outerIndexPtr()[j + 1] = static_cast<int>(first[j + 1]);
-      for(std::size_t k = first[j]; k < first[j + 1]; ++k) {
-        result.innerIndexPtr()[k] = entries[k].first;
-        result.valuePtr()[k] = entries[k].second;
+    std::vector<std::pair<int, double>> column;
+    for(std::size_t j = 0; j < n; ++j) {
+      // Rows that are not here come late.
+      if(!std::is_sorted(inner + first[j], inner + next[j])) {
+        column.clear();
+        for(int k = first[j]; k < next[j]; ++k)
+          column.emplace_back(inner[k], values[k]);
+        std::sort(column.begin(), column.end());
+        for(int k = first[j]; k < next[j]; ++k)
+          std::tie(inner[k], values[k]) = column[static_cast<std::size_t>(k - first[j])];
       }
+      // the scale of an unknown is the same on all ranks
+      inner[next[j]] = static_cast<int>(j);
+      values[next[j]] = (std::max)(diagonals[j], 1e-30 * largest);
     }
     return result;
   }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
 
+#include <petsc/private/petscimpl.h>
 #include <petscksp.h>
 
 #include <cstdint>
