@@ -12,10 +12,12 @@
 #include <CGAL/Restricted_laplacian_3/distributed/write_in_order.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -236,7 +238,23 @@ TEST_CASE("ranks_write_a_file_in_their_order", "[shapes]") {
     CHECK(!std::filesystem::exists(file + ".part"));
     communicator.agree([] {}); // before it is written again
   }
-  // nothing is left where it cannot be written, and the device is still one
+  // a disk that is full for the last rank: what was there remains, and nothing else
+  const bool is_last = communicator.rank() == communicator.size() - 1;
+  rlimit limit, small;
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &limit) == 0);
+  small = limit;
+  small.rlim_cur = 1 << 16;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  REQUIRE(setrlimit(RLIMIT_FSIZE, is_last ? &small : &limit) == 0);
+  CHECK_THROWS_AS(RL::write_in_order(communicator, file, {std::string(1 << 17, 'x')}),
+                  RL::Distributed_error);
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &limit) == 0);
+  std::signal(SIGXFSZ, handler);
+  communicator.agree([] {});
+  CHECK(content() == expected);
+  CHECK(!std::filesystem::exists(file + ".part"));
+  communicator.agree([] {});
+  // the device is still one
   if(std::filesystem::exists("/dev/full")) {
     CHECK_THROWS_AS(RL::write_in_order(communicator, "/dev/full", parts_of(communicator.rank())),
                     RL::Distributed_error);

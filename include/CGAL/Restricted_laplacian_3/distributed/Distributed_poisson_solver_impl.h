@@ -419,7 +419,6 @@ struct Distributed_poisson_solver::Impl {
     const MPI_Comm comm = space.communicator().get();
     const auto number = static_cast<PetscInt>(matrices.size());
     make_gathered_matrix();
-    petsc_check(MatSetOption(matrices.back(), MAT_SYMMETRIC, PETSC_TRUE));
     petsc_check(MatNullSpaceCreate(comm, PETSC_FALSE, 0, nullptr, null_space.address()));
     petsc_check(MatNullSpaceSetFunction(null_space, internal::Distributed_means::remove_kernel,
                                         means.get()));
@@ -473,10 +472,14 @@ struct Distributed_poisson_solver::Impl {
     petsc_check(PCShellSetApply(coarse_pc, internal::Gathered_shell::apply));
     petsc_check(PCShellSetName(coarse_pc, "a cycle that each rank makes"));
     petsc_check(KSPSetFromOptions(solver));
+    if(is_multigrid())
+      for(PetscInt i = 1; i < number; ++i)
+        petsc_check(PCMGSetResidual(pc, i, internal::Level_smoother::residual, matrices[i]));
+    else
+      // Other methods like to know. With this smoother PETSc would project all loads of the finest
+      // level once more, and give it copies.
+      petsc_check(MatSetOption(matrices.back(), MAT_SYMMETRIC, PETSC_TRUE));
     petsc_check(KSPSetUp(solver));
-    // what the setup says of the finest level is replaced
-    for(PetscInt i = 1; i < number && is_multigrid(); ++i)
-      petsc_check(PCMGSetResidual(pc, i, internal::Level_smoother::residual, matrices[i]));
     for(std::size_t i = 0; i < matrices.size(); ++i) {
       vectors.emplace_back();
       for(internal::Petsc_vector* v : {&vectors[i].b, &vectors[i].x, &vectors[i].r})
