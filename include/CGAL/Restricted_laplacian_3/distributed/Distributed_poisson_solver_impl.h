@@ -419,16 +419,17 @@ struct Distributed_poisson_solver::Impl {
     const MPI_Comm comm = space.communicator().get();
     const auto number = static_cast<PetscInt>(matrices.size());
     make_gathered_matrix();
+    make_operator();
     petsc_check(MatNullSpaceCreate(comm, PETSC_FALSE, 0, nullptr, null_space.address()));
     petsc_check(MatNullSpaceSetFunction(null_space, internal::Distributed_means::remove_kernel,
                                         means.get()));
     if(means->kernel_dimension() > 0)
-      petsc_check(MatSetNullSpace(matrices.back(), null_space));
+      petsc_check(MatSetNullSpace(singular, null_space));
 
     petsc_check(KSPCreate(comm, solver.address()));
     petsc_check(KSPSetType(solver, KSPCG));
     petsc_check(KSPSetNormType(solver, KSP_NORM_UNPRECONDITIONED));
-    petsc_check(KSPSetOperators(solver, matrices.back(), matrices.back()));
+    petsc_check(KSPSetOperators(solver, singular, matrices.back()));
     petsc_check(KSPSetTolerances(
         solver, options.relative_tolerance.value_or(Poisson_solver_options::default_tolerance),
         PETSC_DEFAULT, PETSC_DEFAULT, options.maximum_iterations));
@@ -472,14 +473,12 @@ struct Distributed_poisson_solver::Impl {
     petsc_check(PCShellSetApply(coarse_pc, internal::Gathered_shell::apply));
     petsc_check(PCShellSetName(coarse_pc, "a cycle that each rank makes"));
     petsc_check(KSPSetFromOptions(solver));
-    if(is_multigrid())
-      for(PetscInt i = 1; i < number; ++i)
-        petsc_check(PCMGSetResidual(pc, i, internal::Level_smoother::residual, matrices[i]));
-    else
-      // Other methods like to know. With this smoother PETSc would project all loads of the finest
-      // level once more, and give it copies.
+    if(!is_multigrid()) // other methods like to know
       petsc_check(MatSetOption(matrices.back(), MAT_SYMMETRIC, PETSC_TRUE));
     petsc_check(KSPSetUp(solver));
+    // after the setup, which sets that of the finest level
+    for(PetscInt i = 1; i < number && is_multigrid(); ++i)
+      petsc_check(PCMGSetResidual(pc, i, internal::Level_smoother::residual, matrices[i]));
     for(std::size_t i = 0; i < matrices.size(); ++i) {
       vectors.emplace_back();
       for(internal::Petsc_vector* v : {&vectors[i].b, &vectors[i].x, &vectors[i].r})
@@ -555,6 +554,24 @@ struct Distributed_poisson_solver::Impl {
       petsc_check(VecAXPY(solutions[level], 1, v.x));
     }
     petsc_check(MatMult(prolongations[finest], solutions[finest - 1], x));
+  }
+
+  /// The matrix as conjugate gradients see it. What is known of its kernel is not for the smoother
+  /// of the finest level: PETSc would project its vectors, which are copied for that.
+  void make_operator() {
+    using internal::petsc_check;
+    PetscInt rows = 0;
+    Mat a = matrices.back();
+    petsc_check(MatGetLocalSize(a, &rows, nullptr));
+    petsc_check(MatCreateShell(space.communicator().get(), rows, rows, PETSC_DETERMINE,
+                               PETSC_DETERMINE, a, singular.address()));
+    PetscErrorCode (*const multiply)(Mat, Vec, Vec) = [](Mat shell, Vec x, Vec y) {
+      void* context = nullptr;
+      PetscCall(MatShellGetContext(shell, &context));
+      PetscCall(MatMult(static_cast<Mat>(context), x, y));
+      return PetscErrorCode(0);
+    };
+    petsc_check(MatShellSetOperation(singular, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
   }
 
   void make_gathered_matrix() {
@@ -669,6 +686,7 @@ struct Distributed_poisson_solver::Impl {
   std::vector<Level_vectors> vectors; // of PETSc's levels, as the following
   // of PETSc's levels: the first is the gathered one
   std::vector<internal::Petsc_matrix> matrices, prolongations;
+  internal::Petsc_matrix singular;
   internal::Petsc_null_space null_space;
   internal::Petsc_solver solver;
   double assembly_seconds = 0, setup_seconds = 0;
