@@ -113,7 +113,7 @@ enter "$license/gpl_package_list.txt" "$name $title" "QP_solver "
 find "$package/include" -name "*.h" | while read -r header; do with_cgal_header "$header"; done
 
 cd "$package/test/$name"
-rm -rf project programs catch_main.cpp every_test_source_holds_tests.cmake
+rm -rf project programs catch_main.cpp catch_counter.h every_test_source_holds_tests.cmake
 cp "$own/catch.h" .
 for test in test_*.cpp; do mv "$test" "test_RL3_${test#test_}"; done
 cmake_lists Tests

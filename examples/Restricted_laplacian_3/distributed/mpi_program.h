@@ -9,6 +9,7 @@
 #include "../support/color_map.h"
 #include "../support/command_line.h"
 #include "../support/mesh_input.h"
+#include "../support/mesh_output.h"
 #include "../support/point_input.h"
 #include "../support/program.h"
 #include "../support/table.h"
@@ -133,24 +134,6 @@ inline RL::Distributed_surface read_distributed(const RL::Communicator& communic
       communicator, RL::slice_of_first_rank(communicator, input ? &input->surface : nullptr));
 }
 
-// starts a summary with what was read
-inline Summary summary_of(const RL::Distributed_surface& surface, bool is_triangulated) {
-  Summary result;
-  if(surface.is_point_set())
-    result.add("points", surface.number_of_vertices());
-  else {
-    result.add("vertices", surface.number_of_vertices());
-    result.add("faces", surface.number_of_faces());
-  }
-  if(is_triangulated)
-    result.add("triangulated", "yes");
-  if(surface.number_of_degenerate_faces() > 0)
-    result.add("degenerate_faces", surface.number_of_degenerate_faces());
-  result.add("area", surface.area());
-  result.add_detail("ranks", surface.communicator().size());
-  return result;
-}
-
 inline RL::Spline_space_options distributed_options(const RL::Distributed_surface& surface,
                                                     const Common_options& o) {
   RL::Spline_space_options result;
@@ -220,21 +203,10 @@ inline void write_ply(const RL::Distributed_surface& surface, const std::string&
   const RL::Communicator& communicator = surface.communicator();
   const Color_scale scale(range.low, range.high);
   const bool has_faces = !surface.is_point_set();
-  std::ostringstream header;
-  if(communicator.rank() == 0) {
-    header << "ply\nformat binary_little_endian 1.0\n"
-           << "element vertex " << surface.number_of_vertices() << '\n'
-           << "property double x\nproperty double y\nproperty double z\n"
-           << "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-           << "property double value\n";
-    if(has_faces)
-      header << "element face " << surface.number_of_faces() << '\n'
-             << "property list uchar int vertex_indices\n";
-    else
-      header << "property double nx\nproperty double ny\nproperty double nz\n";
-    header << "end_header\n";
-  }
-  std::string vertices, faces;
+  std::string header, vertices, faces;
+  if(communicator.rank() == 0)
+    header = internal::ply_header(surface.number_of_vertices(),
+                                  has_faces ? surface.number_of_faces() : 0, {"value"});
   const auto write = [](std::string& out, auto number) {
     out.append(reinterpret_cast<const char*>(&number), sizeof number);
   };
@@ -243,7 +215,7 @@ inline void write_ply(const RL::Distributed_surface& surface, const std::string&
     for(int axis = 0; axis < 3; ++axis)
       write(vertices, points[v][axis]);
     for(double component : scale(values[v]))
-      write(vertices, static_cast<std::uint8_t>(std::lround(255 * std::clamp(component, 0., 1.))));
+      write(vertices, static_cast<std::uint8_t>(internal::color_byte(component)));
     write(vertices, values[v]);
     for(int axis = 0; axis < 3 && !has_faces; ++axis)
       write(vertices, surface.slice().surface.normal(v)[axis]);
@@ -253,7 +225,7 @@ inline void write_ply(const RL::Distributed_surface& surface, const std::string&
     for(std::uint32_t v : surface.slice().surface.triangle(f))
       write(faces, surface.slice().vertices[v]);
   }
-  RL::write_in_order(communicator, file, {header.str(), vertices, faces});
+  RL::write_in_order(communicator, file, {header, vertices, faces});
 }
 
 } // namespace examples

@@ -85,6 +85,9 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
           "the file of --output must be a PLY file");
   require(o.space.geometry == "flat", "--geometry smooth is not possible on several processes");
   require(!o.space.paper_space, "--paper is not possible on several processes");
+  for(const char* option : {"memory", "energy-tolerance"})
+    require(given.count(option) == 0,
+            "--" + std::string(option) + " is not possible on several processes");
   require(o.seed >= 0, "the argument of --seed must not be negative");
   return true;
 }
@@ -135,7 +138,8 @@ int solve(const RL::Communicator& communicator, const Options& o, const po::vari
       read_distributed(communicator, o, o, given, is_triangulated);
   CGAL::Real_timer timer;
   timer.start();
-  Summary summary = summary_of(surface, is_triangulated);
+  Summary summary(surface, is_triangulated);
+  summary.add_detail("ranks", communicator.size());
   const std::vector<double> f = right_hand_side(surface, o);
   const RL::Distributed_space space(surface, distributed_options(surface, o));
   add_space(summary, space,

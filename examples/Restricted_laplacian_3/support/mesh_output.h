@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,25 @@ inline int color_byte(double component) {
   return static_cast<int>(std::lround(255 * std::clamp(component, 0., 1.)));
 }
 
+// The header of a binary PLY file of vertices with colors and named values, and of triangles, or,
+// if there are none, of points with normals behind the values.
+inline std::string ply_header(std::uint64_t number_of_vertices, std::uint64_t number_of_faces,
+                              const std::vector<std::string>& names) {
+  std::ostringstream out;
+  out << "ply\nformat binary_little_endian 1.0\n"
+      << "element vertex " << number_of_vertices << '\n'
+      << "property double x\nproperty double y\nproperty double z\n"
+      << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  for(const std::string& name : names)
+    out << "property double " << name << '\n';
+  if(number_of_faces > 0)
+    out << "element face " << number_of_faces << '\n' << "property list uchar int vertex_indices\n";
+  else
+    out << "property double nx\nproperty double ny\nproperty double nz\n";
+  out << "end_header\n";
+  return out.str();
+}
+
 // Writes a binary PLY file of a surface with a color and some named values for each vertex: columns
 // of a matrix; of points without faces, but with their normals. CGAL's writers of properties take
 // manifold meshes, or points, and this surface may be neither. Like them it is for machines that
@@ -36,18 +56,8 @@ inline void write_ply(const std::string& file, const RL::Triangulated_surface_3&
                       const Eigen::MatrixXd& values) {
   write_file(file, [&](std::ostream& out) {
     const bool has_faces = !surface.is_point_set();
-    out << "ply\nformat binary_little_endian 1.0\n"
-        << "element vertex " << surface.number_of_vertices() << '\n'
-        << "property double x\nproperty double y\nproperty double z\n"
-        << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-    for(const std::string& name : names)
-      out << "property double " << name << '\n';
-    if(has_faces)
-      out << "element face " << surface.number_of_faces() << '\n'
-          << "property list uchar int vertex_indices\n";
-    else
-      out << "property double nx\nproperty double ny\nproperty double nz\n";
-    out << "end_header\n";
+    out << ply_header(surface.number_of_vertices(), has_faces ? surface.number_of_faces() : 0,
+                      names);
 
     const auto write = [&](auto number) {
       out.write(reinterpret_cast<const char*>(&number), sizeof number);

@@ -26,22 +26,22 @@ constexpr int value_column = 24;
 // What a program knows about its result, in the order in which it is printed.
 class Summary {
 public:
-  // without a line
-  Summary() = default;
-  // starts with what was read
-  explicit Summary(const Mesh_input& input) {
-    if(input.surface.is_point_set())
-      add("points", input.surface.number_of_vertices());
+  // starts with what was read: a surface, of which it is known whether the file had faces that are
+  // not triangles
+  template <typename Surface> Summary(const Surface& surface, bool is_triangulated) {
+    if(surface.is_point_set())
+      add("points", surface.number_of_vertices());
     else {
-      add("vertices", input.surface.number_of_vertices());
-      add("faces", input.surface.number_of_faces());
+      add("vertices", surface.number_of_vertices());
+      add("faces", surface.number_of_faces());
     }
-    if(input.is_triangulated)
+    if(is_triangulated)
       add("triangulated", "yes");
-    if(input.surface.number_of_degenerate_faces() > 0)
-      add("degenerate_faces", input.surface.number_of_degenerate_faces());
-    add("area", input.surface.area());
+    if(surface.number_of_degenerate_faces() > 0)
+      add("degenerate_faces", surface.number_of_degenerate_faces());
+    add("area", surface.area());
   }
+  explicit Summary(const Mesh_input& input) : Summary(input.surface, input.is_triangulated) {}
 
   template <typename Number> void add(const std::string& name, Number value) {
     add_line(name, value, "", false);

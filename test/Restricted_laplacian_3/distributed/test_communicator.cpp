@@ -27,6 +27,9 @@ TEST_CASE("ranks_tell_each_other_numbers", "[shapes]") {
   ranks.sum(counts);
   CHECK(counts[0] == static_cast<std::uint64_t>(size));
   CHECK(counts[1] == static_cast<std::uint64_t>(size * (size - 1) / 2));
+  std::vector<double> largest = {1, -1. * me};
+  ranks.maximum(largest);
+  CHECK(largest == std::vector<double>{1, 0});
   const std::vector<int> all = ranks.all(3 * me);
   REQUIRE(all.size() == static_cast<std::size_t>(size));
   const std::vector<std::uint64_t> offsets = ranks.offsets(static_cast<std::uint64_t>(me));

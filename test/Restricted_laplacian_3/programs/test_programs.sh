@@ -17,28 +17,16 @@ if [ $# -lt 2 ] || [ ! -d "$1" ]; then
   exit 2
 fi
 programs=$(cd "$1" && pwd)
+checks=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/checks.sh
 data=$2
 shift 2
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 2
-number_of_checks=0
-number_of_failures=0
+source "$checks"
 
 # How a check is written.
-
-# check DESCRIPTION COMMAND...: the command must succeed
-check() {
-  local description=$1
-  shift
-  number_of_checks=$((number_of_checks + 1))
-  if ! "$@" > check.log 2>&1; then
-    number_of_failures=$((number_of_failures + 1))
-    echo "FAILED: $description"
-    sed 's/^/    /' check.log | head -n 5
-  fi
-}
 
 # run PROGRAM ARGUMENTS...: leaves the output in the files `out` and `err`, and the exit status in
 # the variable `status`
@@ -1620,5 +1608,4 @@ for group in "$@"; do
   fi
   "$group"
 done
-echo "$number_of_checks checks, $number_of_failures failed"
-[ "$number_of_failures" -eq 0 ]
+report_checks

@@ -104,12 +104,9 @@ public:
   template <class T> T maximum(T value) const { return reduced(value, MPI_MAX); }
 
   /// each entry becomes the sum of those of all ranks
-  template <class T> void sum(std::vector<T>& values) const {
-    for(std::size_t begin = 0; begin < values.size(); begin += most_at_once)
-      MPI_Allreduce(MPI_IN_PLACE, values.data() + begin,
-                    static_cast<int>((std::min)(values.size() - begin, most_at_once)), type<T>(),
-                    MPI_SUM, m_communicator);
-  }
+  template <class T> void sum(std::vector<T>& values) const { reduce(values, MPI_SUM); }
+  /// each entry becomes the largest of those of all ranks
+  template <class T> void maximum(std::vector<T>& values) const { reduce(values, MPI_MAX); }
 
   /// the numbers of all ranks, by rank
   template <class T> std::vector<T> all(T value) const {
@@ -227,6 +224,13 @@ private:
     T result;
     MPI_Allreduce(&value, &result, 1, type<T>(), operation, m_communicator);
     return result;
+  }
+
+  template <class T> void reduce(std::vector<T>& values, MPI_Op operation) const {
+    for(std::size_t begin = 0; begin < values.size(); begin += most_at_once)
+      MPI_Allreduce(MPI_IN_PLACE, values.data() + begin,
+                    static_cast<int>((std::min)(values.size() - begin, most_at_once)), type<T>(),
+                    operation, m_communicator);
   }
 
   MPI_Comm m_communicator;

@@ -6,16 +6,14 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_poisson_solver.h>
-#include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_components.h>
+#include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_means.h>
 #include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_rows.h>
 #include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_smoother.h>
 #include <CGAL/Restricted_laplacian_3/distributed/internal/Element_exchange.h>
 #include <CGAL/Restricted_laplacian_3/distributed/internal/petsc.h>
+#include <CGAL/Restricted_laplacian_3/distributed/internal/petsc_shells.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
-#include <CGAL/Restricted_laplacian_3/solvers/shared/connected_components.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <CGAL/Real_timer.h>
@@ -30,291 +28,6 @@
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
-namespace internal {
-
-/// The cycle of `Multigrid` that all ranks make on the levels that they hold, as PETSc sees it.
-class Gathered_cycle {
-public:
-  /// \param matrices of the levels up to the gathered one, coarsest first, of the sheets of this
-  /// rank; ranks add theirs
-  Gathered_cycle(const Distributed_space& space, std::vector<Sparse_matrix> matrices,
-                 const Poisson_solver_options& options)
-    : m_options(options) {
-    const Communicator& communicator = space.communicator();
-    for(Sparse_matrix& a : matrices) {
-      std::vector<double> values(a.valuePtr(), a.valuePtr() + a.nonZeros());
-      communicator.sum(values);
-      std::copy(values.begin(), values.end(), a.valuePtr());
-    }
-    m_rows = matrices.back();
-    communicator.agree([&] {
-      const int number = static_cast<int>(matrices.size());
-      Multigrid_levels levels;
-      for(int i = 1; i < number; ++i) {
-        const int level = space.gathered_level() - number + i;
-        levels.prolongations.push_back(prolongation_matrix(space.part(), level));
-        levels.patches.push_back(smoothing_patches(space.part(), level + 1));
-      }
-      Sparse_matrix finest = std::move(matrices.back());
-      matrices.pop_back();
-      levels.coarse_matrices = std::move(matrices);
-      m_multigrid = Multigrid<Patch_smoother>(std::move(finest), std::move(levels),
-                                              space.part().options().is_parallel);
-    });
-  }
-
-  /// the matrix of the gathered level
-  const Sparse_matrix& matrix() const { return m_rows; }
-
-  /// \param b the whole right-hand side
-  /// \param is_first whether a nested iteration comes before the cycle
-  void apply(const double* b, double* x, bool is_first) {
-    const Eigen::Index n = m_multigrid.size();
-    Block_vector<1> load = Eigen::Map<const Eigen::VectorXd>(b, n), solution, guess;
-    if(is_first) {
-      m_multigrid.nested_iteration<1>(load, guess, m_options.cycle, m_options.smoothing_steps,
-                                      m_workspace);
-      load -= m_rows * guess;
-    }
-    m_multigrid.apply<1>(load, solution, m_options.cycle, m_options.smoothing_steps, m_workspace);
-    if(is_first)
-      solution += guess;
-    Eigen::Map<Eigen::VectorXd>(x, n) = solution;
-  }
-
-private:
-  Poisson_solver_options m_options;
-  Sparse_matrix m_rows;
-  Multigrid<Patch_smoother> m_multigrid;
-  Multigrid<Patch_smoother>::Workspace<1> m_workspace;
-};
-
-/// what PETSc calls on the coarsest of its levels
-struct Gathered_shell {
-  Gathered_cycle* cycle;
-  Petsc_scatter to_all;
-  Petsc_vector whole;
-  std::vector<double> solution;
-  bool is_first = false;
-
-  static PetscErrorCode apply(PC pc, Vec b, Vec x) {
-    void* context = nullptr;
-    PetscCall(PCShellGetContext(pc, &context));
-    auto& shell = *static_cast<Gathered_shell*>(context);
-    PetscCall(VecScatterBegin(shell.to_all, b, shell.whole, INSERT_VALUES, SCATTER_FORWARD));
-    PetscCall(VecScatterEnd(shell.to_all, b, shell.whole, INSERT_VALUES, SCATTER_FORWARD));
-    const PetscScalar* values = nullptr;
-    PetscCall(VecGetArrayRead(shell.whole, &values));
-    shell.cycle->apply(values, shell.solution.data(), shell.is_first);
-    PetscCall(VecRestoreArrayRead(shell.whole, &values));
-    PetscInt first = 0, last = 0;
-    PetscCall(VecGetOwnershipRange(x, &first, &last));
-    PetscScalar* own = nullptr;
-    PetscCall(VecGetArrayWrite(x, &own));
-    std::copy(shell.solution.begin() + first, shell.solution.begin() + last, own);
-    PetscCall(VecRestoreArrayWrite(x, &own));
-    return 0;
-  }
-};
-
-/// The smoother of a level that is divided, and the vectors that it has seen last.
-class Level_smoother {
-public:
-  std::unique_ptr<Distributed_smoother> smoother;
-
-  void remember(Vec b, Vec x) {
-    m_b = state(b);
-    m_x = state(x);
-  }
-
-  /// For PETSc: \f$b - A x\f$, by the matrix of the smoother if it has just found `x`.
-  static PetscErrorCode residual(Mat a, Vec b, Vec x, Vec r) {
-    PetscObject container = nullptr;
-    PetscCall(PetscObjectQuery(reinterpret_cast<PetscObject>(a), name, &container));
-    void* pointer = nullptr;
-    if(container)
-      PetscCall(PetscContainerGetPointer(reinterpret_cast<PetscContainer>(container), &pointer));
-    auto* const level = static_cast<Level_smoother*>(pointer);
-    if(!level || level->m_b != state(b) || level->m_x != state(x)) {
-      PetscCall(MatResidual(a, b, x, r));
-      return 0;
-    }
-    PetscScalar* values = nullptr;
-    PetscCall(VecGetArrayWrite(r, &values));
-    level->smoother->residual(values);
-    PetscCall(VecRestoreArrayWrite(r, &values));
-    return 0;
-  }
-
-  /// lets `residual()` find this object, which must live as long as the matrix
-  PetscErrorCode attach_to(Mat a) {
-    PetscContainer container = nullptr;
-    PetscCall(PetscContainerCreate(PetscObjectComm(reinterpret_cast<PetscObject>(a)), &container));
-    PetscCall(PetscContainerSetPointer(container, this));
-    PetscCall(PetscObjectCompose(reinterpret_cast<PetscObject>(a), name,
-                                 reinterpret_cast<PetscObject>(container)));
-    PetscCall(PetscContainerDestroy(&container));
-    return 0;
-  }
-
-private:
-  static constexpr const char* name = "Restricted_laplacian_3_smoother";
-  /// which vector, and how often it has changed
-  using State = std::pair<PetscObjectId, PetscObjectState>;
-
-  static State state(Vec v) {
-    State result = {0, 0};
-    PetscObjectGetId(reinterpret_cast<PetscObject>(v), &result.first);
-    PetscObjectStateGet(reinterpret_cast<PetscObject>(v), &result.second);
-    return result;
-  }
-
-  State m_b = {0, 0}, m_x = {0, 0};
-};
-
-/// what PETSc calls to smooth on a level that is divided
-struct Smoother_shell {
-  Level_smoother* level;
-  bool is_reversed;
-
-  static PetscErrorCode sweep(PC pc, Vec b, Vec x, PetscInt steps, bool is_zero) {
-    void* context = nullptr;
-    PetscCall(PCShellGetContext(pc, &context));
-    auto& shell = *static_cast<Smoother_shell*>(context);
-    const PetscScalar* load = nullptr;
-    PetscScalar* solution = nullptr;
-    PetscCall(VecGetArrayRead(b, &load));
-    PetscCall(VecGetArray(x, &solution));
-    for(PetscInt step = 0; step < steps; ++step)
-      shell.level->smoother->smooth(load, solution, shell.is_reversed, is_zero && step == 0);
-    PetscCall(VecRestoreArray(x, &solution));
-    PetscCall(VecRestoreArrayRead(b, &load));
-    shell.level->remember(b, x);
-    return 0;
-  }
-
-  static PetscErrorCode apply(PC pc, Vec b, Vec x) { return sweep(pc, b, x, 1, true); }
-
-  static PetscErrorCode apply_richardson(PC pc, Vec b, Vec x, Vec, PetscReal, PetscReal, PetscReal,
-                                         PetscInt steps, PetscBool is_zero, PetscInt* done,
-                                         PCRichardsonConvergedReason* reason) {
-    PetscCall(sweep(pc, b, x, steps, is_zero == PETSC_TRUE));
-    *done = steps;
-    *reason = PCRICHARDSON_CONVERGED_ITS;
-    return 0;
-  }
-};
-
-/// Means on the components of a surface that is divided among ranks, as `Mean_projection` has them.
-class Distributed_means {
-public:
-  /// \param integrals,constant_loads of the elements that this rank owns
-  Distributed_means(const Distributed_space& space, const Element_exchange& exchange,
-                    const Distributed_rows& rows, std::vector<double> integrals,
-                    const std::vector<double>& constant_loads)
-    : m_communicator(space.communicator()), m_components(space, exchange),
-      m_measures(std::move(integrals)) {
-    const std::size_t number = m_components.number;
-    std::vector<double> loads(number, 0.);
-    for(std::size_t i = 0; i < m_measures.size(); ++i)
-      loads[component(i)] += constant_loads[i];
-    m_communicator.sum(loads);
-    std::vector<double> largest_defect(number, 0.), largest_diagonal(number, 0.);
-    m_sums.assign(number, 0.);
-    m_sizes.assign(number, 0.);
-    for(std::size_t i = 0; i < m_measures.size(); ++i) {
-      const std::size_t c = component(i);
-      m_is_screened.resize(number);
-      if(loads[c] > 0)
-        m_measures[i] = constant_loads[i];
-      m_sums[c] += m_measures[i];
-      m_sizes[c] += 1;
-      double defect = -constant_loads[i];
-      for(PetscInt k = rows.first[i]; k < rows.first[i + 1]; ++k) {
-        defect += rows.values[k];
-        if(static_cast<std::uint64_t>(rows.columns[k]) == exchange.first() + i)
-          largest_diagonal[c] = (std::max)(largest_diagonal[c], std::abs(rows.values[k]));
-      }
-      largest_defect[c] = (std::max)(largest_defect[c], std::abs(defect));
-    }
-    m_communicator.sum(m_sums);
-    m_communicator.sum(m_sizes);
-    largest_over_ranks(largest_defect);
-    largest_over_ranks(largest_diagonal);
-    m_is_screened.assign(number, 0);
-    for(std::size_t c = 0; c < number; ++c) {
-      m_is_screened[c] = loads[c] > 0;
-      m_is_split_off.push_back(m_sums[c] > 0 && largest_diagonal[c] > 0 &&
-                               largest_defect[c] <= row_sum_tolerance * largest_diagonal[c]);
-      m_has_kernel.push_back(m_is_split_off[c] && !m_is_screened[c]);
-    }
-  }
-
-  int kernel_dimension() const {
-    return static_cast<int>(std::count(m_has_kernel.begin(), m_has_kernel.end(), 1));
-  }
-
-  /// see `Mean_projection::project_load()`
-  void project_load(double* b) const {
-    const std::vector<double> means = this->means([&](std::size_t i) { return b[i]; });
-    for(std::size_t i = 0; i < m_measures.size(); ++i)
-      b[i] -= m_measures[i] * means[component(i)];
-  }
-
-  /// see `Mean_projection::shift_solution()`
-  void shift_solution(const double* b, double* x) const {
-    std::vector<double> shifts = this->means([&](std::size_t i) { return -m_measures[i] * x[i]; });
-    const std::vector<double> loads = this->means([&](std::size_t i) { return b[i]; });
-    for(std::size_t c = 0; c < shifts.size(); ++c)
-      if(m_is_screened[c])
-        shifts[c] += loads[c];
-    for(std::size_t i = 0; i < m_measures.size(); ++i)
-      x[i] += shifts[component(i)];
-  }
-
-  /// for PETSc: makes a vector orthogonal to the kernel
-  static PetscErrorCode remove_kernel(MatNullSpace, Vec v, void* context) {
-    const auto& means = *static_cast<const Distributed_means*>(context);
-    PetscScalar* values = nullptr;
-    PetscCall(VecGetArray(v, &values));
-    std::vector<double> sums(means.m_components.number, 0.);
-    for(std::size_t i = 0; i < means.m_measures.size(); ++i)
-      sums[means.component(i)] += values[i];
-    means.m_communicator.sum(sums);
-    for(std::size_t c = 0; c < sums.size(); ++c)
-      sums[c] = means.m_has_kernel[c] ? sums[c] / means.m_sizes[c] : 0;
-    for(std::size_t i = 0; i < means.m_measures.size(); ++i)
-      values[i] -= sums[means.component(i)];
-    PetscCall(VecRestoreArray(v, &values));
-    return 0;
-  }
-
-private:
-  std::size_t component(std::size_t i) const { return m_components.of_element[i]; }
-
-  template <class Value> std::vector<double> means(Value&& value) const {
-    std::vector<double> result(m_components.number, 0.);
-    for(std::size_t i = 0; i < m_measures.size(); ++i)
-      result[component(i)] += value(i);
-    m_communicator.sum(result);
-    for(std::size_t c = 0; c < result.size(); ++c)
-      result[c] *= m_is_split_off[c] ? 1 / m_sums[c] : 0.;
-    return result;
-  }
-
-  void largest_over_ranks(std::vector<double>& values) const {
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
-                  m_communicator.get());
-  }
-
-  Communicator m_communicator;
-  Distributed_components m_components;
-  std::vector<double> m_measures, m_sums, m_sizes;
-  std::vector<char> m_is_screened, m_is_split_off, m_has_kernel;
-};
-
-} // namespace internal
-
 struct Distributed_poisson_solver::Impl {
   Impl(const Distributed_space& s, double alpha, std::optional<double> normal_stabilization,
        const Poisson_solver_options& o)
@@ -325,6 +38,7 @@ struct Distributed_poisson_solver::Impl {
     const Communicator& communicator = space.communicator();
     const int gathered = space.gathered_level(), depth = space.depth();
     internal::System_matrices system;
+    int coarsest = 0;
     communicator.agree([&] {
       if(space.part().is_paper_space())
         throw Parameter_error("paper_space", "is not possible on several ranks");
@@ -341,7 +55,8 @@ struct Distributed_poisson_solver::Impl {
       elliptic.reaction = alpha;
       elliptic.normal_stabilization =
           normal_stabilization.value_or(default_normal_stabilization(space.part()));
-      coarsest = coarsest_level();
+      // levels up to the gathered one are the same on all ranks
+      coarsest = (std::min)(internal::coarsest_multigrid_level(space.part()), gathered);
       system = internal::assemble_system(space.part(), coarsest, elliptic);
     });
     assembly_seconds = timer.time();
@@ -355,6 +70,8 @@ struct Distributed_poisson_solver::Impl {
     matrices.resize(number);
     prolongations.resize(number);
     smoothers.resize(number);
+    // entries of vectors of the next coarser level on this rank
+    std::size_t coarse_size = gathered_range().second - gathered_range().first;
     for(std::size_t i = 1; i < number; ++i) {
       const int level = gathered + static_cast<int>(i);
       const Distributed_level& of_level = space.level(level);
@@ -375,7 +92,7 @@ struct Distributed_poisson_solver::Impl {
           communicator,
           internal::rows_of_owner(communicator, of_elements, of_level.elements,
                                   space.level(level - 1).elements, p),
-          i > 1 ? coarse_size : gathered_range().second - gathered_range().first);
+          coarse_size);
       coarse_size = size;
       if(level == depth) {
         std::vector<double> integrals(size, 0.), loads(size, 0.);
@@ -392,18 +109,6 @@ struct Distributed_poisson_solver::Impl {
 
   static std::vector<double> to_vector(const Eigen::VectorXd& v) {
     return std::vector<double>(v.data(), v.data() + v.size());
-  }
-
-  /// the first of the gathered levels whose direct solution takes time that counts, see
-  /// `coarsest_multigrid_level()`
-  int coarsest_level() const {
-    constexpr double largest_dense_dimension = 300;
-    const double components = static_cast<double>(space.number_of_sheets(0));
-    int level = 0;
-    while(level < space.gathered_level() && static_cast<double>(space.dimension(level + 1)) <=
-                                                largest_dense_dimension * std::sqrt(components))
-      ++level;
-    return level;
   }
 
   /// which elements of the gathered level have their entries of vectors on this rank
@@ -673,8 +378,6 @@ struct Distributed_poisson_solver::Impl {
   const Distributed_space& space;
   Poisson_solver_options options;
   internal::Element_exchange exchange; // of the finest level
-  int coarsest = 0;
-  std::size_t coarse_size = 0;
   std::unique_ptr<internal::Gathered_cycle> cycle;
   std::unique_ptr<internal::Distributed_means> means;
   std::vector<std::unique_ptr<internal::Level_smoother>> smoothers;

@@ -52,8 +52,8 @@ int default_octree_depth(const Distributed_surface& surface, double cube_scale);
 /// that act on them. Sheets, elements and their numbers are those of the space that one process
 /// would make of the whole surface.
 ///
-/// *Levels.* Down to the coarsest level that has no more cells than ranks can share,
-/// `gathered_level()`, all ranks hold the whole; on finer levels each holds the cells of its range,
+/// *Levels.* Up to `gathered_level()`, the one above that of the ranges, all ranks hold the whole;
+/// on finer levels each holds the cells of its range,
 /// see `Rank_ranges`. An element that acts on sheets of several ranks is known to all of them, and
 /// owned by the one whose cell it is centered on.
 ///

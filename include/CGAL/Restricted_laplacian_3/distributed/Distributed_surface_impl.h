@@ -184,8 +184,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_part Distributed_surface::make_part(
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Rank_ranges
 Distributed_surface::balanced_ranges(const Octree_3& octree) const {
-  // Of the time that a Poisson problem takes, the unknowns of as much surface as the side of a cell
-  // have about 50 times that of a fragment.
+  // What the unknowns of as much surface as the side of a cell count for: a choice. They take most
+  // of the time, unless there are very many triangles in a cell.
   constexpr double fragments_of_cell_area = 50;
   const int level = Rank_ranges::level_of_ranges(octree.depth());
   std::vector<std::uint64_t> weights;

@@ -146,24 +146,10 @@ public:
       r[i - m_own[0]] = *m_r.position(position[i]) / d[i] * m_unit;
   }
 
-  /// number of unknowns that this rank owns
-  std::size_t size() const { return m_own[1] - m_own[0]; }
-  /// messages and values that this rank sends in a sweep
-  std::size_t number_of_messages() const { return count(&Neighbor_lists::number_of_messages); }
-  /// \copydoc number_of_messages
-  std::size_t number_of_values() const { return count(&Neighbor_lists::number_of_values); }
-
 private:
   static void make_unique(std::vector<std::uint64_t>& numbers) {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  }
-
-  template <class Number> std::size_t count(Number number) const {
-    std::size_t result = (*m_all.*number)();
-    for(const Neighbor_lists& lists : m_of_colors)
-      result += (lists.*number)();
-    return result;
   }
 
   template <class Place>

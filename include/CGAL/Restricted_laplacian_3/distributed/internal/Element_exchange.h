@@ -61,16 +61,6 @@ public:
     }
   }
 
-  /// how many messages this rank sends, and how many values
-  std::size_t number_of_messages() const { return m_sent.size(); }
-  /// \copydoc number_of_messages
-  std::size_t number_of_values() const {
-    std::size_t result = 0;
-    for(const List& list : m_sent)
-      result += list.places.size();
-    return result;
-  }
-
 private:
   struct List {
     int rank;
