@@ -7,7 +7,6 @@
 #include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_space.h>
 #include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_components.h>
-#include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_rows.h>
 #include <CGAL/Restricted_laplacian_3/distributed/internal/Element_exchange.h>
 #include <CGAL/Restricted_laplacian_3/distributed/internal/petsc.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/connected_components.h>
@@ -26,10 +25,10 @@ namespace internal {
 /// Means on the components of a surface that is divided among ranks, as `Mean_projection` has them.
 class Distributed_means {
 public:
+  /// \param matrix of the finest level
   /// \param integrals,constant_loads of the elements that this rank owns
-  Distributed_means(const Distributed_space& space, const Element_exchange& exchange,
-                    const Distributed_rows& rows, std::vector<double> integrals,
-                    const std::vector<double>& constant_loads)
+  Distributed_means(const Distributed_space& space, const Element_exchange& exchange, Mat matrix,
+                    std::vector<double> integrals, const std::vector<double>& constant_loads)
     : m_communicator(space.communicator()), m_components(space, exchange),
       m_measures(std::move(integrals)) {
     const std::size_t number = m_components.number;
@@ -40,19 +39,19 @@ public:
     std::vector<double> largest_defect(number, 0.), largest_diagonal(number, 0.);
     m_sums.assign(number, 0.);
     m_sizes.assign(number, 0.);
+    Petsc_vector row_sums, diagonal;
+    petsc_check(MatCreateVecs(matrix, row_sums.address(), diagonal.address()));
+    petsc_check(MatGetRowSum(matrix, row_sums));
+    petsc_check(MatGetDiagonal(matrix, diagonal));
+    const std::vector<double> of_rows = values_of(row_sums), of_diagonal = values_of(diagonal);
     for(std::size_t i = 0; i < m_measures.size(); ++i) {
       const std::size_t c = component(i);
       if(loads[c] > 0)
         m_measures[i] = constant_loads[i];
       m_sums[c] += m_measures[i];
       m_sizes[c] += 1;
-      double defect = -constant_loads[i];
-      for(PetscInt k = rows.first[i]; k < rows.first[i + 1]; ++k) {
-        defect += rows.values[k];
-        if(static_cast<std::uint64_t>(rows.columns[k]) == exchange.first() + i)
-          largest_diagonal[c] = (std::max)(largest_diagonal[c], std::abs(rows.values[k]));
-      }
-      largest_defect[c] = (std::max)(largest_defect[c], std::abs(defect));
+      largest_diagonal[c] = (std::max)(largest_diagonal[c], std::abs(of_diagonal[i]));
+      largest_defect[c] = (std::max)(largest_defect[c], std::abs(of_rows[i] - constant_loads[i]));
     }
     m_communicator.sum(m_sums);
     m_communicator.sum(m_sizes);

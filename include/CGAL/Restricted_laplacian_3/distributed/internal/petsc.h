@@ -9,9 +9,12 @@
 #include <petsc/private/petscimpl.h>
 #include <petscksp.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -72,6 +75,25 @@ inline PetscInt petsc_int(std::uint64_t number) {
                                               ", than this PETSc can number: it needs one with "
                                               "indices of 64 bits");
   return static_cast<PetscInt>(number);
+}
+
+/// the entries of a vector that this rank has
+inline std::vector<double> values_of(Vec v) {
+  PetscInt size = 0;
+  const PetscScalar* values = nullptr;
+  petsc_check(VecGetLocalSize(v, &size));
+  petsc_check(VecGetArrayRead(v, &values));
+  std::vector<double> result(values, values + size);
+  petsc_check(VecRestoreArrayRead(v, &values));
+  return result;
+}
+
+/// \param values the entries that this rank has
+inline void set_values(Vec v, const std::vector<double>& values) {
+  PetscScalar* entries = nullptr;
+  petsc_check(VecGetArrayWrite(v, &entries));
+  std::copy(values.begin(), values.end(), entries);
+  petsc_check(VecRestoreArrayWrite(v, &entries));
 }
 
 } // namespace internal

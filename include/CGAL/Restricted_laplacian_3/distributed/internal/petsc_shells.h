@@ -84,7 +84,7 @@ private:
 
 /// what PETSc calls on the coarsest of its levels
 struct Gathered_shell {
-  Gathered_cycle* cycle;
+  std::unique_ptr<Gathered_cycle> cycle;
   Petsc_scatter to_all;
   Petsc_vector whole;
   std::vector<double> solution;
@@ -167,8 +167,8 @@ private:
 
 /// what PETSc calls to smooth on a level that is divided
 struct Smoother_shell {
-  Level_smoother* level;
-  bool is_reversed;
+  Level_smoother* level = nullptr;
+  bool is_reversed = false;
 
   static PetscErrorCode sweep(PC pc, Vec b, Vec x, PetscInt steps, bool is_zero) {
     void* context = nullptr;
