@@ -160,16 +160,6 @@ RL::Eigenpairs solve_cotangent(Job& job, const Options& o, Outcome& result) {
   return pairs;
 }
 
-void print_eigenvalues(std::ostream& out, const Eigen::VectorXd& values) {
-  constexpr Eigen::Index largest_number = 20;
-  for(Eigen::Index i = 0; i < std::min(values.size(), largest_number); ++i)
-    out << std::left << std::setw(value_column) << (i == 0 ? "eigenvalues" : "") << values[i]
-        << '\n';
-  if(values.size() > largest_number)
-    out << std::setw(value_column) << ""
-        << "... (--csv writes all)\n";
-}
-
 Outcome solve(Job& job, const Options& o) {
   // no eigenfunction, unless it is found
   Outcome result = outcome(std::vector<double>(job.surface.number_of_vertices(), std::nan("")));

@@ -15,18 +15,20 @@
 #include "../support/table.h"
 
 #include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
+#include <CGAL/Restricted_laplacian_3/distributed/Distributed_functions.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_space.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_surface.h>
 #include <CGAL/Restricted_laplacian_3/distributed/surface_slices.h>
 #include <CGAL/Restricted_laplacian_3/distributed/write_in_order.h>
 
-#include <petscsys.h>
+#include <slepcsys.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -38,7 +40,7 @@
 
 namespace examples {
 
-// MPI and PETSc as long as it exists. PETSc's options are the arguments from the first one on that
+// MPI, PETSc and SLEPc as long as it exists. Their options are the arguments from the first one on that
 // begins with one hyphen and has more than one letter, like -ksp_monitor.
 class Petsc_session {
 public:
@@ -57,13 +59,13 @@ public:
     m_of_petsc.push_back(nullptr);
     char** arguments = m_of_petsc.data();
     MPI_Init(&number, &arguments);
-    PetscInitialize(&number, &arguments, nullptr, nullptr);
+    SlepcInitialize(&number, &arguments, nullptr, nullptr);
     // errors come as exceptions, and the system knows what to do with signals
     PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
     PetscPopSignalHandler();
   }
   ~Petsc_session() {
-    PetscFinalize();
+    SlepcFinalize();
     MPI_Finalize();
   }
   Petsc_session(const Petsc_session&) = delete;
@@ -110,6 +112,60 @@ int run_mpi_program(const std::string& program, int argc, char* argv[], Body bod
     MPI_Abort(communicator.get(), failure);
   }
   return failure;
+}
+
+inline po::options_description mpi_output_options(Common_options& o, const std::string& table,
+                                                  const std::string& properties) {
+  po::options_description options("Output", help_width);
+  auto add = options.add_options();
+  add("csv", po::value(&o.csv)->value_name("FILE"), ("write a table: " + table).c_str());
+  add("output", po::value(&o.output)->value_name("FILE"),
+      ("write the mesh, a PLY file, with colors and " + properties).c_str());
+  return options;
+}
+
+// A file in which a run leaves what it has found, and one with which it begins.
+struct Continuation_options {
+  std::string save, begin;
+};
+
+inline po::options_description
+continuation_options(Continuation_options& o, const std::string& saved, const std::string& begin) {
+  po::options_description options("Runs that go on", help_width);
+  auto add = options.add_options();
+  add("save", po::value(&o.save)->value_name("FILE"), saved.c_str());
+  add("continue", po::value(&o.begin)->value_name("FILE"),
+      (begin + "; it may be missing if it is that of --save").c_str());
+  return options;
+}
+
+// What an earlier run has left, or nothing.
+inline RL::Distributed_functions load_begin(const RL::Distributed_space& space,
+                                            const Continuation_options& o) {
+  const RL::Communicator& communicator = space.communicator();
+  int is_there = o.begin.empty() ? 0 : 1;
+  if(o.begin == o.save && communicator.rank() == 0)
+    is_there = std::filesystem::exists(o.begin) ? 1 : 0;
+  return communicator.minimum(is_there) == 1 ? RL::load_functions(space, o.begin)
+                                             : RL::Distributed_functions();
+}
+
+inline po::options_description mpi_general_options(Common_options& o) {
+  po::options_description options("General", help_width);
+  auto add = options.add_options();
+  add("quiet", po::bool_switch(&o.quiet), "print errors only");
+  add("verbose", po::bool_switch(&o.verbose), "print all that --csv writes above the table");
+  add_help_options(options);
+  return options;
+}
+
+// What is not possible on several processes is refused.
+inline void check_mpi_options(const Common_options& o, const po::variables_map& given) {
+  require(o.output.empty() || extension(o.output) == ".ply",
+          "the file of --output must be a PLY file");
+  require(o.space.geometry == "flat", "--geometry smooth is not possible on several processes");
+  require(!o.space.paper_space, "--paper is not possible on several processes");
+  require(given.count("memory") == 0, "--memory is not possible on several processes");
 }
 
 // Reads the surface: a slice on each rank if the file permits, or all of it on the first one.

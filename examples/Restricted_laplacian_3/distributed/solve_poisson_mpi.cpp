@@ -37,6 +37,9 @@ by the first one. All must see the folders of MESH and of what is written.
 
 PETSC_OPTION is an option of PETSc, with one hyphen, behind all others: -ksp_monitor,
 -log_view, -pc_type gamg. They apply to its conjugate gradients and multigrid.
+
+With --save, the solution is written as coefficients of the finite elements. With
+--continue, another run begins with it, and may have another number of processes.
 )" + std::string(about_meshes) + about_points,
                    R"(  mpiexec -n 4 solve_poisson_mpi dragon.ply --depth 10 --output u.ply
       the solution for f = z
@@ -44,7 +47,11 @@ PETSC_OPTION is an option of PETSc, with one hyphen, behind all others: -ksp_mon
       with the residual of each iteration
 )"};
 
-struct Options : Common_options, Point_options, Solver_options, Poisson_options {
+struct Options : Common_options,
+                 Point_options,
+                 Solver_options,
+                 Poisson_options,
+                 Continuation_options {
   Options() : Solver_options(RL::Poisson_solver::default_tolerance) {}
 
   std::string cycle = "v";
@@ -57,37 +64,26 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   po::options_description solver = solver_options(o, "default 0.001");
   auto add = solver.add_options();
   add("cycle", po::value(&o.cycle)->value_name("v|w")->default_value(o.cycle), "multigrid cycle");
-  po::options_description output("Output", help_width);
-  add = output.add_options();
-  add("csv", po::value(&o.csv)->value_name("FILE"), "write a table: vertex, value");
-  add("output", po::value(&o.output)->value_name("FILE"),
-      "write the mesh, a PLY file, with colors and the property value");
-  po::options_description general("General", help_width);
-  add = general.add_options();
-  add("seed", po::value(&o.seed)->value_name("S")->default_value(o.seed),
-      "seed of the random numbers of --rhs random");
-  add("quiet", po::bool_switch(&o.quiet), "print errors only");
-  add("verbose", po::bool_switch(&o.verbose), "print all that --csv writes above the table");
-  add_help_options(general);
+  po::options_description general = mpi_general_options(o);
+  general.add_options()("seed", po::value(&o.seed)->value_name("S")->default_value(o.seed),
+                        "seed of the random numbers of --rhs random");
   po::options_description all(help_width);
   all.add(problem)
       .add(space_options(o))
       .add(point_options(o, o))
       .add(solver)
-      .add(output)
+      .add(mpi_output_options(o, "vertex, value", "the property value"))
+      .add(continuation_options(o, "write the coefficients of the solution",
+                                "begin with the solution in a file that --save has written"))
       .add(general);
   if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
+  check_mpi_options(o, given);
   check_poisson_options(o, given);
   check_solver_options(o, given);
   require_choice("cycle", o.cycle, {"v", "w"});
-  require(o.output.empty() || extension(o.output) == ".ply",
-          "the file of --output must be a PLY file");
-  require(o.space.geometry == "flat", "--geometry smooth is not possible on several processes");
-  require(!o.space.paper_space, "--paper is not possible on several processes");
-  for(const char* option : {"memory", "energy-tolerance"})
-    require(given.count(option) == 0,
-            "--" + std::string(option) + " is not possible on several processes");
+  require(given.count("energy-tolerance") == 0,
+          "--energy-tolerance is not possible on several processes");
   require(o.seed >= 0, "the argument of --seed must not be negative");
   return true;
 }
@@ -167,7 +163,12 @@ int solve(const RL::Communicator& communicator, const Options& o, const po::vari
   else
     load = -load;
   const double load_seconds = timer.time() - before_load;
-  const RL::Solve_report report = solver.solve(load, u);
+  const RL::Distributed_functions begin = load_begin(space, o);
+  if(begin.values.size() > 0)
+    u = begin.coefficients.col(0);
+  const RL::Solve_report report = solver.solve(load, u, begin.values.size() > 0);
+  if(!o.save.empty())
+    RL::save_functions(space, o.save, {Eigen::VectorXd::Zero(1), u});
   const std::vector<double> at_vertices = values_at_vertices(surface, space, u);
 
   if(o.alpha == 0)

@@ -23,16 +23,22 @@ struct Eigensolver_options {
   double stabilization = -1; // the default
 };
 
-inline po::options_description eigensolver_options(Eigensolver_options& o) {
+// `by_choice` is whether the user chooses the eigensolver
+inline po::options_description eigensolver_options(Eigensolver_options& o, bool by_choice = true) {
   po::options_description options("Eigensolver", help_width);
   auto add = options.add_options();
-  add("eigensolver", po::value(&o.eigensolver)->value_name("NAME")->default_value(o.eigensolver),
-      "multigrid, shift-invert (a factorization), or auto: the faster one");
+  if(by_choice)
+    add("eigensolver", po::value(&o.eigensolver)->value_name("NAME")->default_value(o.eigensolver),
+        "multigrid, shift-invert (a factorization), or auto: the faster one");
   add("tolerance", po::value(&o.tolerance)->value_name("T"),
-      "relative residual of multigrid; errors of eigenvalues are about its square; default 0.001, "
-      "or 0.0025 where only eigenvalues are needed");
+      (by_choice ? std::string("relative residual of multigrid") : "relative residual")
+          .append("; errors of eigenvalues are about its square; default 0.001, or 0.0025 where "
+                  "only eigenvalues are needed")
+          .c_str());
   add("stabilization", po::value(&o.stabilization)->value_name("C"),
-      "factor of the stabilization by normal derivatives; default 0.00001, or 0 with --paper");
+      by_choice
+          ? "factor of the stabilization by normal derivatives; default 0.00001, or 0 with --paper"
+          : "factor of the stabilization by normal derivatives; default 0.00001");
   return options;
 }
 

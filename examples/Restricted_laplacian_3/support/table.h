@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -101,6 +102,17 @@ inline void write_csv(const std::string& file, const Summary& summary, const std
     }
     out << '\n';
   });
+}
+
+// some eigenvalues as lines of the short table
+inline void print_eigenvalues(std::ostream& out, const Eigen::VectorXd& values) {
+  constexpr Eigen::Index largest_number = 20;
+  for(Eigen::Index i = 0; i < std::min(values.size(), largest_number); ++i)
+    out << std::left << std::setw(value_column) << (i == 0 ? "eigenvalues" : "") << values[i]
+        << '\n';
+  if(values.size() > largest_number)
+    out << std::setw(value_column) << ""
+        << "... (--csv writes all)\n";
 }
 
 } // namespace examples

@@ -8,15 +8,15 @@
 
 #include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
 
-#include <petscsys.h>
+#include <slepcsys.h>
 
 int main(int argc, char* argv[]) {
   MPI_Init(&argc, &argv);
-  if(PetscInitialize(&argc, &argv, nullptr, nullptr) != 0)
+  if(SlepcInitialize(&argc, &argv, nullptr, nullptr) != 0)
     return 1;
   const CGAL::Restricted_laplacian_3::Communicator communicator;
   const int status = exit_status(communicator.minimum(run_tests(argc, argv) ? 1 : 0) == 1);
-  PetscFinalize();
+  SlepcFinalize();
   MPI_Finalize();
   return status;
 }

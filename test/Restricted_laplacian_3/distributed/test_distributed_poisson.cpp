@@ -161,6 +161,30 @@ TEST_CASE("matrices_and_options_are_those_of_petsc", "[shapes]") {
   CHECK((x - y).norm() <= 1e-3 * x.norm());
 }
 
+TEST_CASE("problems_on_ranks_begin_with_a_guess", "[shapes]") {
+  const RL::Communicator communicator;
+  const RL::Triangulated_surface_3 surface = surface_of(shapes::sphere(3));
+  RL::Spline_space_options options;
+  options.octree_depth = 5;
+  const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
+  const RL::Distributed_space space(distributed, options);
+  RL::Poisson_solver_options loose, strict;
+  loose.relative_tolerance = 1e-5;
+  strict.relative_tolerance = 1e-10;
+  const RL::Distributed_poisson_solver first(space, 0, {}, loose), second(space, 0, {}, strict);
+  const Eigen::VectorXd load = RL::assemble_load(space.part(), f);
+  Eigen::VectorXd x, y;
+  CHECK(first.solve(load, x).converged);
+  const int iterations = second.solve(load, y).iterations;
+  // the mean of a guess does not matter
+  x.array() += 5;
+  const RL::Solve_report report = second.solve(load, x, true);
+  CHECK(report.converged);
+  CHECK(report.iterations < iterations);
+  CHECK((x - y).cwiseAbs().maxCoeff() <= 1e-6 * y.cwiseAbs().maxCoeff());
+  CHECK(second.solve(load, x, true).iterations == 0);
+}
+
 TEST_CASE("what_is_wrong_with_a_problem_on_ranks", "[shapes]") {
   const RL::Communicator communicator;
   const RL::Triangulated_surface_3 surface = surface_of(shapes::sphere(2));
@@ -175,6 +199,9 @@ TEST_CASE("what_is_wrong_with_a_problem_on_ranks", "[shapes]") {
   if(communicator.rank() == communicator.size() - 1)
     load[0] = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(static_cast<void>(solver.solve(load, x)), RL::Distributed_error);
+  x.setZero(1);
+  load = RL::assemble_load(space.part(), f);
+  CHECK_THROWS_AS(static_cast<void>(solver.solve(load, x, true)), RL::Distributed_error);
   // the load of a constant has no solution but 0
   load = RL::assemble_load(space.part(), [](const RL::Surface_point&) { return 1.; });
   const RL::Solve_report report = solver.solve(load, x);

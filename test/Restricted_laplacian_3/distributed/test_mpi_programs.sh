@@ -118,6 +118,46 @@ awk 'BEGIN {
 succeeds 3 solve_poisson_mpi points.xyz --tolerance 1e-10 --csv several.csv
 check "points: the values of one process" is_below "$(largest_difference one.csv several.csv)" 1e-7
 
+# eigenvalues of one process
+largest_difference_of_eigenvalues() { # beside the first, which is 0
+  paste -d, <(grep -v '^#' "$1") <(grep -v '^#' "$2") | awk -F, '
+    NR > 2 { d = $2 / $4 - 1; d = d < 0 ? -d : d; m = d > m ? d : m; bad += $1 != $3 }
+    END { print bad > 0 || NR < 3 ? 1 : m }'
+}
+"$programs/laplace_spectrum" binary.ply --depth 5 --tolerance 1e-6 --count 12 --csv one.csv --quiet
+for number in 1 3; do
+  succeeds $number laplace_spectrum_mpi binary.ply --depth 5 --tolerance 1e-6 --count 12 \
+    --csv several.csv --output several.ply --eigenfunction 3 --verbose
+  check "$number processes: the eigenvalues of one" \
+    is_below "$(largest_difference_of_eigenvalues one.csv several.csv)" 1e-10
+  check "$number processes: prints them" grep -q "^eigenvalues " out
+done
+# a function whose mean square is 1 / area
+check "writes an eigenfunction" grep -aq "property double value" several.ply
+
+# a run goes on, on another number of processes
+succeeds 3 laplace_spectrum_mpi binary.ply --depth 5 --tolerance 1e-6 --count 5 --save pairs \
+  --continue pairs --verbose
+check "begins without a file" grep -q "^eigenpairs_known_before *0$" out
+succeeds 2 laplace_spectrum_mpi binary.ply --depth 5 --tolerance 1e-6 --count 12 --save pairs \
+  --continue pairs --csv several.csv --verbose
+check "begins with what was saved" grep -q "^eigenpairs_known_before *5$" out
+check "eigenvalues of a run that went on" \
+  is_below "$(largest_difference_of_eigenvalues one.csv several.csv)" 1e-10
+succeeds 1 laplace_spectrum_mpi binary.ply --depth 5 --tolerance 1e-6 --count 12 \
+  --continue pairs --verbose
+check "all were saved" grep -q "^eigenpairs_known_before *12$" out
+run 2 laplace_spectrum_mpi binary.ply --depth 5 --tolerance 1e-12 --count 5 -eps_max_it 1
+check "exit status 2 says that it did not converge: $status" [ "$status" -eq 2 ]
+check "one line says so" [ "$(grep -c "did not converge: it found . of 5 eigenvalues" err)" -eq 1 ]
+run 2 solve_poisson_mpi binary.ply --depth 5 --tolerance 1e-8 --save u -ksp_max_it 3
+check "exit status 2 says that it did not converge" [ "$status" -eq 2 ]
+succeeds 3 solve_poisson_mpi binary.ply --depth 5 --tolerance 1e-8 --continue u --verbose
+cp out of_rest
+succeeds 3 solve_poisson_mpi binary.ply --depth 5 --tolerance 1e-8 --verbose
+check "a solution goes on with fewer iterations" \
+  [ "$(awk '/^iterations/ { print $2 }' of_rest)" -lt "$(awk '/^iterations/ { print $2 }' out)" ]
+
 # options of PETSc
 succeeds 2 solve_poisson_mpi binary.ply --depth 4 -ksp_monitor
 check "-ksp_monitor prints residuals" grep -q "KSP Residual norm" out
@@ -134,6 +174,10 @@ fails "tolerance" 2 solve_poisson_mpi binary.ply --tolerance 7
 fails "memory" 2 solve_poisson_mpi binary.ply --memory 1
 fails "energy-tolerance" 2 solve_poisson_mpi binary.ply --energy-tolerance 0.1
 fails "smooth" 2 solve_poisson_mpi binary.ply --geometry smooth
+fails "count" 2 laplace_spectrum_mpi binary.ply --count 0
+fails "cannot open" 2 laplace_spectrum_mpi binary.ply --depth 4 --continue nothing
+fails "another surface" 2 laplace_spectrum_mpi binary.ply --depth 4 --continue pairs
+fails "not a file of functions" 2 solve_poisson_mpi binary.ply --depth 4 --continue binary.ply
 head -c 100000 binary.ply > cut.ply
 fails "ends too early" 3 solve_poisson_mpi cut.ply
 # the last vertex, which the last process reads, is not a number
@@ -144,6 +188,7 @@ printf '\0\0\0\0\0\0\370\177' |
 fails "vertex 1799 .*not a finite number" 3 solve_poisson_mpi nan.ply
 # a full disk
 fails "cannot write" 2 solve_poisson_mpi binary.ply --depth 3 --csv /dev/full
+fails "cannot write" 2 laplace_spectrum_mpi binary.ply --depth 3 --save /dev/full
 # no memory on one process
 cat > limited.sh <<EOF
 #!/bin/sh

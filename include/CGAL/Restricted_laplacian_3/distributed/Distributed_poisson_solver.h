@@ -61,8 +61,11 @@ public:
   /// removed.
   /// \param coefficients receives the solution, the coefficients of a `Spline_function_3` on
   /// `Distributed_space::part()`; its mean is 0 on components with a kernel
-  /// \throws Distributed_error if PETSc fails
-  Solve_report solve(const Eigen::VectorXd& load, Eigen::VectorXd& coefficients) const;
+  /// \param has_guess whether `coefficients` is a first guess; else a nested iteration makes one
+  /// \throws Distributed_error if `load` or the first guess do not have as many entries as the part
+  /// has elements, or one that is not finite; if PETSc fails
+  Solve_report solve(const Eigen::VectorXd& load, Eigen::VectorXd& coefficients,
+                     bool has_guess = false) const;
 
 private:
   struct Impl;

@@ -60,18 +60,11 @@ struct Distributed_poisson_solver::Impl {
                                                                   options);
     exchange = &multigrid->exchange(multigrid->finest());
     matrix = multigrid->matrix(multigrid->finest());
-    std::vector<double> integrals(exchange->own_size(), 0.), loads(integrals);
-    const auto add = [](double& sum, double value) { sum += value; };
-    exchange->combine(to_vector(system.integrals), integrals, add);
-    exchange->combine(to_vector(system.constant_loads), loads, add);
-    means = std::make_unique<internal::Distributed_means>(space, *exchange, matrix,
-                                                          std::move(integrals), loads);
+    means = std::make_unique<internal::Distributed_means>(
+        space, *exchange, matrix, exchange->own_sums(system.integrals),
+        exchange->own_sums(system.constant_loads));
     make_solver();
     setup_seconds = timer.time() - assembly_seconds;
-  }
-
-  static std::vector<double> to_vector(const Eigen::VectorXd& v) {
-    return std::vector<double>(v.data(), v.data() + v.size());
   }
 
   void make_solver() {
@@ -128,19 +121,24 @@ struct Distributed_poisson_solver::Impl {
     petsc_check(MatShellSetOperation(singular, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
   }
 
-  Solve_report solve(const Eigen::VectorXd& load, Eigen::VectorXd& coefficients) const {
+  Solve_report solve(const Eigen::VectorXd& load, Eigen::VectorXd& coefficients,
+                     bool has_guess) const {
     using internal::petsc_check;
     CGAL::Real_timer timer;
     timer.start();
     const Communicator& communicator = space.communicator();
-    std::vector<double> own(exchange->own_size(), 0.);
     communicator.agree([&] {
-      if(load.size() != static_cast<Eigen::Index>(space.part().dimension()))
-        throw Parameter_error("load", "does not fit the part of the space");
-      if(!load.allFinite())
-        throw Parameter_error("load", "has an entry that is not a finite number");
+      const auto check = [&](const char* name, const Eigen::VectorXd& v) {
+        if(v.size() != static_cast<Eigen::Index>(space.part().dimension()))
+          throw Parameter_error(name, "does not fit the part of the space");
+        if(!v.allFinite())
+          throw Parameter_error(name, "has an entry that is not a finite number");
+      };
+      check("load", load);
+      if(has_guess)
+        check("coefficients", coefficients);
     });
-    exchange->combine(to_vector(load), own, [](double& sum, double value) { sum += value; });
+    std::vector<double> own = exchange->own_sums(load);
     const std::vector<double> given = own;
     means->project_load(own.data());
     const auto norm = [&](const std::vector<double>& v) {
@@ -161,10 +159,12 @@ struct Distributed_poisson_solver::Impl {
       internal::set_values(b, own);
       PC pc = nullptr;
       petsc_check(KSPGetPC(solver, &pc));
-      const bool has_guess = is_multigrid();
       if(has_guess)
+        internal::set_values(x, exchange->own_values(coefficients));
+      else if(is_multigrid())
         multigrid->make_first_guess(pc, b, x);
-      petsc_check(KSPSetInitialGuessNonzero(solver, has_guess ? PETSC_TRUE : PETSC_FALSE));
+      petsc_check(KSPSetInitialGuessNonzero(solver, has_guess || is_multigrid() ? PETSC_TRUE
+                                                                                : PETSC_FALSE));
       petsc_check(KSPSolve(solver, b, x));
       PetscInt iterations = 0;
       KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
@@ -185,9 +185,7 @@ struct Distributed_poisson_solver::Impl {
     }
     report.relative_residuals.assign(1, report.relative_residual);
     means->shift_solution(given.data(), solution.data());
-    const std::vector<double> of_part = exchange->values(solution);
-    coefficients = Eigen::Map<const Eigen::VectorXd>(of_part.data(),
-                                                     static_cast<Eigen::Index>(of_part.size()));
+    coefficients = exchange->known_values(solution);
     report.solve_seconds = timer.time();
     return report;
   }
@@ -232,8 +230,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE int Distributed_poisson_solver::kernel_dimens
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Distributed_poisson_solver::solve(
-    const Eigen::VectorXd& load, Eigen::VectorXd& coefficients) const {
-  return m_impl->solve(load, coefficients);
+    const Eigen::VectorXd& load, Eigen::VectorXd& coefficients, bool has_guess) const {
+  return m_impl->solve(load, coefficients, has_guess);
 }
 
 } // namespace Restricted_laplacian_3

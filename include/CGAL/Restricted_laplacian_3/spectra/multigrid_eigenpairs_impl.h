@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Nested_lobpcg.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
+#include <CGAL/Restricted_laplacian_3/spectra/shared/nested_iteration.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 
 #include <CGAL/assertions.h>
@@ -73,18 +74,6 @@ inline void check_options(const Multigrid_eigenpairs_options& options) {
     throw Parameter_error("smoothing_steps", "must be positive");
 }
 
-/// A level with fewer unknowns for each vector has no vectors that are like those of the finest
-/// level.
-constexpr Eigen::Index unknowns_of_a_start_vector = 10;
-
-/// Number of vectors that are carried along for `k` pairs, in full panels. The last pairs converge
-/// the faster, the larger the gap is to the first eigenvalue beyond all vectors.
-inline int number_of_carried_vectors(int k) {
-  constexpr int smallest_number_of_guards = 8, pairs_of_a_guard = 3;
-  const int guards = (std::max)(smallest_number_of_guards, k / pairs_of_a_guard);
-  return (k + guards + panel_width - 1) / panel_width * panel_width;
-}
-
 /// What the iteration needs of the levels after the one that it starts on.
 struct Lobpcg_levels {
   std::vector<Symmetric_matrices<2>> pencils; // S and M
@@ -122,14 +111,6 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
     std::vector<Sparse_matrix> stiffness, std::vector<Sparse_matrix> mass,
     std::vector<Sparse_matrix> prolongations, std::vector<Smoothing_patches> patches, int k,
     const Multigrid_eigenpairs_options& options) {
-  // Prolongated vectors of a coarser level are no better than its discretization.
-  constexpr double tolerance_of_coarse_levels = 1e-2;
-  // of the eigenvalues of the first level; what is wrong in them the next level sets right
-  constexpr double tolerance_of_start = 1e-6;
-  // The hierarchy is for S + alpha M, with half of this eigenvalue (the last one, if there are
-  // fewer): small enough for a good preconditioner of most pairs, but not of a singular matrix.
-  constexpr int eigenvalue_of_alpha = 9;
-
   for(auto* matrices : {&stiffness, &mass, &prolongations})
     for(Sparse_matrix& matrix : *matrices)
       matrix.makeCompressed();
@@ -155,7 +136,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   start_options.callback = progress.part(0, done).callback();
   if(start == finest)
     return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
-  start_options.tolerance = tolerance_of_start;
+  start_options.tolerance = internal::tolerance_of_start;
   const Eigenpairs at_start =
       smallest_eigenpairs(stiffness[start], mass[start], carried, start_options);
   if(at_start.values.size() < carried)
@@ -163,8 +144,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
 
   Eigenpairs pairs;
   pairs.shift = internal::natural_shift(mass[finest].coeffs().sum());
-  const double alpha =
-      (std::max)(at_start.values[(std::min)(carried - 1, eigenvalue_of_alpha)] / 2, -pairs.shift);
+  const double alpha = internal::reaction_of_hierarchy(at_start.values, pairs.shift);
   internal::Lobpcg_levels levels;
   internal::make_levels(start, alpha, stiffness, mass, prolongations, patches, options.is_parallel,
                         levels);
@@ -179,9 +159,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
     solver.prolongate(level, levels.prolongations[level], levels.pencils[level]);
     Sparse_matrix().swap(levels.prolongations[level]);
     const bool is_finest = level == finest;
-    solver.improve(is_finest ? k : carried, is_finest ? tolerance : tolerance_of_coarse_levels,
-                   is_finest && !options.eigenvalues_only,
-                   [&of_level](double part) { of_level(part); });
+    solver.improve(
+        is_finest ? k : carried, is_finest ? tolerance : internal::tolerance_of_coarse_levels,
+        is_finest && !options.eigenvalues_only, [&of_level](double part) { of_level(part); });
   }
   pairs.iterations = solver.iterations();
   solver.take_pairs(k, pairs);

@@ -46,7 +46,7 @@ public:
     m_gathered.cycle = std::make_unique<Gathered_cycle>(space, std::move(whole), options);
     make_gathered_matrix();
     // entries of vectors of the next coarser level on this rank
-    std::size_t coarse_size = gathered_range()[1] - gathered_range()[0];
+    std::size_t coarse_size = range(0)[1] - range(0)[0];
     for(std::size_t i = 1; i < number; ++i) {
       const int level = gathered + static_cast<int>(i);
       const Distributed_level& of_level = space.level(level);
@@ -89,8 +89,12 @@ public:
   /// \param level not 0
   const Element_exchange& exchange(std::size_t level) const { return *m_levels[level].exchange; }
 
-  /// Which elements of level 0 have their entries of vectors on this rank: a half-open range.
-  std::array<std::size_t, 2> gathered_range() const {
+  /// Which elements of a level have their entries of vectors on this rank: a half-open range.
+  std::array<std::size_t, 2> range(std::size_t level) const {
+    if(level > 0) {
+      const auto first = static_cast<std::size_t>(exchange(level).first());
+      return {first, first + exchange(level).own_size()};
+    }
     const auto n = static_cast<std::size_t>(m_space.dimension(m_space.gathered_level()));
     const auto ranks = static_cast<std::size_t>(m_space.communicator().size()),
                rank = static_cast<std::size_t>(m_space.communicator().rank());
@@ -214,7 +218,7 @@ private:
 
   void make_gathered_matrix() {
     const Sparse_matrix& a = m_gathered.cycle->matrix();
-    const auto [first, last] = gathered_range();
+    const auto [first, last] = range(0);
     Distributed_rows rows;
     for(std::size_t i = first; i < last; ++i) {
       for(Sparse_matrix::InnerIterator k(a, static_cast<int>(i)); k; ++k) {

@@ -6,6 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -144,6 +146,29 @@ public:
     for(std::size_t rank = 0; rank < received.size(); ++rank)
       for(std::size_t k = 0; k < received[rank].size(); ++k)
         add(own[m_asked[rank][k]], received[rank][k]);
+  }
+
+  /// values of the elements that this rank owns, from those that ranks have of the elements that they
+  /// know, which agree
+  std::vector<double> own_values(const Eigen::Ref<const Eigen::VectorXd>& known) const {
+    std::vector<double> own(own_size(), 0.);
+    combine(std::vector<double>(known.data(), known.data() + known.size()), own,
+            [](double& value, double other) { value = other; });
+    return own;
+  }
+
+  /// the sums of the values that ranks have of the elements that they know
+  std::vector<double> own_sums(const Eigen::Ref<const Eigen::VectorXd>& known) const {
+    std::vector<double> own(own_size(), 0.);
+    combine(std::vector<double>(known.data(), known.data() + known.size()), own,
+            [](double& sum, double value) { sum += value; });
+    return own;
+  }
+
+  /// values of the known elements, as a vector
+  Eigen::VectorXd known_values(const std::vector<double>& own) const {
+    const std::vector<double> known = values(own);
+    return Eigen::Map<const Eigen::VectorXd>(known.data(), static_cast<Eigen::Index>(known.size()));
   }
 
 private:

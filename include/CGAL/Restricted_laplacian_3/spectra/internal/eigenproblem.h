@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/connected_components.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
+#include <CGAL/Restricted_laplacian_3/spectra/shared/nested_iteration.h>
 
 #include <CGAL/assertions.h>
 
@@ -28,10 +29,6 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
-
-/// The largest eigenvalue below 0 that a surface of this area would have, were the distance of
-/// two eigenvalues the same everywhere (Weyl's law).
-inline double natural_shift(double area) { return -4 * 3.14159265358979323846 / area; }
 
 /// whether the entries of a matrix and of its transpose agree, to rounding
 inline bool is_symmetric(const Sparse_matrix& a) {
