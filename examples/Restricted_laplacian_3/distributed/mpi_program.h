@@ -40,8 +40,8 @@
 
 namespace examples {
 
-// MPI, PETSc and SLEPc as long as it exists. Their options are the arguments from the first one on that
-// begins with one hyphen and has more than one letter, like -ksp_monitor.
+// MPI, PETSc and SLEPc as long as it exists. Their options are the arguments from the first one on
+// that begins with one hyphen and has more than one letter, like -ksp_monitor.
 class Petsc_session {
 public:
   Petsc_session(int argc, char* argv[]) {

@@ -24,8 +24,8 @@ struct Distributed_spectrum {
   /// coefficients of the eigenfunctions, \f$x^T M x = 1\f$; of the two signs the one that makes the
   /// coefficient of largest absolute value positive. If not all converged, those that did.
   Distributed_functions pairs;
-  /// \f$ \|S x - \lambda M x\|_2 / \|(S - \sigma M) x\|_2 \f$ for each pair, with \f$\sigma = -4 \pi
-  /// / \mathrm{area}\f$
+  /// \f$ \|S x - \lambda M x\|_2 / \|(S - \sigma M) x\|_2 \f$ for each pair, with
+  /// \f$\sigma = -4 \pi / \mathrm{area}\f$
   Eigen::VectorXd residuals;
   /// how many of them were known before
   int number_of_known = 0;
@@ -50,13 +50,15 @@ struct Distributed_spectrum_state {
 /// \f$M x = \frac{1}{\lambda + \alpha}\, (S + \alpha M)\, x\f$, preconditioned by a multigrid cycle
 /// for \f$S + \alpha M\f$, that of `Distributed_poisson_solver`.
 ///
-/// As in `multigrid_eigenpairs()`, \f$\alpha\f$ is half of the tenth eigenvalue, the eigenvectors of
-/// each level are prolongated to the next finer one and improved there, and the first level is
+/// As in `multigrid_eigenpairs()`, \f$\alpha\f$ is half of the tenth eigenvalue, the eigenvectors
+/// of each level are prolongated to the next finer one and improved there, and the first level is
 /// solved by `smallest_eigenpairs()`, on rank 0: the finest one of which all ranks hold the whole,
-/// or the first finer one that has ten unknowns for each vector.
+/// or the first finer one that has ten unknowns for each vector. Coarse levels ask for residuals of
+/// 1e-2. A problem with fewer than ten unknowns for each pair is solved by rank 0 altogether.
 ///
-/// SLEPc and PETSc must be initialized. SLEPc's options apply, on each level: `-eps_monitor`,
-/// `-eps_type gd` for generalized Davidson in place of LOBPCG, `-eps_lobpcg_blocksize 8`.
+/// SLEPc and PETSc must be initialized. SLEPc's options apply on the finest level: `-eps_monitor`,
+/// `-eps_lobpcg_blocksize 64`, or `-eps_type gd` for generalized Davidson in place of LOBPCG; on
+/// coarser levels with the prefix `coarse_`.
 /// \param space the space; its finest level is used
 /// \param k number of pairs, positive
 /// \param options `normal_stabilization`, `eigenvalues_only`, and of `multigrid` the tolerance, the

@@ -148,7 +148,7 @@ public:
         add(own[m_asked[rank][k]], received[rank][k]);
   }
 
-  /// values of the elements that this rank owns, from those that ranks have of the elements that they
+  /// values of the elements that this rank owns, from those that ranks have of the elements they
   /// know, which agree
   std::vector<double> own_values(const Eigen::Ref<const Eigen::VectorXd>& known) const {
     std::vector<double> own(own_size(), 0.);
