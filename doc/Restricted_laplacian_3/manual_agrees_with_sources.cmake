@@ -100,7 +100,8 @@ require_same("shown outputs" IN_MANUAL ${in_manual} IN_SOURCES ${files})
 
 # command line options that the manual names
 set(in_sources "")
-file(GLOB files "${examples}/*.cpp" "${examples}/support/*.h"
+file(GLOB files "${examples}/*.cpp" "${examples}/distributed/*.cpp" "${examples}/distributed/*.h"
+  "${examples}/support/*.h"
   "${examples}/support/*.cpp" "${ROOT}/tools/*.cpp")
 foreach(file IN LISTS files)
   all_matches("${file}" "add\\(\"([a-z-]+)\"" found)
