@@ -94,11 +94,22 @@ large_surfaces           large_surfaces armadillo_mc1m 1 2 4 8 10 --depth 6 7 8 
 large_surfaces           large_surfaces armadillo_mc1m 1 2 4 10 --depth 7 --pairs 50
 large_surfaces           large_surfaces armadillo_mc1m 10 --depth 7 --format stl
 large_surfaces           large_surfaces armadillo_mc1m 16 --depth 7
+partition_study          partition_study armadillo_mc1m 16 --depth 12
+partition_study          partition_study bunny_closed_70k 1 --depth 7 --ranks 1 2 4 8
+distributed_comparison   mpiexec -n 1 distributed_comparison armadillo_mc1m --depth 9 --threads 2 --repetitions 1
+distributed_comparison   mpiexec -n 1 distributed_comparison armadillo_mc1m --depth 9 --tolerance 1e-8 --method patches --repetitions 1
+distributed_comparison   mpiexec -n 2 distributed_comparison armadillo_mc1m --depth 9 --method patches --repetitions 1
+distributed_comparison   mpiexec -n 4 distributed_comparison armadillo_mc1m --depth 9 --tolerance 1e-8 --method patches --repetitions 1
+distributed_comparison   mpiexec -n 1 distributed_comparison bunny_closed_70k --depth 7 --tolerance 1e-8 --method patches
+distributed_comparison   mpiexec -n 2 distributed_comparison bunny_closed_70k --depth 7
+distributed_comparison   mpiexec -n 4 distributed_comparison bunny_closed_70k --depth 7 --tolerance 1e-8 --method patches
+distributed_comparison   mpiexec -n 8 distributed_comparison bunny_closed_70k --depth 7 --tolerance 1e-8 --method patches
+distributed_comparison   mpiexec -n 2 distributed_comparison bunny_closed_70k --depth 8 --method boomeramg gamg --repetitions 1
 compile_times            compile_times.sh"
 
 # What runs on one thread need not wait for the other processor.
 is_on_two_threads() {
-  [[ $* == *"threads 2"* || $1 =~ ^(assembly_scaling|evaluation|large_surfaces|compile_times) ]]
+  [[ $* == *"threads 2"* || $1 =~ ^(assembly_scaling|evaluation|large_surfaces|partition_study|mpiexec|compile_times) ]]
 }
 
 names() {
@@ -132,8 +143,9 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DRESTRICTED_LAPLACIAN_3
 cmake --build "$build" --parallel "${JOBS:-2}" >&2
 export PATH="$build/benchmark/Restricted_laplacian_3:$here:$PATH"
 
-# Debian's Open MPI refuses to run as root unless told twice.
+# Debian's Open MPI refuses to run as root unless told twice, and more processes than cores.
 export OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_rmaps_base_oversubscribe=1
 status=0
 cd "$build/data/meshes"
 for name in "$@"; do

@@ -26,9 +26,9 @@ namespace Restricted_laplacian_3 {
 /// cell inside.
 class Rank_ranges {
 public:
-  /// The level of the ranges for an octree: three above the finest, from 1 to 7. It does not depend
+  /// The level of the ranges for an octree: three above the finest, from 1 to 8. It does not depend
   /// on the number of ranks, and so neither does the order in which unknowns are relaxed.
-  static int level_of_ranges(int depth) { return (std::min)((std::max)(depth - 3, 1), 7); }
+  static int level_of_ranges(int depth) { return (std::min)((std::max)(depth - 3, 1), 8); }
 
   /// Ranges of about the same weight: a cell belongs to the equal part of the whole in which its
   /// middle lies.
