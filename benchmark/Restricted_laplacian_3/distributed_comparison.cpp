@@ -253,6 +253,7 @@ void run_threads(const RL::Communicator& communicator, const std::string& mesh, 
   for(double tolerance : tolerances) {
     RL::Poisson_problem problem(f);
     problem.solver.relative_tolerance = tolerance;
+    problem.solver.is_parallel = threads > 1;
     std::vector<double> assembly, setup, solve;
     Row row = {"threads_" + std::to_string(threads), tolerance};
     for(int i = 0; i < repetitions; ++i) {
