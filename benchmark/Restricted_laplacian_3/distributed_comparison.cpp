@@ -11,7 +11,9 @@
 // Method `patches` is Distributed_poisson_solver; others are preconditioners of PETSc's conjugate
 // gradients for its matrix, with the settings that solver_comparison has found to be their best:
 // - boomeramg: hypre, HMIS coarsening, extended+i interpolation with at most 4 entries a row, one
-//   level of aggressive coarsening;
+//   level of aggressive coarsening, symmetric Gauss-Seidel on each rank;
+//   boomeramg_l1: with the l1 norms of what couples ranks added to the diagonal, without which it
+//   may not be positive definite;
 // - boomeramg_classical: Falgout coarsening, classical interpolation;
 // - gamg: PETSc's smoothed aggregation, with the constants of the components as near kernel;
 //   gamg_sor: the same with Gauss-Seidel in place of Chebyshev as smoother.
@@ -76,6 +78,15 @@ const std::map<std::string, std::vector<std::pair<std::string, std::string>>> me
       {"-pc_hypre_boomeramg_P_max", "4"},
       {"-pc_hypre_boomeramg_agg_nl", "1"},
       {"-pc_hypre_boomeramg_strong_threshold", "0.25"}}},
+    {"boomeramg_l1",
+     {{"-pc_type", "hypre"},
+      {"-pc_hypre_type", "boomeramg"},
+      {"-pc_hypre_boomeramg_coarsen_type", "HMIS"},
+      {"-pc_hypre_boomeramg_interp_type", "ext+i"},
+      {"-pc_hypre_boomeramg_P_max", "4"},
+      {"-pc_hypre_boomeramg_agg_nl", "1"},
+      {"-pc_hypre_boomeramg_strong_threshold", "0.25"},
+      {"-pc_hypre_boomeramg_relax_type_all", "l1scaled-SOR/Jacobi"}}},
     {"boomeramg_classical",
      {{"-pc_type", "hypre"},
       {"-pc_hypre_type", "boomeramg"},
@@ -280,7 +291,8 @@ int main(int argc, char* argv[]) {
   try {
     const RL::Communicator communicator;
     std::vector<double> tolerances = {5e-3, 1e-8};
-    std::vector<std::string> names = {"boomeramg", "boomeramg_classical", "gamg", "gamg_sor"};
+    std::vector<std::string> names = {"boomeramg", "boomeramg_l1", "boomeramg_classical", "gamg",
+                                      "gamg_sor"};
     int depth = 8, repetitions = 3, threads = 0;
     std::string mesh;
     po::options_description description;

@@ -56,12 +56,11 @@ public:
                                                       of_level.elements);
       Sparse_matrix a;
       a.swap(matrices[matrices.size() - number + i]);
-      const Distributed_rows rows =
-          sum_of_matrices(communicator, *l.exchange, of_level.elements, a);
+      Distributed_rows rows = sum_of_matrices(communicator, *l.exchange, of_level.elements, a);
       Sparse_matrix().swap(a);
       l.smoother = std::make_unique<Level_smoother>();
       l.smoother->smoother = std::make_unique<Distributed_smoother>(space, level, rows);
-      l.matrix = petsc_matrix(communicator, rows, l.exchange->own_size());
+      l.matrix = petsc_matrix(communicator, std::move(rows), l.exchange->own_size());
       petsc_check(l.smoother->attach_to(l.matrix));
       Sparse_matrix p;
       communicator.agree([&] { p = prolongation_matrix(space.part(), level - 1); });
@@ -228,7 +227,7 @@ private:
       rows.first.push_back(petsc_int(rows.columns.size()));
     }
     m_levels.emplace_back();
-    m_levels.back().matrix = petsc_matrix(m_space.communicator(), rows, last - first);
+    m_levels.back().matrix = petsc_matrix(m_space.communicator(), std::move(rows), last - first);
     Petsc_vector v;
     petsc_check(MatCreateVecs(matrix(0), v.address(), nullptr));
     petsc_check(VecScatterCreateToAll(v, m_gathered.to_all.address(), m_gathered.whole.address()));

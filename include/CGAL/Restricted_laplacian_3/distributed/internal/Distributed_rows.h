@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -189,15 +190,69 @@ inline Distributed_rows rows_of_others(const Communicator& communicator,
   return result;
 }
 
+/// The rows of a matrix of PETSc, which it uses where they are: of a matrix on several ranks those
+/// columns that belong to vectors of this rank, counted from the first one, and the others.
+struct Petsc_arrays {
+  Distributed_rows own, others;
+
+  /// \param rows are used up
+  /// \param begin,end which columns belong to vectors of this rank
+  Petsc_arrays(Distributed_rows rows, std::uint64_t begin, std::uint64_t end)
+    : own(std::move(rows)) {
+    std::size_t next = 0, read = 0;
+    for(std::size_t i = 0; i < own.size(); ++i) {
+      const auto last = static_cast<std::size_t>(own.first[i + 1]);
+      for(; read < last; ++read) {
+        const auto column = static_cast<std::uint64_t>(own.columns[read]);
+        if(column >= begin && column < end) {
+          own.columns[next] = static_cast<PetscInt>(column - begin);
+          own.values[next++] = own.values[read];
+        } else {
+          others.columns.push_back(own.columns[read]);
+          others.values.push_back(own.values[read]);
+        }
+      }
+      own.first[i + 1] = static_cast<PetscInt>(next);
+      others.first.push_back(static_cast<PetscInt>(others.columns.size()));
+    }
+    own.columns.resize(next);
+    own.values.resize(next);
+  }
+
+  static PetscErrorCode destroy(void* arrays) {
+    delete static_cast<Petsc_arrays*>(arrays);
+    return 0;
+  }
+};
+
 /// a matrix of PETSc
+/// \param rows are used up
 /// \param columns how many columns this rank has, with the entries of vectors that they belong to
-inline Petsc_matrix petsc_matrix(const Communicator& communicator, const Distributed_rows& rows,
+inline Petsc_matrix petsc_matrix(const Communicator& communicator, Distributed_rows rows,
                                  std::size_t columns) {
+  const PetscInt m = petsc_int(rows.size()), n = petsc_int(columns);
+  const std::vector<std::uint64_t> offsets = communicator.offsets(columns);
+  const auto rank = static_cast<std::size_t>(communicator.rank());
+  auto arrays = std::make_unique<Petsc_arrays>(std::move(rows), offsets[rank], offsets[rank + 1]);
+  Distributed_rows &own = arrays->own, &others = arrays->others;
   Petsc_matrix result;
-  petsc_check(MatCreateMPIAIJWithArrays(communicator.get(), petsc_int(rows.size()),
-                                        petsc_int(columns), PETSC_DETERMINE, PETSC_DETERMINE,
-                                        rows.first.data(), rows.columns.data(), rows.values.data(),
-                                        result.address()));
+  petsc_check(
+      communicator.size() == 1
+          ? MatCreateSeqAIJWithArrays(communicator.get(), m, n, own.first.data(),
+                                      own.columns.data(), own.values.data(), result.address())
+          : MatCreateMPIAIJWithSplitArrays(
+                communicator.get(), m, n, PETSC_DETERMINE, PETSC_DETERMINE, own.first.data(),
+                own.columns.data(), own.values.data(), others.first.data(), others.columns.data(),
+                others.values.data(), result.address()));
+  // they live as long as the matrix
+  PetscContainer container = nullptr;
+  petsc_check(PetscContainerCreate(communicator.get(), &container));
+  petsc_check(PetscContainerSetPointer(container, arrays.release()));
+  petsc_check(PetscContainerSetUserDestroy(container, Petsc_arrays::destroy));
+  petsc_check(PetscObjectCompose(reinterpret_cast<PetscObject>(static_cast<Mat>(result)),
+                                 "Restricted_laplacian_3_arrays",
+                                 reinterpret_cast<PetscObject>(container)));
+  petsc_check(PetscContainerDestroy(&container));
   return result;
 }
 
