@@ -195,7 +195,21 @@ TEST_CASE("eigenpairs_that_are_known_are_not_computed_again", "[shapes]") {
   CHECK((nothing_to_do.pairs.values - all.pairs.values.head(first)).cwiseAbs().maxCoeff() <=
         1e-12 * all.pairs.values[k - 1]);
 
-  // what is not an eigenpair, or not to the tolerance, is a first guess
+  // one of them twice, and a function that is 0
+  state.known.values.resize(4);
+  state.known.values << all.pairs.values.head(2), all.pairs.values[1], 0;
+  state.known.coefficients.setZero(all.pairs.coefficients.rows(), 4);
+  state.known.coefficients.leftCols(2) = all.pairs.coefficients.leftCols(2);
+  state.known.coefficients.col(2) = -all.pairs.coefficients.col(1);
+  const RL::Distributed_spectrum without_copies =
+      RL::laplace_spectrum(space, first, options_of(1e-4), state);
+  CHECK(without_copies.number_of_known == 2);
+  CHECK(without_copies.report.converged);
+  CHECK((without_copies.pairs.values - all.pairs.values.head(first)).cwiseAbs().maxCoeff() <=
+        1e-8 * all.pairs.values[k - 1]);
+
+  // what is not an eigenpair, or not to the tolerance, is a first guess; many of them
+  state.known = all.pairs;
   state.known.coefficients.setRandom();
   const RL::Distributed_spectrum anew = RL::laplace_spectrum(space, first, options_of(1e-4), state);
   CHECK(anew.number_of_known == 0);

@@ -36,8 +36,8 @@ struct Distributed_spectrum {
 /// \ingroup PkgRestrictedLaplacian3Options
 /// Where a computation of eigenpairs on several ranks begins, and whom it tells of what it finds.
 struct Distributed_spectrum_state {
-  /// Eigenpairs that an earlier run has found. Those that satisfy the tolerance are not computed
-  /// again.
+  /// Eigenpairs that an earlier run has found, the smallest ones without a gap. Those that satisfy
+  /// the tolerance are not computed again, others are first guesses.
   Distributed_functions known;
   /// is called on all ranks when more pairs on the finest level have converged, with all that have,
   /// in no order, such as for `save_functions()`

@@ -253,6 +253,8 @@ private:
     constexpr int attempts = 8;
     // SLEPc's residuals are relative to an estimate
     constexpr double margin = 0.8;
+    // what two vectors have in common that belong to one pair
+    constexpr double same_pair = 0.5;
     const auto k = static_cast<std::size_t>(m_k);
     std::vector<Petsc_pair> finished, others;
     const auto take = [&](Petsc_pair&& pair) {
@@ -262,7 +264,10 @@ private:
       Petsc_vector x;
       petsc_check(VecDuplicate(guesses.front().x, x.address()));
       set_values(x, exchange.own_values(m_state.known.coefficients.col(i)));
-      take(solver.pair(x));
+      // neither 0 nor one that is there already
+      Petsc_pair pair = solver.pair(x);
+      if(std::isfinite(pair.residual) && solver.largest_cosine(pair, finished) <= same_pair)
+        take(std::move(pair));
     }
     result.number_of_known = static_cast<int>((std::min)(finished.size(), k));
     int block = largest_block;

@@ -87,6 +87,18 @@ public:
     return result;
   }
 
+  /// the largest absolute value of \f$x^T M y\f$ for the vectors \f$y\f$ of some pairs
+  double largest_cosine(const Petsc_pair& pair, const std::vector<Petsc_pair>& others) {
+    double result = 0;
+    petsc_check(MatMult(m_mass, pair.x, m_mx));
+    for(const Petsc_pair& other : others) {
+      PetscReal cosine = 0;
+      petsc_check(VecDot(other.x, m_mx, &cosine));
+      result = (std::max)(result, std::abs(cosine));
+    }
+    return result;
+  }
+
   /// Looks for pairs beside those of `known`.
   /// \param count how many
   /// \param first vectors to begin with
@@ -102,6 +114,9 @@ public:
     m_found = std::move(found);
     m_finished = 0;
     block = (std::min)(static_cast<int>(first.size()), block);
+    // as many as LOBPCG has room for
+    const int room = (std::max)(3, (count - 1) / block + 3) * block;
+    first.resize((std::min)(first.size(), static_cast<std::size_t>(room)));
     const Petsc_eigensolver solver = make_solver(block, count, maximum_iterations);
     if(!known.empty())
       petsc_check(EPSSetDeflationSpace(solver, static_cast<PetscInt>(known.size()), known.data()));
@@ -173,7 +188,8 @@ private:
     petsc_check(BVSetOrthogonalization(basis, BV_ORTHOG_CGS, BV_ORTHOG_REFINE_IFNEEDED,
                                        PETSC_DEFAULT, BV_ORTHOG_BLOCK_SVQB));
     petsc_check(EPSSetDimensions(solver, count, PETSC_DEFAULT, PETSC_DEFAULT));
-    petsc_check(EPSSetTolerances(solver, m_tolerance, maximum_iterations * number_of_blocks));
+    petsc_check(EPSSetTolerances(solver, m_tolerance,
+                                 (std::max)(maximum_iterations, 1) * number_of_blocks));
     petsc_check(EPSSetConvergenceTestFunction(solver, relative_residual, this, nullptr));
     petsc_check(EPSSetStoppingTestFunction(solver, stop, this, nullptr));
     petsc_check(EPSMonitorSet(solver, tell, this, nullptr));
