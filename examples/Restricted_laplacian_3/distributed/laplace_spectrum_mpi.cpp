@@ -140,13 +140,5 @@ int solve(const RL::Communicator& communicator, const Options& o, const po::vari
 }
 
 int main(int argc, char* argv[]) {
-  return run_mpi_program(
-      "laplace_spectrum_mpi", argc, argv,
-      [](const RL::Communicator& communicator, int number, char* arguments[]) -> int {
-        Options o;
-        po::variables_map given;
-        bool is_to_do = false;
-        communicator.agree([&] { is_to_do = read_options(number, arguments, o, given); });
-        return is_to_do ? solve(communicator, o, given) : static_cast<int>(success);
-      });
+  return run_mpi_program("laplace_spectrum_mpi", argc, argv, read_options, solve);
 }

@@ -168,6 +168,25 @@ inline void check_mpi_options(const Common_options& o, const po::variables_map& 
   require(given.count("memory") == 0, "--memory is not possible on several processes");
 }
 
+// Runs a program that reads its options, and then does what they say:
+// `read_options(argc, argv, options, given)` returns false if there is nothing more to do, and
+// `work(communicator, options, given)` the exit status.
+template <typename Options>
+int run_mpi_program(const std::string& program, int argc, char* argv[],
+                    bool (*read_options)(int, char*[], Options&, po::variables_map&),
+                    int (*work)(const RL::Communicator&, const Options&,
+                                const po::variables_map&)) {
+  return run_mpi_program(
+      program, argc, argv,
+      [&](const RL::Communicator& communicator, int number, char* arguments[]) -> int {
+        Options o;
+        po::variables_map given;
+        bool is_to_do = false;
+        communicator.agree([&] { is_to_do = read_options(number, arguments, o, given); });
+        return is_to_do ? work(communicator, o, given) : static_cast<int>(success);
+      });
+}
+
 // Reads the surface: a slice on each rank if the file permits, or all of it on the first one.
 inline RL::Distributed_surface read_distributed(const RL::Communicator& communicator,
                                                 const Common_options& o,
