@@ -16,16 +16,18 @@
 // triangles; means of the unknowns, and of those that are relaxed in a cycle, each once for each
 // patch that it is in; ghosts, unknowns of all levels that a rank knows of others, mean and
 // largest; messages that a rank sends in a cycle, and kB, mean and largest; the model: milliseconds
-// of a cycle, and the part of the time of one rank over that of all (efficiency).
+// of a cycle, those of them for levels that all ranks hold, and the part of the time of one rank
+// over that of all (efficiency).
 //
 // The model. A cycle is one sweep down and one up. Colors follow each other: each takes the longest
-// time of all ranks, its relaxed unknowns times the rate (measured on this machine, a core), its
-// messages times the latency, and its bytes over the bandwidth; then come levels that all ranks
-// hold, each for itself. A rank sends what it has relaxed to all that know it, after each color;
-// and to those that know what it owns, three times for right-hand sides and first values of the
-// sweeps, and twice for prolongation and restriction. Each sum over all ranks takes twice the
-// latency for each factor of two. A network is assumed: its latency and bandwidth are not those of
-// this machine. (distributed_comparison counts the messages of a cycle where it runs.)
+// time of all ranks, its relaxed unknowns times the rate, its messages times the latency, and its
+// bytes over the bandwidth; then come levels that all ranks hold, each for itself. The rate is the
+// time of a cycle of one rank (distributed_comparison) over the unknowns that it relaxes. A rank
+// sends what it has relaxed to all that know it, after each color; and to those that know what it
+// owns, three times for right-hand sides and first values of the sweeps, and twice for prolongation
+// and restriction. Each sum over all ranks takes twice the latency for each factor of two. A
+// network is assumed: its latency and bandwidth are not those of this machine.
+// (distributed_comparison counts the messages of a cycle where it runs.)
 
 #include "support/measure.h"
 #include "support/meshes.h"
@@ -409,7 +411,7 @@ double largest(const std::vector<double>& values) {
 }
 
 struct Model {
-  double rate = 20, latency = 2, bandwidth = 10; // ns, us, GB/s
+  double rate = 80, latency = 2, bandwidth = 10; // ns, us, GB/s
 };
 
 void study(const Cells& cells, std::size_t number_of_ranks, const Model& model) {
@@ -463,17 +465,18 @@ void study(const Cells& cells, std::size_t number_of_ranks, const Model& model) 
     for(std::uint64_t cell = begin; cell < end; ++cell)
       fragments[rank] += cells.fragments[cell];
   }
-  // Levels that all ranks hold: each has about a quarter of the unknowns of the next finer one, and
-  // an unknown is in about 8 patches; conjugate gradients sum twice.
-  gathered = 2 * 8 * rate * 9 * static_cast<double>(keys.size()) / 3 * (4. / 3);
+  // Levels that all ranks hold: three unknowns for each cell, each in about four patches, which are
+  // relaxed twice; and each level has about a quarter of the unknowns of the next finer one.
+  // Conjugate gradients sum twice.
+  gathered = 2 * rate * 4 * 3 * static_cast<double>(keys.size()) * (4. / 3);
   seconds += gathered + 2 * sum_over_ranks;
   of_one += gathered;
   std::printf("%6zu %6.3f %6.3f %6.3f %10.0f %10.0f %9.0f %9.0f %8.0f %8.0f %8.0f %8.0f %9.2f "
-              "%6.3f\n",
+              "%8.2f %5.3f\n",
               number_of_ranks, largest(work) / mean(work), largest(unknowns) / mean(unknowns),
               largest(fragments) / mean(fragments), mean(unknowns), mean(work), mean(ghosts),
               largest(ghosts), mean(messages), largest(messages), mean(kilobytes),
-              largest(kilobytes), 1e3 * seconds,
+              largest(kilobytes), 1e3 * seconds, 1e3 * gathered,
               of_one / (static_cast<double>(number_of_ranks) * seconds));
   std::fflush(stdout);
 }
@@ -520,9 +523,8 @@ int main(int argc, char* argv[]) {
                 cells.triangles, cells.keys.size(), depth, fragments, cells.range_level);
     std::printf("# model: %g ns an unknown of a patch, latency %g us, %g GB/s\n", model.rate,
                 model.latency, model.bandwidth);
-    std::printf("# ranks   work unkns  fragm   unknowns    relaxed    ghosts   largest messages  "
-                "largest       "
-                "kB  largest  cycle_ms effic\n");
+    std::printf("# ranks   work unkns  fragm   unknowns    relaxed    ghosts  most_gh. messages "
+                "most_me.       kB  most_kB  cycle_ms  held_ms effic\n");
     for(std::size_t number : ranks)
       study(cells, number, model);
     return 0;
