@@ -28,32 +28,23 @@
 // before headers of PETSc, which make macros of functions of MPI
 #include "support/sent_messages.h"
 
+#include "support/distributed.h"
 #include "support/measure.h"
-#include "support/meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_poisson_solver.h>
-#include <CGAL/Restricted_laplacian_3/distributed/surface_slices.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <boost/program_options.hpp>
 
 #include <petscksp.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <map>
-#include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,11 +53,6 @@ namespace po = boost::program_options;
 using namespace benchmarks;
 
 namespace {
-
-void check(PetscErrorCode code) {
-  if(code != 0)
-    throw std::runtime_error("PETSc failed");
-}
 
 // the options of PETSc that make a method
 const std::map<std::string, std::vector<std::pair<std::string, std::string>>> methods = {
@@ -102,19 +88,6 @@ struct Row {
   double tolerance, setup = 0, solve = 0, residual = 0, cycle = 0, messages = 0, kilobytes = 0;
   int iterations = 0;
 };
-
-// median of the seconds of `step`, over all ranks the slowest
-template <class Step>
-double timed(const RL::Communicator& communicator, int repetitions, Step&& step) {
-  std::vector<double> seconds;
-  for(int i = 0; i < repetitions; ++i) {
-    MPI_Barrier(communicator.get());
-    const double start = seconds_now();
-    step();
-    seconds.push_back(communicator.maximum(seconds_now() - start));
-  }
-  return median(seconds);
-}
 
 // one application of a preconditioner: how long it takes, and what this rank sends
 void measure_cycle(const RL::Communicator& communicator, PC pc, Vec b, Row& row) {
@@ -172,10 +145,8 @@ Row measure_method(const RL::Communicator& communicator, const std::string& name
 
 void print(const RL::Communicator& communicator, std::uint64_t unknowns, double space,
            double assembly, const Row& row) {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  const double mib = communicator.maximum(static_cast<double>(usage.ru_maxrss) / 1024),
-               ranks = communicator.size(), messages = communicator.sum(row.messages) / ranks,
+  const double mib = communicator.maximum(memory_of_this_rank()), ranks = communicator.size(),
+               messages = communicator.sum(row.messages) / ranks,
                most_messages = communicator.maximum(row.messages),
                kilobytes = communicator.sum(row.kilobytes) / ranks,
                most_kilobytes = communicator.maximum(row.kilobytes);
@@ -192,27 +163,16 @@ void print(const RL::Communicator& communicator, std::uint64_t unknowns, double 
 void run(const RL::Communicator& communicator, const std::string& mesh, int depth,
          const std::vector<double>& tolerances, const std::vector<std::string>& names,
          int repetitions) {
-  std::optional<RL::Triangulated_surface_3> surface;
-  communicator.agree([&] {
-    if(communicator.rank() == 0)
-      surface = find_mesh(mesh);
-    if(communicator.rank() == 0 && !surface)
-      throw std::runtime_error("no mesh");
-  });
-  const RL::Distributed_surface distributed(
-      communicator, RL::slice_of_first_rank(communicator, surface ? &*surface : nullptr));
-  surface.reset();
-  RL::Spline_space_options options;
-  options.octree_depth = depth;
-  std::optional<RL::Distributed_space> space;
-  const double space_seconds = timed(communicator, 1, [&] { space.emplace(distributed, options); });
-  const std::uint64_t unknowns = space->dimension(depth);
+  Measured_space measured(communicator, mesh, depth);
+  measured.surface.reset();
+  const RL::Distributed_space& space = *measured.space;
+  const std::uint64_t unknowns = space.dimension(depth);
   const Eigen::VectorXd load =
-      RL::assemble_load(space->part(), [](const RL::Surface_point& p) { return -p.point.z(); });
+      RL::assemble_load(space.part(), [](const RL::Surface_point& p) { return -p.point.z(); });
   for(double tolerance : tolerances) {
     RL::Poisson_solver_options of_solver;
     of_solver.relative_tolerance = tolerance;
-    const RL::Distributed_poisson_solver solver(*space, 0, {}, of_solver);
+    const RL::Distributed_poisson_solver solver(space, 0, {}, of_solver);
     Row row = {"patches", tolerance};
     RL::Solve_report report;
     Eigen::VectorXd x;
@@ -230,7 +190,7 @@ void run(const RL::Communicator& communicator, const std::string& mesh, int dept
     PC pc = nullptr;
     check(KSPGetPC(ksp, &pc));
     measure_cycle(communicator, pc, b, row);
-    print(communicator, unknowns, space_seconds, assembly, row);
+    print(communicator, unknowns, measured.seconds, assembly, row);
     MatNullSpace kernel = nullptr;
     Mat a = nullptr;
     check(KSPGetOperators(ksp, &a, nullptr));
@@ -238,7 +198,7 @@ void run(const RL::Communicator& communicator, const std::string& mesh, int dept
     for(const std::string& name : names)
       if(name != "patches")
         print(
-            communicator, unknowns, space_seconds, assembly,
+            communicator, unknowns, measured.seconds, assembly,
             measure_method(communicator, name, solver.matrix(), kernel, b, tolerance, repetitions));
     check(VecDestroy(&b));
   }
@@ -247,19 +207,7 @@ void run(const RL::Communicator& communicator, const std::string& mesh, int dept
 // by one process without MPI
 void run_threads(const RL::Communicator& communicator, const std::string& mesh, int depth,
                  const std::vector<double>& tolerances, int repetitions, int threads) {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-#endif
-  std::optional<RL::Triangulated_surface_3> surface = find_mesh(mesh);
-  if(!surface || communicator.size() > 1)
-    throw std::runtime_error(surface ? "--threads needs one process" : "no mesh");
-  RL::Spline_space_options options;
-  options.octree_depth = depth;
-  options.is_parallel = threads > 1;
-  std::optional<RL::Spline_space_3> space;
-  const double seconds =
-      timed(communicator, 1, [&] { space.emplace(std::move(*surface), options); });
+  const Space_of_threads measured(communicator, mesh, depth, threads);
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
   for(double tolerance : tolerances) {
     RL::Poisson_problem problem(f);
@@ -268,7 +216,7 @@ void run_threads(const RL::Communicator& communicator, const std::string& mesh, 
     std::vector<double> assembly, setup, solve;
     Row row = {"threads_" + std::to_string(threads), tolerance};
     for(int i = 0; i < repetitions; ++i) {
-      const RL::Poisson_solution solution = RL::solve_poisson_problem(*space, problem);
+      const RL::Poisson_solution solution = RL::solve_poisson_problem(*measured.space, problem);
       assembly.push_back(solution.assembly_seconds);
       setup.push_back(solution.setup_seconds);
       solve.push_back(solution.solve_seconds);
@@ -277,19 +225,14 @@ void run_threads(const RL::Communicator& communicator, const std::string& mesh, 
     }
     row.setup = median(setup);
     row.solve = median(solve);
-    print(communicator, space->dimension(), seconds, median(assembly), row);
+    print(communicator, measured.space->dimension(), measured.seconds, median(assembly), row);
   }
 }
 
 } // namespace
 
 int main(int argc, char* argv[]) {
-  MPI_Init(&argc, &argv);
-  if(PetscInitialize(nullptr, nullptr, nullptr, nullptr) != 0)
-    return 1;
-  int status = 0;
-  try {
-    const RL::Communicator communicator;
+  const auto run_all = [&](const RL::Communicator& communicator) {
     std::vector<double> tolerances = {5e-3, 1e-8};
     std::vector<std::string> names = {"boomeramg", "boomeramg_l1", "boomeramg_classical", "gamg",
                                       "gamg_sor"};
@@ -318,15 +261,7 @@ int main(int argc, char* argv[]) {
       run_threads(communicator, mesh, depth, tolerances, repetitions, threads);
     else
       run(communicator, mesh, depth, tolerances, names, repetitions);
-  } catch(const RL::Distributed_error& e) { // all ranks know of it
-    if(RL::Communicator().rank() == 0)
-      std::fprintf(stderr, "distributed_comparison: %s\n", e.what());
-    status = 1;
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "distributed_comparison: %s\n", e.what());
-    MPI_Abort(MPI_COMM_WORLD, 1);
-  }
-  PetscFinalize();
-  MPI_Finalize();
-  return status;
+  };
+  return run_on_ranks("distributed_comparison", argc, argv, PetscInitialize, PetscFinalize,
+                      run_all);
 }

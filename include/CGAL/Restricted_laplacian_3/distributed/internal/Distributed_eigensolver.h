@@ -10,6 +10,7 @@
 #include <slepceps.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -177,7 +178,16 @@ private:
     petsc_check(EPSSetOperators(solver, m_mass, m_matrix));
     petsc_check(EPSSetProblemType(solver, EPS_GHEP));
     petsc_check(EPSSetWhichEigenpairs(solver, EPS_LARGEST_REAL));
-    petsc_check(EPSSetType(solver, EPSLOBPCG));
+    if(m_level < m_multigrid.finest())
+      petsc_check(EPSSetOptionsPrefix(solver, "coarse_"));
+    // SLEPc does not take all that a type has set back when options choose another one.
+    std::array<char, 64> type = {};
+    PetscBool is_chosen = PETSC_FALSE;
+    const char* prefix = nullptr;
+    petsc_check(EPSGetOptionsPrefix(solver, &prefix));
+    petsc_check(
+        PetscOptionsGetString(nullptr, prefix, "-eps_type", type.data(), type.size(), &is_chosen));
+    petsc_check(EPSSetType(solver, is_chosen == PETSC_TRUE ? type.data() : EPSLOBPCG));
     petsc_check(EPSLOBPCGSetBlockSize(solver, block));
     petsc_check(EPSLOBPCGSetRestart(solver, part_that_converges));
     // Without the residuals of vectors that have converged, the projected problem becomes singular
@@ -204,8 +214,6 @@ private:
     PC pc = nullptr;
     petsc_check(KSPGetPC(cycle, &pc));
     m_multigrid.configure(pc, m_level);
-    if(m_level < m_multigrid.finest())
-      petsc_check(EPSSetOptionsPrefix(solver, "coarse_"));
     petsc_check(EPSSetFromOptions(solver));
     petsc_check(KSPSetUp(cycle));
     PetscBool is_multigrid = PETSC_FALSE;
