@@ -106,6 +106,14 @@ distributed_comparison   mpiexec -n 2 distributed_comparison bunny_closed_70k --
 distributed_comparison   mpiexec -n 4 distributed_comparison bunny_closed_70k --depth 7 --tolerance 1e-8 --method boomeramg boomeramg_l1 gamg
 distributed_comparison   mpiexec -n 8 distributed_comparison bunny_closed_70k --depth 7 --tolerance 1e-8 --method patches
 distributed_comparison   mpiexec -n 2 distributed_comparison bunny_closed_70k --depth 8 --method boomeramg_l1 gamg --repetitions 1
+distributed_eigensolvers distributed_eigensolvers bunny_closed_70k --depth 6 --tolerance 1e-3 1e-6 --threads 2
+distributed_eigensolvers mpiexec -n 2 distributed_eigensolvers bunny_closed_70k --depth 6 --tolerance 1e-3 1e-6 --method lobpcg krylovschur gd
+distributed_eigensolvers distributed_eigensolvers bunny_closed_70k --depth 7 --pairs 20 100 --threads 2
+distributed_eigensolvers mpiexec -n 1 distributed_eigensolvers bunny_closed_70k --depth 7
+distributed_eigensolvers mpiexec -n 2 distributed_eigensolvers bunny_closed_70k --depth 7 --pairs 20 100 --method lobpcg krylovschur
+distributed_eigensolvers mpiexec -n 4 distributed_eigensolvers bunny_closed_70k --depth 7
+distributed_eigensolvers distributed_eigensolvers bunny_closed_70k --depth 8 --threads 2
+distributed_eigensolvers mpiexec -n 2 distributed_eigensolvers bunny_closed_70k --depth 8 --method lobpcg krylovschur
 compile_times            compile_times.sh"
 
 # What runs on one thread need not wait for the other processor.

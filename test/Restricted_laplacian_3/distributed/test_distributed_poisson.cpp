@@ -10,9 +10,12 @@
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/distributed/internal/Distributed_multigrid.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
+#include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,6 +162,94 @@ TEST_CASE("matrices_and_options_are_those_of_petsc", "[shapes]") {
   CHECK(report.converged);
   REQUIRE(x.size() == static_cast<Eigen::Index>(space.part().dimension()));
   CHECK((x - y).norm() <= 1e-3 * x.norm());
+}
+
+TEST_CASE("a_cycle_for_many_vectors_is_that_of_petsc_for_each", "[shapes]") {
+  const RL::Communicator communicator;
+  const RL::Triangulated_surface_3 surface = surface_of(shapes::sphere(3));
+  RL::Spline_space_options options;
+  options.octree_depth = 6;
+  const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
+  const RL::Distributed_space space(distributed, options);
+  const int coarsest =
+      std::min(RL::internal::coarsest_multigrid_level(space.part()), space.gathered_level());
+  RL::internal::Elliptic_operator elliptic;
+  elliptic.reaction = 1;
+  elliptic.normal_stabilization = RL::default_normal_stabilization(space.part());
+  for(const RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W})
+    for(const int steps : {1, 2}) {
+      RL::Poisson_solver_options solver_options;
+      solver_options.cycle = cycle;
+      solver_options.smoothing_steps = steps;
+      RL::internal::Distributed_multigrid multigrid(
+          space, RL::internal::assemble_system(space.part(), coarsest, elliptic).matrices,
+          solver_options);
+      const std::size_t finest = multigrid.finest();
+      REQUIRE(finest >= 2);
+      const Mat a = multigrid.matrix(finest);
+
+      // a panel, and three more
+      constexpr PetscInt columns = 11;
+      PetscInt size = 0, first = 0, last = 0;
+      REQUIRE(MatGetLocalSize(a, &size, nullptr) == 0);
+      REQUIRE(MatGetOwnershipRange(a, &first, &last) == 0);
+      // a load, times the solution, is an energy: neither hides elements that are hardly reached
+      RL::internal::Petsc_vector y;
+      REQUIRE(MatCreateVecs(a, y.address(), nullptr) == 0);
+      REQUIRE(MatGetDiagonal(a, y) == 0);
+      REQUIRE(VecSqrtAbs(y) == 0);
+      const std::vector<double> scale = RL::internal::values_of(y);
+      RL::internal::Petsc_matrix b, x;
+      for(RL::internal::Petsc_matrix* m : {&b, &x})
+        REQUIRE(MatCreateDense(communicator.get(), size, PETSC_DECIDE, PETSC_DETERMINE, columns,
+                               nullptr, m->address()) == 0);
+      PetscScalar* entries = nullptr;
+      REQUIRE(MatDenseGetArrayWrite(b, &entries) == 0);
+      for(PetscInt c = 0; c < columns; ++c) // of different size
+        for(PetscInt i = 0; i < size; ++i)
+          entries[c * size + i] = std::pow(10., 12 * c - 60) * scale[i] *
+                                  std::sin(1. + 1e-3 * (c + 1) * static_cast<double>(first + i));
+      REQUIRE(MatDenseRestoreArrayWrite(b, &entries) == 0);
+
+      RL::internal::Petsc_solver solver, solver_of_many;
+      PC pc = nullptr, pc_of_many = nullptr;
+      for(RL::internal::Petsc_solver* s : {&solver, &solver_of_many}) {
+        REQUIRE(KSPCreate(communicator.get(), s->address()) == 0);
+        REQUIRE(KSPSetOperators(*s, a, a) == 0);
+      }
+      REQUIRE(KSPGetPC(solver, &pc) == 0);
+      REQUIRE(KSPGetPC(solver_of_many, &pc_of_many) == 0);
+      multigrid.configure(pc, finest);
+      multigrid.configure_for_many(pc_of_many, finest);
+      REQUIRE(KSPSetUp(solver) == 0);
+      REQUIRE(KSPSetUp(solver_of_many) == 0);
+      multigrid.set_residuals(pc, finest);
+      REQUIRE(PCMatApply(pc_of_many, b, x) == 0);
+      // in the norm of the energy, which does not see what nearly dependent elements may be
+      RL::internal::Petsc_vector expected, ax;
+      REQUIRE(VecDuplicate(y, expected.address()) == 0);
+      REQUIRE(VecDuplicate(y, ax.address()) == 0);
+      const auto energy = [&](Vec v) {
+        PetscReal result = 0;
+        REQUIRE(MatMult(a, v, ax) == 0);
+        REQUIRE(VecDot(v, ax, &result) == 0);
+        return std::sqrt(result);
+      };
+      for(PetscInt c = 0; c < columns; ++c) {
+        Vec load = nullptr, of_many = nullptr;
+        REQUIRE(MatDenseGetColumnVecRead(b, c, &load) == 0);
+        REQUIRE(PCApply(pc, load, expected) == 0);
+        REQUIRE(PCApply(pc_of_many, load, y) == 0);
+        REQUIRE(MatDenseRestoreColumnVecRead(b, c, &load) == 0);
+        REQUIRE(VecAXPY(y, -1, expected) == 0);
+        CHECK(energy(y) / energy(expected) <= 5e-5);
+        REQUIRE(MatDenseGetColumnVecRead(x, c, &of_many) == 0);
+        REQUIRE(VecCopy(of_many, y) == 0);
+        REQUIRE(MatDenseRestoreColumnVecRead(x, c, &of_many) == 0);
+        REQUIRE(VecAXPY(y, -1, expected) == 0);
+        CHECK(energy(y) / energy(expected) <= 5e-5);
+      }
+    }
 }
 
 TEST_CASE("problems_on_ranks_begin_with_a_guess", "[shapes]") {

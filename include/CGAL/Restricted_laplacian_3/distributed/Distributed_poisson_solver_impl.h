@@ -157,12 +157,10 @@ struct Distributed_poisson_solver::Impl {
       internal::Petsc_vector b, x;
       petsc_check(MatCreateVecs(matrix, x.address(), b.address()));
       internal::set_values(b, own);
-      PC pc = nullptr;
-      petsc_check(KSPGetPC(solver, &pc));
       if(has_guess)
         internal::set_values(x, exchange->own_values(coefficients));
       else if(is_multigrid())
-        multigrid->make_first_guess(pc, b, x);
+        multigrid->make_first_guess(b, x);
       petsc_check(KSPSetInitialGuessNonzero(solver, has_guess || is_multigrid() ? PETSC_TRUE
                                                                                 : PETSC_FALSE));
       petsc_check(KSPSolve(solver, b, x));

@@ -270,7 +270,7 @@ private:
         take(std::move(pair));
     }
     result.number_of_known = static_cast<int>((std::min)(finished.size(), k));
-    int block = largest_block;
+    int block = block_of(static_cast<int>(k - finished.size()));
     double tolerance = margin * m_tolerance;
     for(int attempt = 0; attempt < attempts && finished.size() < k; ++attempt) {
       // The guesses for pairs that are known are of no use.
@@ -292,7 +292,8 @@ private:
       for(Petsc_pair& pair : pairs)
         take(std::move(pair));
       if(solver.has_failed()) // another block has other vectors beside each other
-        block = finished.size() > before ? largest_block : block * 3 / 4;
+        block = finished.size() > before ? block_of(static_cast<int>(k - finished.size()))
+                                         : block * 3 / 4;
       else if(others.empty())
         break;
       else

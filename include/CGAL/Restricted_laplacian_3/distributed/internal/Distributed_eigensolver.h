@@ -42,6 +42,14 @@ inline void sort_pairs(std::vector<Petsc_pair>& pairs) {
 constexpr int largest_block = 32;
 constexpr double part_that_converges = 0.6;
 
+/// The block for so many pairs: a few more vectors than pairs, which converge soon, in whole panels
+/// of a cycle.
+inline int block_of(int count) {
+  constexpr int guards = 4;
+  const int panels = (count + guards + vectors_of_a_block - 1) / vectors_of_a_block;
+  return (std::min)(largest_block, panels * vectors_of_a_block);
+}
+
 /// Eigenpairs \f$S x = \lambda M x\f$ on one level of a hierarchy, by SLEPc.
 class Distributed_eigensolver {
 public:
@@ -213,13 +221,9 @@ private:
     petsc_check(KSPSetOperators(cycle, m_matrix, m_matrix));
     PC pc = nullptr;
     petsc_check(KSPGetPC(cycle, &pc));
-    m_multigrid.configure(pc, m_level);
+    m_multigrid.configure_for_many(pc, m_level);
     petsc_check(EPSSetFromOptions(solver));
     petsc_check(KSPSetUp(cycle));
-    PetscBool is_multigrid = PETSC_FALSE;
-    petsc_check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCMG, &is_multigrid));
-    if(is_multigrid == PETSC_TRUE)
-      m_multigrid.set_residuals(pc, m_level);
     return solver;
   }
 

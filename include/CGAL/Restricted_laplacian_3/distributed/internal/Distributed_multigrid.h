@@ -15,9 +15,12 @@
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <new>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -72,8 +75,10 @@ public:
       l.shells = {Smoother_shell{l.smoother.get(), false}, Smoother_shell{l.smoother.get(), true}};
     }
     for(Level& l : m_levels)
-      for(Petsc_vector* v : {&l.b, &l.x, &l.r})
+      for(Petsc_vector* v : {&l.b, &l.r})
         petsc_check(MatCreateVecs(l.matrix, v->address(), nullptr));
+    for(std::size_t level = 0; level < m_levels.size(); ++level)
+      m_levels[level].cycle = {this, level};
   }
 
   Distributed_multigrid(const Distributed_multigrid&) = delete;
@@ -121,6 +126,9 @@ public:
         petsc_check(KSPSetTolerances(level, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT,
                                      m_options.smoothing_steps));
         petsc_check(KSPSetOperators(level, l.matrix, l.matrix));
+        // PETSc would begin the second visit of a W-cycle anew; it begins the first one with 0.
+        if(m_options.cycle == Cycle::W && i + 1 < number)
+          petsc_check(KSPSetInitialGuessNonzero(level, PETSC_TRUE));
         PC smoother = nullptr;
         petsc_check(KSPGetPC(level, &smoother));
         petsc_check(PCSetType(smoother, PCSHELL));
@@ -150,16 +158,26 @@ public:
                                   m_levels[i].matrix));
   }
 
+  /// Makes of a preconditioner of the matrix of a level the same cycle for eigensolvers: PETSc has
+  /// it for many vectors at once, which are relaxed side by side.
+  void configure_for_many(PC pc, std::size_t level) {
+    petsc_check(PCSetType(pc, PCSHELL));
+    petsc_check(PCShellSetContext(pc, &m_levels[level].cycle));
+    petsc_check(PCShellSetApply(pc, Cycle_shell::apply));
+    petsc_check(PCShellSetMatApply(pc, Cycle_shell::apply_to_columns));
+    petsc_check(PCShellSetName(pc, "a cycle for several vectors at once"));
+  }
+
   /// The first guess by nested iteration, as that of `Multigrid`: the solution of each level is
   /// prolongated to the next, and improved by one cycle there, except on the finest.
-  void make_first_guess(PC pc, Vec b, Vec x) {
+  void make_first_guess(Vec b, Vec x) {
     petsc_check(VecCopy(b, m_levels.back().b));
     for(std::size_t level = finest(); level > 0; --level)
       petsc_check(MatMultTranspose(prolongation(level), m_levels[level].b, m_levels[level - 1].b));
     std::vector<Petsc_vector> solutions(finest());
     for(std::size_t level = 0; level < finest(); ++level) {
       const Level& l = m_levels[level];
-      petsc_check(VecDuplicate(l.x, solutions[level].address()));
+      petsc_check(VecDuplicate(l.b, solutions[level].address()));
       if(level == 0) {
         petsc_check(VecSet(solutions[0], 0));
         petsc_check(VecCopy(l.b, l.r));
@@ -168,51 +186,162 @@ public:
         petsc_check(MatResidual(matrix(level), l.b, solutions[level], l.r));
       }
       m_gathered.is_first = level == 0;
-      make_cycle(pc, level);
+      const double* const correction = make_cycle<1>(level, values_of(l.r).data());
       m_gathered.is_first = false;
-      petsc_check(VecAXPY(solutions[level], 1, l.x));
+      PetscScalar* solution = nullptr;
+      petsc_check(VecGetArray(solutions[level], &solution));
+      for(std::size_t i = 0; i < own_size(level); ++i)
+        solution[i] += correction[i];
+      petsc_check(VecRestoreArray(solutions[level], &solution));
     }
     petsc_check(MatMult(prolongation(finest()), solutions.back(), x));
   }
 
 private:
+  /// `K` vectors of a level: the entries on this rank, vector by vector, and PETSc's view of them.
+  template <int K> struct Block {
+    std::vector<double> values;
+    Petsc_matrix matrix;
+
+    void allocate(MPI_Comm communicator, std::size_t size) {
+      if(matrix)
+        return;
+      values.resize(K * size);
+      petsc_check(MatCreateDense(communicator, petsc_int(size), PETSC_DECIDE, PETSC_DETERMINE, K,
+                                 values.data(), matrix.address()));
+    }
+  };
+  /// of a cycle for `K` vectors on a level
+  template <int K> struct Workspace {
+    Block<K> x, r;
+    std::vector<double> left;
+    Petsc_matrix restricted, prolongated; // of r, and of the solution of the next coarser level
+  };
+
+  /// what PETSc calls to make a cycle on a level
+  struct Cycle_shell {
+    Distributed_multigrid* multigrid = nullptr;
+    std::size_t level = 0;
+
+    static PetscErrorCode apply(PC pc, Vec b, Vec x) {
+      void* context = nullptr;
+      PetscCall(PCShellGetContext(pc, &context));
+      const PetscScalar* load = nullptr;
+      PetscScalar* solution = nullptr;
+      PetscCall(VecGetArrayRead(b, &load));
+      PetscCall(VecGetArrayWrite(x, &solution));
+      PetscCall(static_cast<Cycle_shell*>(context)->make<1>(load, 0, solution, 0, 1));
+      PetscCall(VecRestoreArrayWrite(x, &solution));
+      PetscCall(VecRestoreArrayRead(b, &load));
+      return 0;
+    }
+
+    static PetscErrorCode apply_to_columns(PC pc, Mat b, Mat x) {
+      void* context = nullptr;
+      PetscCall(PCShellGetContext(pc, &context));
+      PetscInt columns = 0, stride_of_b = 0, stride_of_x = 0;
+      const PetscScalar* load = nullptr;
+      PetscScalar* solution = nullptr;
+      PetscCall(MatGetSize(b, nullptr, &columns));
+      PetscCall(MatDenseGetLDA(b, &stride_of_b));
+      PetscCall(MatDenseGetLDA(x, &stride_of_x));
+      PetscCall(MatDenseGetArrayRead(b, &load));
+      PetscCall(MatDenseGetArrayWrite(x, &solution));
+      for(PetscInt c = 0; c < columns; c += vectors_of_a_block)
+        PetscCall(static_cast<Cycle_shell*>(context)->make<vectors_of_a_block>(
+            load + c * stride_of_b, stride_of_b, solution + c * stride_of_x, stride_of_x,
+            (std::min)(static_cast<PetscInt>(vectors_of_a_block), columns - c)));
+      PetscCall(MatDenseRestoreArrayWrite(x, &solution));
+      PetscCall(MatDenseRestoreArrayRead(b, &load));
+      return 0;
+    }
+
+  private:
+    /// for the first columns of a block
+    template <int K>
+    PetscErrorCode make(const PetscScalar* b, PetscInt stride_of_b, PetscScalar* x,
+                        PetscInt stride_of_x, PetscInt columns) {
+      try { // no exceptions through functions of C
+        const auto size = static_cast<std::ptrdiff_t>(multigrid->own_size(level));
+        std::vector<double> load(static_cast<std::size_t>(K * size), 0.);
+        for(PetscInt c = 0; c < columns; ++c)
+          std::copy_n(b + c * stride_of_b, size, load.data() + c * size);
+        const double* const solution = multigrid->make_cycle<K>(level, load.data());
+        for(PetscInt c = 0; c < columns; ++c)
+          std::copy_n(solution + c * size, size, x + c * stride_of_x);
+        return 0;
+      } catch(const std::bad_alloc&) {
+        return PETSC_ERR_MEM;
+      } catch(...) {
+        return PETSC_ERR_PLIB;
+      }
+    }
+  };
+
   struct Level {
     Petsc_matrix matrix, prolongation;
-    Petsc_vector b, x, r;
+    Petsc_vector b, r;
     std::unique_ptr<Element_exchange> exchange;
     std::unique_ptr<Level_smoother> smoother;
     std::array<Smoother_shell, 2> shells = {};
+    Cycle_shell cycle;
+    std::tuple<Workspace<1>, Workspace<vectors_of_a_block>> workspaces;
   };
 
-  /// PETSc's solver on a level, before or after the coarse correction
-  static KSP level_solver(PC pc, std::size_t level, bool is_up) {
-    KSP result = nullptr;
-    const auto i = static_cast<PetscInt>(level);
-    petsc_check(level == 0 ? PCMGGetCoarseSolve(pc, &result)
-                : is_up    ? PCMGGetSmootherUp(pc, i, &result)
-                           : PCMGGetSmootherDown(pc, i, &result));
-    return result;
+  /// how many entries of a vector of a level are on this rank
+  std::size_t own_size(std::size_t level) const { return range(level)[1] - range(level)[0]; }
+
+  /// One cycle on a level that starts from 0, for `K` vectors, 1 or 8, as that of `PCMG`.
+  /// \param b the right-hand sides: their entries on this rank, vector by vector
+  /// \return the solutions, until the next cycle on this level
+  template <int K> const double* make_cycle(std::size_t level, const double* b) {
+    Level& l = m_levels[level];
+    auto& w = std::get<Workspace<K>>(l.workspaces);
+    const std::size_t size = own_size(level);
+    w.x.allocate(m_space.communicator().get(), size);
+    double* const x = w.x.values.data();
+    if(level == 0) {
+      petsc_check(m_gathered.solve<K>(b, x));
+      return x;
+    }
+    w.r.allocate(m_space.communicator().get(), size);
+    Distributed_smoother& smoother = *l.smoother->smoother;
+    for(int step = 0; step < m_options.smoothing_steps; ++step)
+      smoother.smooth<K>(b, x, false, step == 0);
+    smoother.residual<K>(w.r.values.data());
+    petsc_check(MatTransposeMatMult(l.prolongation, w.r.matrix,
+                                    w.restricted ? MAT_REUSE_MATRIX : MAT_INITIAL_MATRIX,
+                                    PETSC_DEFAULT, w.restricted.address()));
+    const PetscScalar* load = nullptr;
+    petsc_check(MatDenseGetArrayRead(w.restricted, &load));
+    make_cycle<K>(level - 1, load);
+    add_coarse<K>(level);
+    if(m_options.cycle == Cycle::W && level > 1) {
+      // The second visit corrects what the first one left.
+      w.left.resize(K * own_size(level - 1));
+      m_levels[level - 1].smoother->smoother->template residual<K>(w.left.data());
+      make_cycle<K>(level - 1, w.left.data());
+      add_coarse<K>(level);
+    }
+    petsc_check(MatDenseRestoreArrayRead(w.restricted, &load));
+    for(int step = 0; step < m_options.smoothing_steps; ++step)
+      smoother.smooth<K>(b, x, true, false);
+    return x;
   }
 
-  /// One cycle on a level that starts from 0, for the vector `r` of the level; the correction is in
-  /// `x` on return.
-  void make_cycle(PC pc, std::size_t level) const {
-    const Level& l = m_levels[level];
-    if(level == 0)
-      return petsc_check(KSPSolve(level_solver(pc, 0, false), l.r, l.x));
-    const Level& coarse = m_levels[level - 1];
-    Petsc_vector b;
-    petsc_check(VecDuplicate(l.r, b.address()));
-    petsc_check(VecCopy(l.r, b));
-    petsc_check(VecSet(l.x, 0));
-    petsc_check(KSPSetInitialGuessNonzero(level_solver(pc, level, false), PETSC_FALSE));
-    petsc_check(KSPSolve(level_solver(pc, level, false), b, l.x));
-    petsc_check(Level_smoother::residual(l.matrix, b, l.x, l.r));
-    petsc_check(MatMultTranspose(l.prolongation, l.r, coarse.r));
-    make_cycle(pc, level - 1);
-    petsc_check(MatMultAdd(l.prolongation, coarse.x, l.x, l.x));
-    petsc_check(KSPSetInitialGuessNonzero(level_solver(pc, level, true), PETSC_TRUE));
-    petsc_check(KSPSolve(level_solver(pc, level, true), b, l.x));
+  /// adds the solution of the next coarser level
+  template <int K> void add_coarse(std::size_t level) {
+    Level& l = m_levels[level];
+    auto& w = std::get<Workspace<K>>(l.workspaces);
+    const auto& coarse = std::get<Workspace<K>>(m_levels[level - 1].workspaces);
+    petsc_check(MatMatMult(l.prolongation, coarse.x.matrix,
+                           w.prolongated ? MAT_REUSE_MATRIX : MAT_INITIAL_MATRIX, PETSC_DEFAULT,
+                           w.prolongated.address()));
+    const PetscScalar* values = nullptr;
+    petsc_check(MatDenseGetArrayRead(w.prolongated, &values));
+    for(std::size_t i = 0; i < w.x.values.size(); ++i)
+      w.x.values[i] += values[i];
+    petsc_check(MatDenseRestoreArrayRead(w.prolongated, &values));
   }
 
   void make_gathered_matrix() {
@@ -231,7 +360,9 @@ private:
     Petsc_vector v;
     petsc_check(MatCreateVecs(matrix(0), v.address(), nullptr));
     petsc_check(VecScatterCreateToAll(v, m_gathered.to_all.address(), m_gathered.whole.address()));
-    m_gathered.solution.resize(static_cast<std::size_t>(a.rows()));
+    m_gathered.own = std::move(v);
+    m_gathered.first = first;
+    m_gathered.size = last - first;
   }
 
   const Distributed_space& m_space;

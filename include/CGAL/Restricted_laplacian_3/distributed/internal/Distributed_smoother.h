@@ -103,50 +103,67 @@ public:
     set_lists(exchange, known, patches, place);
   }
 
-  /// One sweep, in order or in reverse.
-  /// \param b of the unknowns that this rank owns
+  /// One sweep for `K` vectors, 1 or 8, in order or in reverse.
+  /// \param b of the unknowns that this rank owns, vector by vector
   /// \param x the same; it is 0 at first if `is_zero`
-  void smooth(const double* b, double* x, bool is_reversed, bool is_zero) {
+  template <int K> void smooth(const double* b, double* x, bool is_reversed, bool is_zero) {
     const std::vector<double>& d = m_smoother->scale();
     const std::vector<std::uint32_t>& position = m_smoother->positions().of_unknown;
-    double largest = 0;
-    for(std::size_t i = m_own[0]; i < m_own[1]; ++i) {
-      largest = (std::max)(largest, std::abs(b[i - m_own[0]] * d[i]));
-      if(!is_zero)
-        largest = (std::max)(largest, std::abs(x[i - m_own[0]] / d[i]));
-    }
-    largest = m_communicator.maximum(largest);
-    m_unit = largest > 0 ? std::ldexp(1., std::ilogb(largest)) : 1;
-    m_b.set_zero(m_smoother->positions().number_of_positions);
-    m_x.set_zero(m_smoother->positions().number_of_positions);
-    for(std::size_t i = m_own[0]; i < m_own[1]; ++i)
-      *m_b.position(position[i]) = static_cast<float>(b[i - m_own[0]] * d[i] / m_unit);
-    m_all->exchange(m_b.data());
-    if(!is_zero) {
-      for(std::size_t i = m_own[0]; i < m_own[1]; ++i)
-        *m_x.position(position[i]) = static_cast<float>(x[i - m_own[0]] / d[i] / m_unit);
-      m_all->exchange(m_x.data());
-    }
+    const std::size_t size = m_own[1] - m_own[0];
+    Vectors<K>& v = vectors<K>();
+    v.units.assign(K, 0);
+    for(std::size_t c = 0; c < K; ++c)
+      for(std::size_t i = 0; i < size; ++i) {
+        const double scale = d[m_own[0] + i];
+        v.units[c] = (std::max)(v.units[c], std::abs(b[c * size + i] * scale));
+        if(!is_zero)
+          v.units[c] = (std::max)(v.units[c], std::abs(x[c * size + i] / scale));
+      }
+    m_communicator.maximum(v.units);
+    for(double& unit : v.units)
+      unit = unit > 0 ? std::ldexp(1., std::ilogb(unit)) : 1;
+    v.b.set_zero(m_smoother->positions().number_of_positions);
+    v.x.set_zero(m_smoother->positions().number_of_positions);
+    for(std::size_t c = 0; c < K; ++c)
+      for(std::size_t i = 0; i < size; ++i) {
+        const std::size_t k = m_own[0] + i;
+        v.b.position(position[k])[c] = static_cast<float>(b[c * size + i] * d[k] / v.units[c]);
+        if(!is_zero)
+          v.x.position(position[k])[c] = static_cast<float>(x[c * size + i] / d[k] / v.units[c]);
+      }
+    m_all->exchange<K>(v.b.data());
+    if(!is_zero)
+      m_all->exchange<K>(v.x.data());
     const std::size_t colors = m_smoother->number_of_colors();
     for(std::size_t k = 0; k < colors; ++k) {
       const std::size_t color = is_reversed ? colors - 1 - k : k;
-      m_smoother->relax_color<1>(color, m_b, m_x, is_reversed);
-      m_of_colors[color].exchange(m_x.data());
+      m_smoother->relax_color<K>(color, v.b, v.x, is_reversed);
+      m_of_colors[color].exchange<K>(v.x.data());
     }
-    for(std::size_t i = m_own[0]; i < m_own[1]; ++i)
-      x[i - m_own[0]] = *m_x.position(position[i]) * d[i] * m_unit;
+    for(std::size_t c = 0; c < K; ++c)
+      for(std::size_t i = 0; i < size; ++i)
+        x[c * size + i] = v.x.position(position[m_own[0] + i])[c] * d[m_own[0] + i] * v.units[c];
   }
 
-  /// \f$b - A x\f$ of the last call of `smooth()`
-  void residual(double* r) {
+  /// \f$b - A x\f$ of the last call of `smooth()` for as many vectors
+  template <int K> void residual(double* r) {
     const std::vector<double>& d = m_smoother->scale();
     const std::vector<std::uint32_t>& position = m_smoother->positions().of_unknown;
-    m_smoother->residual<1>(m_b, m_x, m_r);
-    for(std::size_t i = m_own[0]; i < m_own[1]; ++i)
-      r[i - m_own[0]] = *m_r.position(position[i]) / d[i] * m_unit;
+    const std::size_t size = m_own[1] - m_own[0];
+    Vectors<K>& v = vectors<K>();
+    m_smoother->residual<K>(v.b, v.x, v.r);
+    for(std::size_t c = 0; c < K; ++c)
+      for(std::size_t i = 0; i < size; ++i)
+        r[c * size + i] = v.r.position(position[m_own[0] + i])[c] / d[m_own[0] + i] * v.units[c];
   }
 
 private:
+  template <int K> struct Vectors {
+    Level_vectors<K> b, x, r;
+    std::vector<double> units; // powers of 2, about as large as the vectors
+  };
+  template <int K> Vectors<K>& vectors() { return std::get<Vectors<K>>(m_vectors); }
+
   static void make_unique(std::vector<std::uint64_t>& numbers) {
     std::sort(numbers.begin(), numbers.end());
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
@@ -313,8 +330,7 @@ private:
   std::optional<Patch_smoother> m_smoother;
   std::optional<Neighbor_lists> m_all;
   std::vector<Neighbor_lists> m_of_colors;
-  Level_vectors<1> m_b, m_x, m_r;
-  double m_unit = 1;
+  std::tuple<Vectors<1>, Vectors<vectors_of_a_block>> m_vectors;
 };
 
 } // namespace internal

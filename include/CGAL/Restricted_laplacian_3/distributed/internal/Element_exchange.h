@@ -36,20 +36,22 @@ public:
     }
   }
 
-  /// Sends values of the array to the neighbors, and puts theirs into it.
-  template <class T> void exchange(T* values) const {
+  /// Sends values of the array to the neighbors, and puts theirs into it: `K` of each place.
+  template <int K = 1, class T> void exchange(T* values) const {
     std::vector<std::vector<T>> buffers(m_sent.size() + m_received.size());
     std::vector<MPI_Request> requests(buffers.size());
     std::size_t k = 0;
     for(const List& list : m_received) {
-      buffers[k].resize(list.places.size());
+      buffers[k].resize(K * list.places.size());
       MPI_Irecv(buffers[k].data(), bytes(buffers[k]), MPI_BYTE, list.rank, 1, m_communicator.get(),
                 &requests[k]);
       ++k;
     }
     for(const List& list : m_sent) {
+      buffers[k].reserve(K * list.places.size());
       for(std::uint32_t place : list.places)
-        buffers[k].push_back(values[place]);
+        buffers[k].insert(buffers[k].end(), values + K * std::size_t(place),
+                          values + K * (std::size_t(place) + 1));
       MPI_Isend(buffers[k].data(), bytes(buffers[k]), MPI_BYTE, list.rank, 1, m_communicator.get(),
                 &requests[k]);
       ++k;
@@ -58,7 +60,7 @@ public:
     k = 0;
     for(const List& list : m_received) {
       for(std::size_t i = 0; i < list.places.size(); ++i)
-        values[list.places[i]] = buffers[k][i];
+        std::copy_n(buffers[k].data() + K * i, K, values + K * std::size_t(list.places[i]));
       ++k;
     }
   }

@@ -17,7 +17,9 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -59,53 +61,69 @@ public:
   /// the matrix of the gathered level
   const Sparse_matrix& matrix() const { return m_matrix; }
 
-  /// \param b the whole right-hand side
+  /// One cycle for `K` vectors, 1 or 8.
+  /// \param b the whole right-hand sides
   /// \param is_first whether a nested iteration comes before the cycle
-  void apply(const double* b, double* x, bool is_first) {
-    const Eigen::Index n = m_multigrid.size();
-    Block_vector<1> load = Eigen::Map<const Eigen::VectorXd>(b, n), solution, guess;
-    if(is_first) {
-      m_multigrid.nested_iteration<1>(load, guess, m_options.cycle, m_options.smoothing_steps,
-                                      m_workspace);
-      load -= m_matrix * guess;
-    }
-    m_multigrid.apply<1>(load, solution, m_options.cycle, m_options.smoothing_steps, m_workspace);
-    if(is_first)
-      solution += guess;
-    Eigen::Map<Eigen::VectorXd>(x, n) = solution;
+  template <int K> void apply(const Block_vector<K>& b, Block_vector<K>& x, bool is_first = false) {
+    auto& workspace = std::get<Workspace<K>>(m_workspaces);
+    if(!is_first)
+      return m_multigrid.apply<K>(b, x, m_options.cycle, m_options.smoothing_steps, workspace);
+    Block_vector<K> guess, left;
+    m_multigrid.nested_iteration<K>(b, guess, m_options.cycle, m_options.smoothing_steps,
+                                    workspace);
+    left = b - m_matrix * guess;
+    m_multigrid.apply<K>(left, x, m_options.cycle, m_options.smoothing_steps, workspace);
+    x += guess;
   }
 
 private:
   Poisson_solver_options m_options;
   Sparse_matrix m_matrix;
+  template <int K> using Workspace = Multigrid<Patch_smoother>::Workspace<K>;
   Multigrid<Patch_smoother> m_multigrid;
-  Multigrid<Patch_smoother>::Workspace<1> m_workspace;
+  std::tuple<Workspace<1>, Workspace<vectors_of_a_block>> m_workspaces;
 };
 
 /// what PETSc calls on the coarsest of its levels
 struct Gathered_shell {
   std::unique_ptr<Gathered_cycle> cycle;
   Petsc_scatter to_all;
-  Petsc_vector whole;
-  std::vector<double> solution;
+  Petsc_vector own, whole;
+  std::size_t first = 0, size = 0; // entries of vectors on this rank
   bool is_first = false;
+
+  /// One cycle for `K` vectors, 1 or 8: their entries on this rank, vector by vector.
+  template <int K> PetscErrorCode solve(const double* b, double* x) {
+    PetscInt n = 0;
+    PetscCall(VecGetSize(own, &n));
+    Block_vector<K> load(n, K), solution;
+    for(int c = 0; c < K; ++c) {
+      PetscCall(VecPlaceArray(own, b + c * size));
+      PetscCall(VecScatterBegin(to_all, own, whole, INSERT_VALUES, SCATTER_FORWARD));
+      PetscCall(VecScatterEnd(to_all, own, whole, INSERT_VALUES, SCATTER_FORWARD));
+      PetscCall(VecResetArray(own));
+      const PetscScalar* values = nullptr;
+      PetscCall(VecGetArrayRead(whole, &values));
+      load.col(c) = Eigen::Map<const Eigen::VectorXd>(values, n);
+      PetscCall(VecRestoreArrayRead(whole, &values));
+    }
+    cycle->apply<K>(load, solution, is_first);
+    for(int c = 0; c < K; ++c)
+      for(std::size_t i = 0; i < size; ++i)
+        x[c * size + i] = solution(static_cast<Eigen::Index>(first + i), c);
+    return 0;
+  }
 
   static PetscErrorCode apply(PC pc, Vec b, Vec x) {
     void* context = nullptr;
     PetscCall(PCShellGetContext(pc, &context));
-    auto& shell = *static_cast<Gathered_shell*>(context);
-    PetscCall(VecScatterBegin(shell.to_all, b, shell.whole, INSERT_VALUES, SCATTER_FORWARD));
-    PetscCall(VecScatterEnd(shell.to_all, b, shell.whole, INSERT_VALUES, SCATTER_FORWARD));
-    const PetscScalar* values = nullptr;
-    PetscCall(VecGetArrayRead(shell.whole, &values));
-    shell.cycle->apply(values, shell.solution.data(), shell.is_first);
-    PetscCall(VecRestoreArrayRead(shell.whole, &values));
-    PetscInt first = 0, last = 0;
-    PetscCall(VecGetOwnershipRange(x, &first, &last));
-    PetscScalar* own = nullptr;
-    PetscCall(VecGetArrayWrite(x, &own));
-    std::copy(shell.solution.begin() + first, shell.solution.begin() + last, own);
-    PetscCall(VecRestoreArrayWrite(x, &own));
+    const PetscScalar* load = nullptr;
+    PetscScalar* solution = nullptr;
+    PetscCall(VecGetArrayRead(b, &load));
+    PetscCall(VecGetArrayWrite(x, &solution));
+    PetscCall(static_cast<Gathered_shell*>(context)->solve<1>(load, solution));
+    PetscCall(VecRestoreArrayWrite(x, &solution));
+    PetscCall(VecRestoreArrayRead(b, &load));
     return 0;
   }
 };
@@ -134,7 +152,7 @@ public:
     }
     PetscScalar* values = nullptr;
     PetscCall(VecGetArrayWrite(r, &values));
-    level->smoother->residual(values);
+    level->smoother->residual<1>(values);
     PetscCall(VecRestoreArrayWrite(r, &values));
     return 0;
   }
@@ -179,7 +197,7 @@ struct Smoother_shell {
     PetscCall(VecGetArrayRead(b, &load));
     PetscCall(VecGetArray(x, &solution));
     for(PetscInt step = 0; step < steps; ++step)
-      shell.level->smoother->smooth(load, solution, shell.is_reversed, is_zero && step == 0);
+      shell.level->smoother->smooth<1>(load, solution, shell.is_reversed, is_zero && step == 0);
     PetscCall(VecRestoreArray(x, &solution));
     PetscCall(VecRestoreArrayRead(b, &load));
     shell.level->remember(b, x);
