@@ -255,7 +255,7 @@ int main(int argc, char* argv[]) {
     if(communicator.rank() == 0) {
       print_header(argc, argv);
       std::printf("# ranks unknowns method              tolerance  space_s assembly_s  setup_s  "
-                  "iter  solve_s  residual      mib cycle_ms messages largest     kB  largest\n");
+                  "iter  solve_s  residual      mib cycle_ms messages most_m.     kB  most_kB\n");
     }
     if(threads > 0)
       run_threads(communicator, mesh, depth, tolerances, repetitions, threads);

@@ -97,9 +97,9 @@ large_surfaces           large_surfaces armadillo_mc1m 16 --depth 7
 partition_study          partition_study armadillo_mc1m 16 --depth 12
 partition_study          partition_study armadillo_mc1m 1 --depth 9 --ranks 1 2 4
 partition_study          partition_study bunny_closed_70k 1 --depth 7 --ranks 1 2 4 8
-distributed_comparison   distributed_comparison armadillo_mc1m --depth 9 --threads 2 --repetitions 1
+distributed_comparison   distributed_comparison armadillo_mc1m --depth 9 --tolerance 1e-8 --threads 2 --repetitions 1
 distributed_comparison   mpiexec -n 1 distributed_comparison armadillo_mc1m --depth 9 --tolerance 1e-8 --method patches --repetitions 1
-distributed_comparison   mpiexec -n 2 distributed_comparison armadillo_mc1m --depth 9 --method patches --repetitions 1
+distributed_comparison   mpiexec -n 2 distributed_comparison armadillo_mc1m --depth 9 --tolerance 1e-8 --method patches --repetitions 1
 distributed_comparison   mpiexec -n 4 distributed_comparison armadillo_mc1m --depth 9 --tolerance 1e-8 --method patches --repetitions 1
 distributed_comparison   mpiexec -n 1 distributed_comparison bunny_closed_70k --depth 7 --tolerance 1e-8 --method patches
 distributed_comparison   mpiexec -n 2 distributed_comparison bunny_closed_70k --depth 7

@@ -135,6 +135,7 @@ public:
     petsc_check(PetscPopErrorHandler());
     if(m_error)
       std::rethrow_exception(m_error);
+    m_multigrid.rethrow();
     // a projected problem that is singular to rounding
     m_has_failed = code == PETSC_ERR_LIB;
     if(!m_has_failed)

@@ -18,8 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <memory>
-#include <new>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -168,6 +168,12 @@ public:
     petsc_check(PCShellSetName(pc, "a cycle for several vectors at once"));
   }
 
+  /// throws what a cycle has thrown within a function of PETSc, if one has
+  void rethrow() {
+    if(m_error)
+      std::rethrow_exception(std::exchange(m_error, nullptr));
+  }
+
   /// The first guess by nested iteration, as that of `Multigrid`: the solution of each level is
   /// prolongated to the next, and improved by one cycle there, except on the finest.
   void make_first_guess(Vec b, Vec x) {
@@ -270,10 +276,9 @@ private:
         for(PetscInt c = 0; c < columns; ++c)
           std::copy_n(solution + c * size, size, x + c * stride_of_x);
         return 0;
-      } catch(const std::bad_alloc&) {
-        return PETSC_ERR_MEM;
       } catch(...) {
-        return PETSC_ERR_PLIB;
+        multigrid->m_error = std::current_exception();
+        return PETSC_ERR_USER;
       }
     }
   };
@@ -369,6 +374,7 @@ private:
   Poisson_solver_options m_options;
   Gathered_shell m_gathered;
   std::vector<Level> m_levels; // of PETSc
+  std::exception_ptr m_error;
 };
 
 } // namespace internal

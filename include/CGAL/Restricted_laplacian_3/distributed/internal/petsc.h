@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,10 +21,13 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// \throws Distributed_error if a function of PETSc has failed
+/// \throws std::bad_alloc if PETSc has no memory, which other ranks may not know of
+/// \throws Distributed_error if a function of PETSc has failed for another reason
 inline void petsc_check(PetscErrorCode code) {
   if(code == 0)
     return;
+  if(code == PETSC_ERR_MEM)
+    throw std::bad_alloc();
   const char* text = nullptr;
   char* specific = nullptr;
   PetscErrorMessage(code, &text, &specific);
