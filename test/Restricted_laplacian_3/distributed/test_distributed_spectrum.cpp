@@ -15,6 +15,8 @@
 #include <CGAL/Restricted_laplacian_3/distributed/write_in_order.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 
+#include <petscsys.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -216,6 +218,35 @@ TEST_CASE("eigenpairs_that_are_known_are_not_computed_again", "[shapes]") {
   CHECK(anew.report.converged);
   CHECK((anew.pairs.values - all.pairs.values.head(first)).cwiseAbs().maxCoeff() <=
         1e-8 * all.pairs.values[k - 1]);
+}
+
+TEST_CASE("other_eigensolvers_of_slepc_find_the_same_pairs", "[shapes]") {
+  constexpr int k = 9;
+  constexpr double tolerance = 1e-4;
+  // an ellipsoid: of equal eigenvalues, as a sphere has, Krylov-Schur may miss one
+  Triangles ellipsoid = shapes::sphere(3);
+  for(auto& p : ellipsoid.points)
+    p = {1.3 * p[0], p[1], 0.8 * p[2]};
+  const Spaces spaces(surface_of(ellipsoid), 4);
+  const std::vector<std::pair<const char*, const char*>> direct = {
+      {"-st_type", "shift"}, {"-st_ksp_type", "preonly"}, {"-st_pc_type", "redundant"}};
+  for(const char* type : {"gd", "krylovschur"}) {
+    const bool is_direct = std::string(type) == "krylovschur";
+    REQUIRE(PetscOptionsSetValue(nullptr, "-eps_type", type) == 0);
+    for(const auto& [option, value] : direct)
+      if(is_direct)
+        REQUIRE(PetscOptionsSetValue(nullptr, option, value) == 0);
+    const RL::Distributed_spectrum spectrum =
+        RL::laplace_spectrum(spaces.distributed, k, options_of(tolerance));
+    REQUIRE(PetscOptionsClearValue(nullptr, "-eps_type") == 0);
+    for(const auto& option : direct)
+      if(is_direct)
+        REQUIRE(PetscOptionsClearValue(nullptr, option.first) == 0);
+    INFO(type);
+    CHECK(spectrum.report.converged);
+    CHECK(spectrum.residuals.maxCoeff() <= tolerance);
+    CHECK(difference_of_values(spaces.whole, spectrum, k) <= 1e-6);
+  }
 }
 
 TEST_CASE("functions_are_read_by_any_number_of_ranks", "[shapes]") {

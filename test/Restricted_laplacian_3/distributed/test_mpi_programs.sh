@@ -167,6 +167,17 @@ succeeds 2 solve_poisson_mpi --help
 check "--help is printed once" [ "$(grep -c "^usage" out)" -eq 1 ]
 
 # what is wrong is said once, and all processes end
+# the example for users of the library
+for number in 1 3; do
+  succeeds $number distributed_surface binary.ply
+  mv out example_of_$number
+done
+succeeds 2 distributed_surface text.ply
+check "the example prints eigenvalues" [ "$(grep -c '^[0-9]' out)" -eq 10 ]
+check "the example has one result" cmp example_of_1 example_of_3
+check "the example has one result for both kinds of files" cmp example_of_1 out
+fails "cannot read" 2 distributed_surface points.xyz
+
 fails "cannot open" 3 solve_poisson_mpi missing.ply
 fails "depth" 2 solve_poisson_mpi binary.ply --depth 99
 fails "tolerance" 2 solve_poisson_mpi binary.ply --tolerance 7

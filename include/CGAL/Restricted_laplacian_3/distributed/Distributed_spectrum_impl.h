@@ -296,8 +296,12 @@ private:
                                          : block * 3 / 4;
       else if(others.empty())
         break;
-      else
-        tolerance *= margin;
+      else { // not all of SLEPc's solvers have vectors of the same norm
+        double largest = m_tolerance;
+        for(const Petsc_pair& pair : others)
+          largest = (std::max)(largest, pair.residual);
+        tolerance *= margin * m_tolerance / largest;
+      }
     }
     result.report.iterations = solver.iterations();
     sort_pairs(finished);
