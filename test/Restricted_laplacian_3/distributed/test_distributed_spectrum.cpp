@@ -222,7 +222,7 @@ TEST_CASE("eigenpairs_that_are_known_are_not_computed_again", "[shapes]") {
 
 TEST_CASE("other_eigensolvers_of_slepc_find_the_same_pairs", "[shapes]") {
   constexpr int k = 9;
-  constexpr double tolerance = 1e-4;
+  constexpr double tolerance = 1e-6;
   // an ellipsoid: of equal eigenvalues, as a sphere has, Krylov-Schur may miss one
   Triangles ellipsoid = shapes::sphere(3);
   for(auto& p : ellipsoid.points)
