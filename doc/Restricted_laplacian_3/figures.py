@@ -588,6 +588,128 @@ for name, value in [("seconds", "all_s"), ("memory", "memory_gb")]:
 add_table("large_reading", reading_of_formats, (), {"Triangles": millions}, "format", "read_s", short)
 
 
+# ---- several machines
+
+
+PARTITION = ["ranks", "work", "held_ms"]
+DISTRIBUTED = ["ranks", "method", "setup_s", "cycle_ms"]
+PRECONDITIONERS = {"patches": "this package", "boomeramg": "BoomerAMG", "boomeramg_l1": "BoomerAMG, l1",
+                   "boomeramg_classical": "BoomerAMG, classical", "gamg": "GAMG", "gamg_sor": "GAMG, SOR"}
+SLEPC = ["ranks", "method", "pairs", "found"]
+EIGENSOLVERS = {"lobpcg": "LOBPCG", "krylovschur": "Krylov-Schur, MUMPS", "gd": "Davidson",
+                "threads_2": "one process, 2 threads"}
+
+
+def by_ranks(r):
+    return f"{whole(r['ranks'])} rank" + "s" * (r["ranks"] > 1)
+
+
+def surface_of(r):
+    mesh, depth = re.search(r"(?:_study|_comparison) ([a-z]+)\S* .*--depth (\d+)", r.command).groups()
+    return f"{mesh}, depth {depth}"
+
+
+def like(r, **values):
+    """the row with other values"""
+    result = Row(r, **values)
+    result.command = r.command
+    return result
+
+
+def lines_of_rows(found, names):
+    """a row for each row of the result and each of its columns in `names`, which has their titles"""
+    return [like(r, what=title, value=r[name]) for name, title in names.items() for r in found]
+
+
+def partitions():
+    return rows("partition_study", *PARTITION, command="--depth 12")
+
+
+def of_patches():
+    return [r for r in rows("distributed_comparison", *DISTRIBUTED) if r["method"] == "patches"]
+
+
+def with_model(measured, counted, words):
+    """what was measured beside what the study of partitions says, where both are there"""
+    of_model = {(surface_of(r), r["ranks"]): r for r in rows("partition_study", *PARTITION)}
+    seen = set()
+    for r in of_patches():
+        place = surface_of(r), r["ranks"]
+        if place in of_model and place not in seen:
+            seen.add(place)
+            yield like(r, what=words[0], value=of_model[place][counted])
+            yield like(r, what=words[1], value=r[measured])
+
+
+def steps_on_ranks():
+    """the Poisson problem that one process solves on threads, and several on ranks"""
+    found = [r for r in rows("distributed_comparison", *DISTRIBUTED, command="armadillo_mc1m")
+             if r["tolerance"] == 1e-8]
+    for r in found:
+        r["all_s"] = r["space_s"] + r["assembly_s"] + r["setup_s"] + r["solve_s"]
+    return lines_of_rows(found, {"space_s": "the space", "assembly_s": "matrices", "setup_s": "hierarchy",
+                                 "solve_s": "iteration", "all_s": "all"})
+
+
+def process(r):
+    return f"1 process, {r['method'][-1]} threads" if r["method"].startswith("threads") else by_ranks(r)
+
+
+def if_converged(column):
+    return lambda r: r[column] if r["residual"] <= 1.01 * r["tolerance"] else math.nan
+
+
+def if_found(column):
+    return lambda r: r[column] if r["found"] == r["pairs"] else math.nan
+
+
+def has_peers(r):
+    """whether others have solved the problem"""
+    return "--method patches" not in r.command and "--threads" not in r.command
+
+
+def of_two(r):
+    """on two ranks, or by one process on two threads"""
+    return r["ranks"] == 2 or r["method"] == "threads_2"
+
+
+for name, names, text in [
+        ("loads", {"work": "work of a cycle", "unkns": "unknowns", "fragm": "parts of triangles"}, "{:.3f}".format),
+        ("unknowns", {"unknowns": "unknowns, finest level", "ghosts": "ghosts, all levels",
+                      "most_gh.": "ghosts, the rank that has most"}, whole),
+        ("messages", {"messages": "mean", "most_me.": "the rank that sends most"}, whole),
+        ("kilobytes", {"kB": "mean", "most_kB": "the rank that sends most"}, whole),
+        ("time", {"cycle_ms": "a cycle", "held_ms": "of it, levels that all ranks hold"}, whole),
+        ("efficiency", {"effic": "time of one rank, divided, over time"}, "{:.2f}".format)]:
+    add_table("partition_" + name, lambda names=names: lines_of_rows(partitions(), names), (), {"": "what"}, by_ranks,
+              "value", text)
+add_table("distributed_model", lambda: [r for r in with_model("cycle_ms", "cycle_ms", ("model", "measured"))
+                                        if r["ranks"] <= 2],
+          (), {"Surface": surface_of, "": "what"}, by_ranks, "value", whole, 2)
+for name, column in [("messages", "messages"), ("kilobytes", "kB")]:
+    add_table("distributed_" + name,
+              lambda c=column: [r for r in with_model(c, c, ("counted", "sent")) if r["ranks"] > 1],
+              (), {"Surface": surface_of, "": "what"}, by_ranks, "value", whole, 2)
+add_table("distributed_seconds", steps_on_ranks, (), {"Step": "what"}, process, "value", short)
+add_table("distributed_memory", lambda: [r for r in steps_on_ranks() if r["what"] == "all"], (),
+          {"Surface": surface_of}, process, "mib", whole)
+add_table("distributed_iterations", lambda: {(surface_of(r), r["ranks"]): r for r in of_patches()
+                                             if r["tolerance"] == 1e-8}.values(),
+          (), {"Surface": surface_of}, by_ranks, "iter", str)
+for name, value, text, most in [("seconds", if_converged("solve_s"), short, 2),
+                                ("iterations", if_converged("iter"), whole, 4), ("setup", "setup_s", short, 2)]:
+    add_table("preconditioners_" + name, "distributed_comparison", DISTRIBUTED,
+              {"Surface": surface_of, "Residual": power_of("tolerance"), "": by_ranks}, of(PRECONDITIONERS), value,
+              text, 3, list(PRECONDITIONERS.values()), lambda r, most=most: has_peers(r) and r["ranks"] <= most)
+for name, value, text, where in [
+        ("seconds", if_found("solve_s"), short, of_two), ("error", if_found("error"), error, of_two),
+        # of one tolerance: memory is the largest up to then
+        ("memory", "mib", whole, lambda r: of_two(r) and "--tolerance" not in r.command)]:
+    add_table("distributed_pairs_" + name, "distributed_eigensolvers", SLEPC,
+              {"Unknowns": "unknowns", "Pairs": "pairs", "Residual": power_of("tolerance")}, of(EIGENSOLVERS), value,
+              text, 0, [e for e in EIGENSOLVERS.values() if name != "memory" or e != "Davidson"], where)
+
+
 # ---- assembly, compilation, evaluation
 
 

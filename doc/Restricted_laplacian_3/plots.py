@@ -186,6 +186,17 @@ def by_triangles(title, column, y_title):
                                                    if d == depth], []) for depth, style in styles.items()])
 
 
+def time_by_ranks():
+    found = figures.partitions()
+    first = found[0]
+    values = [("a cycle", "restricted", lambda r: r["cycle_ms"]),
+              ("if all of it were divided", "cotangent", lambda r: first["cycle_ms"] * first["ranks"] / r["ranks"]),
+              ("levels that all ranks hold", "smooth", lambda r: r["held_ms"])]
+    return logarithmic("A cycle for a hundred million unknowns, by the model", "ranks", "milliseconds",
+                       [(name, STYLES[style], [(r["ranks"], value(r)) for r in found], [])
+                        for name, style, value in values])
+
+
 def iterations_by_mesh():
     depth = 7
     found = {}
@@ -229,6 +240,7 @@ PLOTS["plot_large_seconds"] = lambda: by_triangles("Poisson, from the file to va
                                                    "seconds")
 PLOTS["plot_large_memory"] = lambda: by_triangles("Poisson, from the file to values: memory by triangles",
                                                   "memory_gb", "GB")
+PLOTS["plot_partition_time"] = time_by_ranks
 PLOTS["plot_iterations"] = iterations_by_mesh
 
 
