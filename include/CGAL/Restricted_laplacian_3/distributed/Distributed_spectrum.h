@@ -48,7 +48,7 @@ struct Distributed_spectrum_state {
 /// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a space whose
 /// parts are on several ranks, by an eigensolver of SLEPc for
 /// \f$M x = \frac{1}{\lambda + \alpha}\, (S + \alpha M)\, x\f$, preconditioned by a multigrid cycle
-/// for \f$S + \alpha M\f$, that of `Distributed_poisson_solver`.
+/// for \f$S + \alpha M\f$, that of `Distributed_poisson_solver`, for eight vectors at a time.
 ///
 /// As in `multigrid_eigenpairs()`, \f$\alpha\f$ is half of the tenth eigenvalue, the eigenvectors
 /// of each level are prolongated to the next finer one and improved there, and the first level is
@@ -58,7 +58,9 @@ struct Distributed_spectrum_state {
 ///
 /// SLEPc and PETSc must be initialized. SLEPc's options apply on the finest level: `-eps_monitor`,
 /// `-eps_lobpcg_blocksize 64`, or `-eps_type gd` for generalized Davidson in place of LOBPCG; on
-/// coarser levels with the prefix `coarse_`.
+/// coarser levels with the prefix `coarse_`. With `-eps_type krylovschur -st_type shift
+/// -st_ksp_type preonly -st_pc_type cholesky` the matrix \f$S + \alpha M\f$ is factorized; then
+/// one of several equal eigenvalues may be missing.
 /// \param space the space; its finest level is used
 /// \param k number of pairs, positive
 /// \param options `normal_stabilization`, `eigenvalues_only`, and of `multigrid` the tolerance, the
