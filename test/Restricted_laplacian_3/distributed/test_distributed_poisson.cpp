@@ -100,6 +100,21 @@ TEST_CASE("poisson_problems_of_shapes_on_ranks", "[shapes]") {
       }
 }
 
+TEST_CASE("many_components_on_ranks", "[shapes]") {
+  // scraps of a scan: each has a constant that no level sees
+  Triangles scraps = shapes::sphere(2);
+  for(int i = 0; i < 40; ++i)
+    scraps =
+        shapes::joined(scraps, shapes::moved(shapes::rectangle(0.02 * (1 + i % 7), 0.15),
+                                             {1.5 + 0.37 * (i % 6), 0.41 * (i / 6), 0.01 * i}));
+  for(int depth : {4, 5, 6}) {
+    INFO("depth " << depth);
+    const Result result = solve(surface_of(scraps), depth, 0, 1e-10);
+    CHECK(result.difference <= 1e-7);
+    CHECK(result.iterations <= result.iterations_of_one + 2);
+  }
+}
+
 TEST_CASE("iterations_do_not_depend_on_the_number_of_ranks", "[shapes]") {
   const RL::Triangulated_surface_3 surface = surface_of(shapes::stairs(8, 0.1));
   const Result of_all = solve(surface, 6, 0, 1e-8),
@@ -312,8 +327,11 @@ TEST_CASE("poisson_problems_of_real_meshes_on_ranks", "[meshes]") {
     std::vector<RL::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;
     REQUIRE(CGAL::IO::read_polygon_soup(path, points, faces));
-    const Result result = solve(RL::read_surface(points, faces), 6, 0, 1e-8);
-    CHECK(result.difference <= 1e-7);
-    CHECK(result.iterations <= result.iterations_of_one + 1);
+    for(int depth : {4, 6}) {
+      INFO("depth " << depth);
+      const Result result = solve(RL::read_surface(points, faces), depth, 0, 1e-8);
+      CHECK(result.difference <= 1e-7);
+      CHECK(result.iterations <= result.iterations_of_one + 1);
+    }
   }
 }

@@ -72,19 +72,21 @@ public:
   using Sparse_matrix = Restricted_laplacian_3::Sparse_matrix;
 
   /// an empty hierarchy
-  Multigrid() : m_is_parallel(false), m_size(0) {}
+  Multigrid() : m_is_parallel(false), m_is_below_finer_levels(false), m_size(0) {}
 
   /// \param a the finest matrix; what is below its diagonal is not read, and need not be stored. It
   /// is empty afterwards.
   /// \param levels what else the hierarchy is made of
   /// \param is_parallel whether several threads are used; results do not depend on that
   /// \param is_matrix_kept whether `finest_matrix()` is needed
+  /// \param is_below_finer_levels whether right-hand sides come from finer levels in single
+  /// precision: what lies in them along the kernel is a rounding error, and removed
   /// \throws Parameter_error if the sizes do not fit, or if there is something below the diagonal
   /// of a matrix, but not as much as above
   /// \throws Numerical_error if a matrix of the coarsest level is not one of finite numbers
   Multigrid(Sparse_matrix&& a, Multigrid_levels levels, bool is_parallel = false,
-            bool is_matrix_kept = false)
-    : m_is_parallel(is_parallel), m_size(a.cols()) {
+            bool is_matrix_kept = false, bool is_below_finer_levels = false)
+    : m_is_parallel(is_parallel), m_is_below_finer_levels(is_below_finer_levels), m_size(a.cols()) {
     const std::size_t finest = levels.prolongations.size();
     check_sizes(a, levels);
     levels.patches.resize(finest);
@@ -175,6 +177,8 @@ public:
     workspace.levels.resize(m_levels.size());
     auto& vectors = workspace.levels[level];
     const internal::Block_row<K> scale = import_load<K>(level, b, vectors.b);
+    if(m_is_below_finer_levels)
+      m_levels[level].deflation.template remove_from<K>(vectors.b);
     run<K>(level, vectors.b, vectors.x, cycle, steps, workspace);
     export_solution<K>(level, vectors.x, scale, x);
   }
@@ -214,7 +218,7 @@ public:
 private:
   struct Level {
     internal::Level_matrix prolongation, restriction; // from and to the next coarser level
-    internal::Constant_deflation deflation;           // of levels between coarsest and finest
+    internal::Constant_deflation deflation; // of levels above the coarsest and below finer ones
   };
 
   static constexpr bool has_layout = internal::Has_layout<Smoother>::value;
@@ -274,14 +278,15 @@ private:
   }
 
   void set_deflation(std::size_t level, const Sparse_matrix& a) {
-    if(level + 1 < m_levels.size())
+    if(level + 1 < m_levels.size() || m_is_below_finer_levels)
       m_levels[level].deflation = internal::Constant_deflation(a, positions(level), scale(level));
   }
 
   void set_coarsest(const Sparse_matrix& a) {
     using Inverse = internal::Regularized_inverse;
     m_coarse_inverse =
-        Inverse(a, m_levels.size() == 1 ? Inverse::double_precision : Inverse::single_precision);
+        Inverse(a, m_levels.size() == 1 && !m_is_below_finer_levels ? Inverse::double_precision
+                                                                    : Inverse::single_precision);
     m_coarse_scale = internal::balancing_scale(a);
     m_coarse_positions = internal::Level_positions::consecutive(static_cast<std::size_t>(a.cols()));
   }
@@ -407,7 +412,7 @@ private:
 
   static constexpr std::size_t conversion_grain = 16384;
 
-  bool m_is_parallel;
+  bool m_is_parallel, m_is_below_finer_levels;
   Eigen::Index m_size;
   std::vector<Level> m_levels;
   std::vector<Level_smoother> m_smoothers;

@@ -54,7 +54,7 @@ public:
       matrices.pop_back();
       levels.coarse_matrices = std::move(matrices);
       m_multigrid = Multigrid<Patch_smoother>(std::move(finest), std::move(levels),
-                                              space.part().options().is_parallel);
+                                              space.part().options().is_parallel, false, true);
     });
   }
 
