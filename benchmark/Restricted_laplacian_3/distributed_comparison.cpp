@@ -54,25 +54,25 @@ using namespace benchmarks;
 
 namespace {
 
+using Options = std::vector<std::pair<std::string, std::string>>;
+
+Options with(Options options, const std::string& name, const std::string& value) {
+  options.emplace_back(name, value);
+  return options;
+}
+
+const Options boomeramg = {{"-pc_type", "hypre"},
+                           {"-pc_hypre_type", "boomeramg"},
+                           {"-pc_hypre_boomeramg_coarsen_type", "HMIS"},
+                           {"-pc_hypre_boomeramg_interp_type", "ext+i"},
+                           {"-pc_hypre_boomeramg_P_max", "4"},
+                           {"-pc_hypre_boomeramg_agg_nl", "1"},
+                           {"-pc_hypre_boomeramg_strong_threshold", "0.25"}};
+
 // the options of PETSc that make a method
-const std::map<std::string, std::vector<std::pair<std::string, std::string>>> methods = {
-    {"boomeramg",
-     {{"-pc_type", "hypre"},
-      {"-pc_hypre_type", "boomeramg"},
-      {"-pc_hypre_boomeramg_coarsen_type", "HMIS"},
-      {"-pc_hypre_boomeramg_interp_type", "ext+i"},
-      {"-pc_hypre_boomeramg_P_max", "4"},
-      {"-pc_hypre_boomeramg_agg_nl", "1"},
-      {"-pc_hypre_boomeramg_strong_threshold", "0.25"}}},
-    {"boomeramg_l1",
-     {{"-pc_type", "hypre"},
-      {"-pc_hypre_type", "boomeramg"},
-      {"-pc_hypre_boomeramg_coarsen_type", "HMIS"},
-      {"-pc_hypre_boomeramg_interp_type", "ext+i"},
-      {"-pc_hypre_boomeramg_P_max", "4"},
-      {"-pc_hypre_boomeramg_agg_nl", "1"},
-      {"-pc_hypre_boomeramg_strong_threshold", "0.25"},
-      {"-pc_hypre_boomeramg_relax_type_all", "l1scaled-SOR/Jacobi"}}},
+const std::map<std::string, Options> methods = {
+    {"boomeramg", boomeramg},
+    {"boomeramg_l1", with(boomeramg, "-pc_hypre_boomeramg_relax_type_all", "l1scaled-SOR/Jacobi")},
     {"boomeramg_classical",
      {{"-pc_type", "hypre"},
       {"-pc_hypre_type", "boomeramg"},

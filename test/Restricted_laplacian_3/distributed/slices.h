@@ -4,7 +4,9 @@
 #ifndef RESTRICTED_LAPLACIAN_3_TEST_DISTRIBUTED_SLICES_H
 #define RESTRICTED_LAPLACIAN_3_TEST_DISTRIBUTED_SLICES_H
 
+#include <CGAL/Restricted_laplacian_3/distributed/Distributed_space.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_surface.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <cstddef>
 #include <utility>
@@ -34,5 +36,26 @@ slice_of(const CGAL::Restricted_laplacian_3::Triangulated_surface_3& surface,
     slice.triangles.push_back(surface.triangle(f));
   return slice;
 }
+
+/// a space that ranks have divided, and the same of one process
+struct Spaces {
+  using Surface = CGAL::Restricted_laplacian_3::Triangulated_surface_3;
+  using Communicator = CGAL::Restricted_laplacian_3::Communicator;
+
+  Spaces(const Surface& s, int depth, const Communicator& communicator = Communicator())
+    : surface(s), distributed_surface(communicator, slice_of(s, communicator)),
+      distributed(distributed_surface, options_of(depth)), whole(surface, options_of(depth)) {}
+
+  static CGAL::Restricted_laplacian_3::Spline_space_options options_of(int depth) {
+    CGAL::Restricted_laplacian_3::Spline_space_options options;
+    options.octree_depth = depth;
+    return options;
+  }
+
+  Surface surface;
+  CGAL::Restricted_laplacian_3::Distributed_surface distributed_surface;
+  CGAL::Restricted_laplacian_3::Distributed_space distributed;
+  CGAL::Restricted_laplacian_3::Spline_space_3 whole;
+};
 
 #endif // RESTRICTED_LAPLACIAN_3_TEST_DISTRIBUTED_SLICES_H

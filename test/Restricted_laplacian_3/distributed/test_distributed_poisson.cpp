@@ -123,12 +123,8 @@ TEST_CASE("iterations_do_not_depend_on_the_number_of_ranks", "[shapes]") {
 }
 
 TEST_CASE("matrices_and_options_are_those_of_petsc", "[shapes]") {
-  const RL::Communicator communicator;
-  const RL::Triangulated_surface_3 surface = surface_of(shapes::sphere(3));
-  RL::Spline_space_options options;
-  options.octree_depth = 5;
-  const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
-  const RL::Distributed_space space(distributed, options);
+  const Spaces spaces(surface_of(shapes::sphere(3)), 5);
+  const RL::Distributed_space& space = spaces.distributed;
   RL::Poisson_solver_options solver_options;
   solver_options.relative_tolerance = 1e-8;
   const Eigen::VectorXd load = RL::assemble_load(space.part(), f);
@@ -142,9 +138,8 @@ TEST_CASE("matrices_and_options_are_those_of_petsc", "[shapes]") {
     CHECK(std::string(type) == KSPCG);
 
     // S + 3 M of one process
-    const RL::Spline_space_3 whole(surface, options);
     const RL::Operators o =
-        RL::assemble_operators(whole, {}, RL::default_normal_stabilization(whole));
+        RL::assemble_operators(spaces.whole, {}, RL::default_normal_stabilization(spaces.whole));
     const RL::Sparse_matrix a = o.stiffness + 3 * o.mass;
     PetscInt rows = 0, first = 0, last = 0;
     REQUIRE(MatGetSize(solver.matrix(), &rows, nullptr) == 0);
@@ -181,11 +176,8 @@ TEST_CASE("matrices_and_options_are_those_of_petsc", "[shapes]") {
 
 TEST_CASE("a_cycle_for_many_vectors_is_that_of_petsc_for_each", "[shapes]") {
   const RL::Communicator communicator;
-  const RL::Triangulated_surface_3 surface = surface_of(shapes::sphere(3));
-  RL::Spline_space_options options;
-  options.octree_depth = 6;
-  const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
-  const RL::Distributed_space space(distributed, options);
+  const Spaces spaces(surface_of(shapes::sphere(3)), 6);
+  const RL::Distributed_space& space = spaces.distributed;
   const int coarsest =
       std::min(RL::internal::coarsest_multigrid_level(space.part()), space.gathered_level());
   RL::internal::Elliptic_operator elliptic;
@@ -268,12 +260,8 @@ TEST_CASE("a_cycle_for_many_vectors_is_that_of_petsc_for_each", "[shapes]") {
 }
 
 TEST_CASE("problems_on_ranks_begin_with_a_guess", "[shapes]") {
-  const RL::Communicator communicator;
-  const RL::Triangulated_surface_3 surface = surface_of(shapes::sphere(3));
-  RL::Spline_space_options options;
-  options.octree_depth = 5;
-  const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
-  const RL::Distributed_space space(distributed, options);
+  const Spaces spaces(surface_of(shapes::sphere(3)), 5);
+  const RL::Distributed_space& space = spaces.distributed;
   RL::Poisson_solver_options loose, strict;
   loose.relative_tolerance = 1e-5;
   strict.relative_tolerance = 1e-10;
@@ -293,11 +281,8 @@ TEST_CASE("problems_on_ranks_begin_with_a_guess", "[shapes]") {
 
 TEST_CASE("what_is_wrong_with_a_problem_on_ranks", "[shapes]") {
   const RL::Communicator communicator;
-  const RL::Triangulated_surface_3 surface = surface_of(shapes::sphere(2));
-  RL::Spline_space_options options;
-  options.octree_depth = 4;
-  const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
-  const RL::Distributed_space space(distributed, options);
+  const Spaces spaces(surface_of(shapes::sphere(2)), 4);
+  const RL::Distributed_space& space = spaces.distributed;
   CHECK_THROWS_AS(RL::Distributed_poisson_solver(space, -1), RL::Distributed_error);
   const RL::Distributed_poisson_solver solver(space);
   Eigen::VectorXd load = RL::assemble_load(space.part(), f), x;

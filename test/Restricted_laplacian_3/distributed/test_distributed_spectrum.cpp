@@ -33,24 +33,6 @@ namespace {
 namespace RL = CGAL::Restricted_laplacian_3;
 using shapes::Triangles;
 
-struct Spaces {
-  Spaces(const RL::Triangulated_surface_3& s, int depth,
-         const RL::Communicator& communicator = RL::Communicator())
-    : surface(s), distributed_surface(communicator, slice_of(s, communicator)),
-      distributed(distributed_surface, options_of(depth)), whole(surface, options_of(depth)) {}
-
-  static RL::Spline_space_options options_of(int depth) {
-    RL::Spline_space_options options;
-    options.octree_depth = depth;
-    return options;
-  }
-
-  RL::Triangulated_surface_3 surface;
-  RL::Distributed_surface distributed_surface;
-  RL::Distributed_space distributed;
-  RL::Spline_space_3 whole;
-};
-
 RL::Laplace_spectrum_options options_of(double tolerance) {
   RL::Laplace_spectrum_options result;
   result.multigrid.relative_tolerance = tolerance;

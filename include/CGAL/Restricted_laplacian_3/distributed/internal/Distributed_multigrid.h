@@ -232,14 +232,9 @@ private:
     static PetscErrorCode apply(PC pc, Vec b, Vec x) {
       void* context = nullptr;
       PetscCall(PCShellGetContext(pc, &context));
-      const PetscScalar* load = nullptr;
-      PetscScalar* solution = nullptr;
-      PetscCall(VecGetArrayRead(b, &load));
-      PetscCall(VecGetArrayWrite(x, &solution));
-      PetscCall(static_cast<Cycle_shell*>(context)->make<1>(load, 0, solution, 0, 1));
-      PetscCall(VecRestoreArrayWrite(x, &solution));
-      PetscCall(VecRestoreArrayRead(b, &load));
-      return 0;
+      return with_entries(b, x, [context](const PetscScalar* load, PetscScalar* solution) {
+        return static_cast<Cycle_shell*>(context)->make<1>(load, 0, solution, 0, 1);
+      });
     }
 
     static PetscErrorCode apply_to_columns(PC pc, Mat b, Mat x) {

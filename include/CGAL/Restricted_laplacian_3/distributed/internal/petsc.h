@@ -92,6 +92,18 @@ inline std::vector<double> values_of(Vec v) {
   return result;
 }
 
+/// What a function returns of the entries on this rank: those of `b`, and of `x`, to be written.
+template <class Function> PetscErrorCode with_entries(Vec b, Vec x, Function&& function) {
+  const PetscScalar* from = nullptr;
+  PetscScalar* to = nullptr;
+  PetscCall(VecGetArrayRead(b, &from));
+  PetscCall(VecGetArrayWrite(x, &to));
+  const PetscErrorCode result = function(from, to);
+  PetscCall(VecRestoreArrayWrite(x, &to));
+  PetscCall(VecRestoreArrayRead(b, &from));
+  return result;
+}
+
 /// \param values the entries that this rank has
 inline void set_values(Vec v, const std::vector<double>& values) {
   PetscScalar* entries = nullptr;

@@ -117,14 +117,9 @@ struct Gathered_shell {
   static PetscErrorCode apply(PC pc, Vec b, Vec x) {
     void* context = nullptr;
     PetscCall(PCShellGetContext(pc, &context));
-    const PetscScalar* load = nullptr;
-    PetscScalar* solution = nullptr;
-    PetscCall(VecGetArrayRead(b, &load));
-    PetscCall(VecGetArrayWrite(x, &solution));
-    PetscCall(static_cast<Gathered_shell*>(context)->solve<1>(load, solution));
-    PetscCall(VecRestoreArrayWrite(x, &solution));
-    PetscCall(VecRestoreArrayRead(b, &load));
-    return 0;
+    return with_entries(b, x, [context](const PetscScalar* load, PetscScalar* solution) {
+      return static_cast<Gathered_shell*>(context)->solve<1>(load, solution);
+    });
   }
 };
 
