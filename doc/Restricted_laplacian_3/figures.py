@@ -643,12 +643,13 @@ def with_model(measured, counted, words):
 
 def steps_on_ranks():
     """the Poisson problem that one process solves on threads, and several on ranks"""
-    found = [r for r in rows("distributed_comparison", *DISTRIBUTED, command="armadillo_mc1m")
-             if r["tolerance"] == 1e-8]
+    found = [r for r in rows("distributed_comparison", *DISTRIBUTED)
+             if r["tolerance"] == 1e-8 and r["method"] in ("threads_2", "patches")]
     for r in found:
         r["all_s"] = r["space_s"] + r["assembly_s"] + r["setup_s"] + r["solve_s"]
-    return lines_of_rows(found, {"space_s": "the space", "assembly_s": "matrices", "setup_s": "hierarchy",
-                                 "solve_s": "iteration", "all_s": "all"})
+    steps = {"space_s": "the space", "assembly_s": "matrices", "setup_s": "hierarchy", "solve_s": "iteration",
+             "all_s": "all"}
+    return sorted(lines_of_rows(found, steps), key=surface_of)
 
 
 def process(r):
@@ -690,17 +691,23 @@ for name, column in [("messages", "messages"), ("kilobytes", "kB")]:
     add_table("distributed_" + name,
               lambda c=column: [r for r in with_model(c, c, ("counted", "sent")) if r["ranks"] > 1],
               (), {"Surface": surface_of, "": "what"}, by_ranks, "value", whole, 2)
-add_table("distributed_seconds", steps_on_ranks, (), {"Step": "what"}, process, "value", short)
-add_table("distributed_memory", lambda: [r for r in steps_on_ranks() if r["what"] == "all"], (),
+add_table("distributed_seconds", steps_on_ranks, (), {"Surface": surface_of, "Step": "what"}, process, "value", short,
+          2)
+# where one problem is solved: memory is the largest up to then
+add_table("distributed_memory", lambda: [r for r in steps_on_ranks() if r["what"] == "all"
+                                         and "--tolerance" in r.command and not has_peers(r)], (),
           {"Surface": surface_of}, process, "mib", whole)
 add_table("distributed_iterations", lambda: {(surface_of(r), r["ranks"]): r for r in of_patches()
                                              if r["tolerance"] == 1e-8}.values(),
           (), {"Surface": surface_of}, by_ranks, "iter", str)
-for name, value, text, most in [("seconds", if_converged("solve_s"), short, 2),
-                                ("iterations", if_converged("iter"), whole, 4), ("setup", "setup_s", short, 2)]:
+for name, value, text in [("seconds", if_converged("solve_s"), short), ("iterations", if_converged("iter"), whole),
+                          ("setup", "setup_s", short)]:
     add_table("preconditioners_" + name, "distributed_comparison", DISTRIBUTED,
               {"Surface": surface_of, "Residual": power_of("tolerance"), "": by_ranks}, of(PRECONDITIONERS), value,
-              text, 3, list(PRECONDITIONERS.values()), lambda r, most=most: has_peers(r) and r["ranks"] <= most)
+              text, 3, list(PRECONDITIONERS.values()), has_peers)
+add_table("preconditioners_messages", "distributed_comparison", DISTRIBUTED, {"Surface": surface_of, "": by_ranks},
+          of(PRECONDITIONERS), "messages", whole, 2, list(PRECONDITIONERS.values()),
+          lambda r: has_peers(r) and r["tolerance"] == 1e-8)
 for name, value, text, where in [
         ("seconds", if_found("solve_s"), short, of_two), ("error", if_found("error"), error, of_two),
         # of one tolerance: memory is the largest up to then
@@ -708,6 +715,10 @@ for name, value, text, where in [
     add_table("distributed_pairs_" + name, "distributed_eigensolvers", SLEPC,
               {"Unknowns": "unknowns", "Pairs": "pairs", "Residual": power_of("tolerance")}, of(EIGENSOLVERS), value,
               text, 0, [e for e in EIGENSOLVERS.values() if name != "memory" or e != "Davidson"], where)
+add_table("distributed_pairs_ranks", "distributed_eigensolvers", SLEPC,
+          {"Unknowns": "unknowns", "Pairs": "pairs", "Residual": power_of("tolerance")}, by_ranks, if_found("solve_s"),
+          short, 0, ["1 rank", "2 ranks", "4 ranks"], lambda r: r["method"] == "lobpcg" and r["pairs"] == 20,
+          command="--depth 7")
 
 
 # ---- assembly, compilation, evaluation
