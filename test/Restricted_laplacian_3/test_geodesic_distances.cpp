@@ -284,6 +284,41 @@ TEST_CASE("distances_on_unfolded_surfaces_are_exact", "[geodesic]") {
   }
 }
 
+TEST_CASE("distances_on_regular_meshes", "[geodesic]") {
+  // Rays from a corner pass through many vertices, on lines of all slopes.
+  enum Diagonals { rising, falling, alternating };
+  for(const int n : {39, 50})
+    for(const Diagonals diagonals : {rising, falling, alternating}) {
+      shapes::Triangles t;
+      for(int j = 0; j <= n; ++j)
+        for(int i = 0; i <= n; ++i)
+          t.points.emplace_back(i / double(n), j / double(n), 0);
+      for(int j = 0; j < n; ++j)
+        for(int i = 0; i < n; ++i) {
+          const auto a = static_cast<std::uint32_t>(j * (n + 1) + i), b = a + 1,
+                     c = a + static_cast<std::uint32_t>(n + 1), d = c + 1;
+          if(diagonals == rising || (diagonals == alternating && (i + j) % 2 == 0)) {
+            t.faces.push_back({a, b, d});
+            t.faces.push_back({a, d, c});
+          } else {
+            t.faces.push_back({a, b, c});
+            t.faces.push_back({b, d, c});
+          }
+        }
+      const RL::Geodesic_solver geodesics = shapes::geodesics(t);
+      for(const std::size_t source : {std::size_t(0), t.points.size() / 2})
+        for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+          CAPTURE(n, int(diagonals), source, int(method));
+          Distances expected;
+          for(const RL::Point_3& p : t.points)
+            expected.push_back(shapes::length(p - t.points[source]));
+          const Distances found =
+              geodesics.distances(RL::Geodesic_sources::vertex(source), method).distances;
+          CHECK(Errors(found, expected).worst < 1e-12);
+        }
+    }
+}
+
 TEST_CASE("directions_point_to_the_source", "[geodesic]") {
   const shapes::Triangles t = shapes::sphere(4);
   const RL::Geodesic_distances found =

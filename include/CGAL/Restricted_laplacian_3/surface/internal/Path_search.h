@@ -269,11 +269,11 @@ private:
                            internal::cross({w.last - s.x, -s.y}, way) >= -rounding;
                   });
     cross_face(
-        m_geometry, w,
-        [&](const Plane_vector& c) {
+        m_geometry, w, {},
+        [&](const Plane_vector&, double way, double) {
           const double there = triangle.corner_distance((k + 2) % 3);
           if(there < distance)
-            offer_end(end_at((c - s).length(), number, {face, corner(k + 2)}, there, from));
+            offer_end(end_at(way, number, {face, corner(k + 2)}, there, from));
         },
         [&](const Side& side, const Plane_vector& p, const Plane_vector& q, double first,
             double last) { add_beyond(side, s, p, q, first, last, number, from); });

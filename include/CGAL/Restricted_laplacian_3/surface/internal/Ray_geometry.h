@@ -65,9 +65,11 @@ public:
       m_first_angles(m_edge_of_side.size()), m_starts_at_next(m_edge_of_side.size()),
       m_total_angles(surface.number_of_vertices(), 0),
       m_is_on_boundary(surface.number_of_vertices(), 0) {
-    for(std::size_t e = 0; e < m_edges.size(); ++e)
+    for(std::size_t e = 0; e < m_edges.size(); ++e) {
+      m_is_manifold = m_is_manifold && m_edges.sides(e).size() <= 2;
       for(const Side& side : m_edges.sides(e))
         m_edge_of_side[3 * side.face + side.number] = static_cast<std::uint32_t>(e);
+    }
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       for(int k = 0; k < 3; ++k) {
         const Vector_3 a = (surface.point(f, (k + 1) % 3) - surface.point(f, k)) / surface.extent(),
@@ -150,6 +152,9 @@ public:
       if(m_edges.sides(e).size() == 1 && is_used(m_edges.sides(e).begin()->face))
         visit(*m_edges.sides(e).begin());
   }
+
+  /// whether no edge has more than two faces
+  bool is_manifold() const { return m_is_manifold; }
 
   /// whether the corners of a vertex form a fan, open or closed
   bool has_fan(std::uint32_t v) const { return m_total_angles[v] > 0; }
@@ -266,6 +271,7 @@ private:
   Number_lists m_corners; // of vertices: 3 * face + number
   std::vector<double> m_total_angles; // of vertices; 0 without a fan
   std::vector<char> m_is_on_boundary;
+  bool m_is_manifold = true;
 };
 
 } // namespace internal

@@ -54,7 +54,7 @@ public:
     : m_geometry(geometry), m_is_exact(is_exact), m_rays(geometry.surface().number_of_vertices()),
       m_is_popped(m_rays.size(), 0),
       m_states(3 * geometry.surface().number_of_faces(), is_exact ? State::windows : State::open),
-      m_waiting(m_states.size(), no_root) {}
+      m_waiting(m_states.size(), no_root), m_nearest_rays(is_exact ? m_states.size() : 0) {}
 
   /// the ray from a vertex back to its source
   struct Ray {
@@ -302,9 +302,14 @@ private:
                            [&](const Ray_window& w) { add(w); });
   }
 
-  void add(const Ray_window& w) {
+  void add(Ray_window w) {
     if(!is_useful(w))
       return;
+    if(m_is_exact) {
+      narrow(w, m_geometry.length(w.side.face, w.side.number), end_distances(w.side));
+      if(!(w.last > w.first))
+        return;
+    }
     std::uint32_t i = static_cast<std::uint32_t>(m_windows.size());
     if(m_free_windows.empty())
       m_windows.push_back(w);
@@ -326,11 +331,32 @@ private:
   /// way to the far end of the window.
   bool is_useful(const Ray_window& w) const {
     constexpr double rounding = 1 - 1e-12;
-    const double l = m_geometry.length(w.side.face, w.side.number),
-                 d0 = m_rays[m_geometry.vertex(w.side.face, w.side.number)].distance,
-                 d1 = m_rays[m_geometry.vertex(w.side.face, w.side.number + 1)].distance;
-    return !(d0 + w.last < w.distance(w.last) * rounding) &&
-           !(d1 + (l - w.first) < w.distance(w.first) * rounding);
+    const std::array<double, 2> ends = end_distances(w.side);
+    const double l = m_geometry.length(w.side.face, w.side.number);
+    return !(ends[0] + w.last < w.distance(w.last) * rounding) &&
+           !(ends[1] + (l - w.first) < w.distance(w.first) * rounding);
+  }
+
+  /// Takes off the parts of a window to which the ends of the side give shorter ways. Squared, the
+  /// equation of equal ways from the source and from an end is linear.
+  static void narrow(Ray_window& w, double l, const std::array<double, 2>& ends) {
+    const double y = std::abs(w.source.y), slack = 1e-9 * l + 1e-15 * y, from_first = w.source.x,
+                 from_second = l - w.source.x;
+    // how far from an end that is `along` from the foot of the source
+    const auto equal = [&](double end, double along) {
+      const double d = end - w.origin.offset;
+      return (along * along + (y - d) * (y + d)) / (2 * (along + d));
+    };
+    if(ends[0] + w.first < w.distance(w.first))
+      w.first = (std::max)(w.first, equal(ends[0], from_first) - slack);
+    if(ends[1] + (l - w.last) < w.distance(w.last))
+      w.last = (std::min)(w.last, l - equal(ends[1], from_second) + slack);
+  }
+
+  /// distances of the ends of a side
+  std::array<double, 2> end_distances(const Side& side) const {
+    return {m_rays[m_geometry.vertex(side.face, side.number)].distance,
+            m_rays[m_geometry.vertex(side.face, side.number + 1)].distance};
   }
 
   static constexpr std::uint32_t all_ways = 3;
@@ -339,13 +365,18 @@ private:
   /// \param target the number of a side, to go through that one only, or `all_ways`
   void cross(const Ray_window& w, std::uint32_t target) {
     const Plane_vector& s = w.source;
+    // Windows of cubics have errors, and do not exclude each other.
+    Nearest_ray none;
+    Nearest_ray& nearest = m_is_exact ? m_nearest_rays[3 * w.side.face + w.side.number] : none;
     cross_face(
-        m_geometry, w,
-        [&](const Plane_vector& c) {
+        m_geometry, w, nearest,
+        [&](const Plane_vector& c, double distance, double passes) {
           if(target != all_ways)
             return;
           Ray ray;
-          ray.distance = w.origin.offset + (c - s).length();
+          ray.distance = w.origin.offset + distance;
+          if(ray.distance < nearest.distance)
+            nearest = {ray.distance, passes, w.origin.root != no_root && m_geometry.is_manifold()};
           ray.angle = m_geometry.fan_angle(w.side.face, w.side.number + 2,
                                            angle(Plane_vector{0, 0} - c, s - c));
           ray.origin = w.origin;
@@ -507,8 +538,9 @@ private:
   bool m_is_exact;
   std::vector<Ray> m_rays; // of vertices
   std::vector<char> m_is_popped;
-  std::vector<State> m_states;          // of sides
-  std::vector<std::uint32_t> m_waiting; // of sides: the first window that waits
+  std::vector<State> m_states;             // of sides
+  std::vector<std::uint32_t> m_waiting;    // of sides: the first window that waits
+  std::vector<Nearest_ray> m_nearest_rays; // of sides, if exact
   std::vector<Ray_window> m_windows;
   std::vector<std::uint32_t> m_free_windows;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_heap;

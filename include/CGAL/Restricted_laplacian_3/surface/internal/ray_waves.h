@@ -32,12 +32,17 @@ struct Ray_origin {
   std::uint32_t label = 0;
 };
 
-/// Where on the way from `p` to `q` a ray from `s` passes, in units of length.
+/// Where on the way from `p` to `q` a ray from `s` passes, in units of length; at an end if it is
+/// closer to that than a ray needs to be. A ray through a vertex goes on to both sides of it, and
+/// one of the two windows would be as wide as a rounding error and be divided again at each vertex
+/// on the line: on regular grids their number would double and double. Since the window on the
+/// other side then begins at the vertex, none is lost.
 inline double passing_point(const Plane_vector& s, const Plane_vector& direction,
                             const Plane_vector& p, const Plane_vector& q) {
+  constexpr double close = 1e-9;
   const Plane_vector e = q - p;
   const double n = cross(e, direction), t = n != 0 ? cross(direction, p - s) / n : 0;
-  return (std::min)(1., (std::max)(0., t)) * e.length();
+  return (t < close ? 0 : t > 1 - close ? 1 : t) * e.length();
 }
 
 /// Rays from one point that pass through the part of a side from `first` to `last`.
@@ -90,28 +95,59 @@ void for_each_window_beyond(const Ray_geometry& geometry, const Ray_geometry::Si
   });
 }
 
-/// Where a window goes in its face: calls `at_apex(c)` with the third corner if that is seen, and
+/// The nearest way through a side to the third corner of its face. Rays of other windows that cross
+/// it give no point its distance: where they cross, it is not longer than they are, or they would be
+/// nearer to the corner. So a window that is not nearer sends no ray across in the face. If it sees
+/// the corner, it sends none to the other side of the way at all: followed back, the way leaves the
+/// faces that the window has come through across those rays, since no vertex is there at which it
+/// could begin (Chen and Han 1990: one angle, one split).
+struct Nearest_ray {
+  double distance = std::numeric_limits<double>::infinity();
+  double passes = 0;             // where, in units of length
+  bool begins_at_vertex = false; // on a surface without edges of three faces
+};
+
+/// Where a window goes in its face: calls `at_apex(c, distance, passes)` with the third corner, its
+/// distance from the source and where the ray passes the side, if that is seen, and
 /// `through(side, p, q, first, last)` for the other sides that rays pass through, with their ends
 /// in the order of the face and the part; all in the frame of the window's side.
+/// \param nearest the nearest way to the third corner, as far as it is known
 template <class At_apex, class Through>
-void cross_face(const Ray_geometry& geometry, const Ray_window& w, At_apex&& at_apex,
-                Through&& through) {
+void cross_face(const Ray_geometry& geometry, const Ray_window& w, const Nearest_ray& nearest,
+                At_apex&& at_apex, Through&& through) {
+  constexpr double rounding = 1e-12;
   const std::uint32_t face = w.side.face, k = w.side.number;
   const Plane_vector &s = w.source, a{0, 0}, b{geometry.length(face, k), 0},
                      c = geometry.apex(w.side);
-  const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y}, to_apex = c - s;
-  const double rounding = 1e-12 * b.x * to_apex.length();
-  const bool goes_left = internal::cross(to_apex, first) > -rounding,
-             goes_right = internal::cross(last, to_apex) > -rounding;
-  if(goes_left && goes_right)
-    at_apex(c);
+  const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y},
+      to_apex = c - s, barrier{nearest.passes - s.x, -s.y};
+  const double distance = to_apex.length(), slack = rounding * b.x * distance,
+               passes = s.x - s.y * to_apex.x / to_apex.y;
+  bool goes_left = internal::cross(to_apex, first) > -slack,
+       goes_right = internal::cross(last, to_apex) > -slack;
+  const bool sees_apex = goes_left && goes_right,
+             is_nearest = w.origin.offset + distance < nearest.distance * (1 - rounding);
+  // the ray at which those to the left end and those to the right begin
+  Plane_vector left_end = sees_apex ? to_apex : last, right_begin = sees_apex ? to_apex : first;
+  if(!is_nearest) {
+    const double close = 1e-9 * b.x; // else it is the same way
+    const bool is_left = passes<nearest.passes - close, is_right = passes> nearest.passes + close;
+    goes_left = goes_left && nearest.passes > w.first &&
+                !(sees_apex && nearest.begins_at_vertex && is_right);
+    goes_right = goes_right && nearest.passes < w.last &&
+                 !(sees_apex && nearest.begins_at_vertex && is_left);
+    if(internal::cross(left_end, barrier) > 0 && !(sees_apex && !is_right))
+      left_end = barrier;
+    if(internal::cross(barrier, right_begin) > 0 && !(sees_apex && !is_left))
+      right_begin = barrier;
+  }
+  if(sees_apex)
+    at_apex(c, distance, passes);
   const Ray_geometry::Side left{face, (k + 2) % 3}, right{face, (k + 1) % 3};
   if(goes_left) // from c to a
-    through(left, c, a, goes_right ? 0 : passing_point(s, last, c, a),
-            passing_point(s, first, c, a));
+    through(left, c, a, passing_point(s, left_end, c, a), passing_point(s, first, c, a));
   if(goes_right) // from b to c
-    through(right, b, c, passing_point(s, last, b, c),
-            goes_left ? geometry.length(face, right.number) : passing_point(s, first, b, c));
+    through(right, b, c, passing_point(s, last, b, c), passing_point(s, right_begin, b, c));
 }
 
 /// Squared distances along a side of the length `length`, less the offset before squaring: a cubic
