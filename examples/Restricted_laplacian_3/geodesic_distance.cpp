@@ -77,6 +77,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "coordinates, and faces are divided where such a vertex lies on a side");
   add("exact", po::bool_switch(&o.exact),
       "exact up to rounding, in more time; by default errors are of the order of 0.01 %");
+  add("memory", po::value(&o.space.maximum_gigabytes)->value_name("GB"),
+      "end if windows of rays would take more memory; by default that of the machine");
   po::options_description lines("Lines", help_width);
   add = lines.add_options();
   add("path", po::value(&o.paths)->multitoken()->value_name("V..."),
@@ -206,13 +208,17 @@ Outcome measure(Job& job, const Options& o) {
     joining_tolerance = o.space.joining_tolerance;
   const RL::Geodesic_solver solver(job.surface, joining_tolerance);
   const double setup_seconds = job.seconds();
+  RL::Geodesic_options options;
+  options.method = o.exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast;
+  if(o.space.maximum_gigabytes > 0)
+    options.maximum_memory = 1e9 * o.space.maximum_gigabytes;
   RL::Geodesic_sources sources;
   std::vector<std::size_t> all = o.sources;
   for(std::size_t v : o.sources)
     sources.add_vertex(v);
   if(o.farthest > 0) {
-    job.progress.show("choosing vertices far from each other");
-    for(std::size_t v : solver.farthest_points(o.farthest, sources))
+    options.callback = job.progress.step("choosing vertices far from each other");
+    for(std::size_t v : solver.farthest_points(o.farthest, sources, options))
       all.push_back(v);
   }
   sources = {};
@@ -220,10 +226,9 @@ Outcome measure(Job& job, const Options& o) {
     sources.add_vertex(all[i], static_cast<std::uint32_t>(i));
   if(o.boundary)
     sources.add_boundary(static_cast<std::uint32_t>(all.size()));
-  job.progress.show("propagating distances");
+  options.callback = job.progress.step("propagating distances");
   const double begin = job.seconds();
-  const RL::Geodesic_distances found =
-      solver.distances(sources, o.exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast);
+  const RL::Geodesic_distances found = solver.distances(sources, options);
   job.summary.add_detail("rays_seconds", setup_seconds);
   job.summary.add_detail("query_seconds", job.seconds() - begin);
 

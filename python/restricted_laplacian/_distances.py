@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _core
 from ._errors import argument_error
-from ._input import make_surface, numbers, rows
+from ._input import Progress, listener, make_surface, number_of_threads, numbers, rows
 from ._space import Space
 from ._view import View, Viewable, view_of_surface
 
@@ -165,6 +165,11 @@ class Geodesics:
     joining_tolerance : float, optional
         Distance up to which vertices on the boundary are one with others, and divide faces on whose
         sides they lie: for soups with cracks and T-junctions.
+    maximum_memory : float, optional
+        Bytes that a query may take, by default those of the machine. Most need some hundred for
+        each face; a `InputError` tells of those that would take more.
+    threads : int, optional
+        Of `distance_matrix`; by default all processors. Results do not depend on it.
 
     Examples
     --------
@@ -179,16 +184,25 @@ class Geodesics:
     """
 
     def __init__(self, V: Any, F: Any = None, *, normals: Any = None,
-                 joining_tolerance: Optional[float] = None) -> None:
+                 joining_tolerance: Optional[float] = None,
+                 maximum_memory: Optional[float] = None, threads: Optional[int] = None) -> None:
+        self._maximum_memory = None if maximum_memory is None else float(maximum_memory)
         self._space: Optional[Space] = V if isinstance(V, Space) else None
+        self._threads = (self._space._threads if self._space and threads is None
+                         else number_of_threads(threads))
         self._surface = V._surface if isinstance(V, Space) else make_surface(
             V, F, normals=normals)
         self._solver = _core.GeodesicSolver.make(
             self._surface, None if joining_tolerance is None else float(joining_tolerance))
         self._fitter: Any = None
 
+    def _query(self, exact: bool, progress: Progress) -> Any:
+        return _core.DistanceQuery(bool(exact), self._maximum_memory, self._threads,
+                                   listener(progress))
+
     def distances(self, sources: Any = None, *, points: Any = None, segments: Any = None,
-                  boundary: bool = False, labels: Any = None, exact: bool = False) -> Distances:
+                  boundary: bool = False, labels: Any = None, exact: bool = False,
+                  progress: Progress = None) -> Distances:
         """Distances of all vertices from the nearest source.
 
         Parameters
@@ -206,6 +220,9 @@ class Geodesics:
             so on.
         exact : bool
             Exact up to rounding, in more time; by default errors are of the order of 0.01 %.
+        progress : bool or callable
+            Is called with the part of the work that is done, and ends it if it returns False;
+            ``True`` prints it.
 
         Returns
         -------
@@ -213,22 +230,50 @@ class Geodesics:
             A tuple of ``distances``, ``directions`` and ``labels``.
         """
         own = _sources(sources, points, segments, boundary, labels)
-        return Distances(*self._solver.distances(*own, bool(exact)))
+        return Distances(*self._solver.distances(*own, self._query(exact, progress)))
+
+    def distance_matrix(self, sources: Any, *, exact: bool = False,
+                        progress: Progress = None) -> np.ndarray:
+        """Distances of all vertices from each of several vertices, on several threads.
+
+        Parameters
+        ----------
+        sources : array_like of int
+            Vertices.
+        exact, progress
+            See `distances`.
+
+        Returns
+        -------
+        numpy.ndarray, (k, n)
+            A row for each source; infinite where it is not reached.
+
+        Examples
+        --------
+        >>> import restricted_laplacian as rl
+        >>> V, F = rl.icosphere(3)
+        >>> rl.Geodesics(V, F).distance_matrix([0, 5, 7]).shape
+        (3, 642)
+        """
+        return self._solver.distance_matrix(_integers(sources, "sources"),
+                                            self._query(exact, progress))
 
     def function(self, sources: Any = None, *, points: Any = None, segments: Any = None,
-                 boundary: bool = False, exact: bool = False) -> DistanceFunction:
+                 boundary: bool = False, exact: bool = False,
+                 progress: Progress = None) -> DistanceFunction:
         """The distance anywhere on the surface, triangle by triangle, with paths and isolines.
 
         Parameters
         ----------
-        sources, points, segments, boundary, exact
+        sources, points, segments, boundary, exact, progress
             See `distances`.
         """
         own = _sources(sources, points, segments, boundary, None)
-        return DistanceFunction(self, self._solver.function(*own, bool(exact), None))
+        return DistanceFunction(self, self._solver.function(*own, self._query(exact, progress), None))
 
     def spline(self, sources: Any = None, *, points: Any = None, segments: Any = None,
-               boundary: bool = False, exact: bool = False) -> DistanceFunction:
+               boundary: bool = False, exact: bool = False,
+               progress: Progress = None) -> DistanceFunction:
         """The same as a spline: smooth over edges, too, but for two cells around ridges.
 
         Its space is that which the object was made of, or one of the default depth. Paths and
@@ -236,16 +281,18 @@ class Geodesics:
 
         Parameters
         ----------
-        sources, points, segments, boundary, exact
+        sources, points, segments, boundary, exact, progress
             See `distances`.
         """
         if self._fitter is None:
             space = self._space or Space(self._surface)
             self._fitter = _core.GeodesicFitter.make(space._space, space._threads)
         own = _sources(sources, points, segments, boundary, None)
-        return DistanceFunction(self, self._solver.function(*own, bool(exact), self._fitter))
+        return DistanceFunction(self, self._solver.function(*own, self._query(exact, progress),
+                                                           self._fitter))
 
-    def farthest_points(self, number: int, sources: Any = None) -> np.ndarray:
+    def farthest_points(self, number: int, sources: Any = None, *,
+                        progress: Progress = None) -> np.ndarray:
         """Vertices far from each other: each is the one farthest from those before.
 
         Parameters
@@ -255,6 +302,8 @@ class Geodesics:
         sources : int or array_like of int, optional
             Vertices to begin with, which are not among the results; by default the first vertex
             with a face, which is the first of them.
+        progress
+            See `distances`.
 
         Returns
         -------
@@ -264,11 +313,13 @@ class Geodesics:
         if isinstance(number, bool) or not isinstance(number, (int, np.integer)):
             raise argument_error("number", f"must be a whole number, and is {number!r}")
         own = _integers([] if sources is None else sources, "sources")
-        return self._solver.farthest_points(int(np.clip(number, -1, 2 ** 32)), own)
+        return self._solver.farthest_points(int(np.clip(number, -1, 2 ** 32)), own,
+                                            self._query(False, progress))
 
 
 def geodesic_distance(V: Any, F: Any = None, sources: Any = None, *, boundary: bool = False,
-                      exact: bool = False) -> np.ndarray:
+                      exact: bool = False, maximum_memory: Optional[float] = None,
+                      progress: Progress = None) -> np.ndarray:
     """Distances along a surface.
 
     Parameters
@@ -277,8 +328,10 @@ def geodesic_distance(V: Any, F: Any = None, sources: Any = None, *, boundary: b
         The triangles, as for `Space`.
     sources : int or array_like of int, optional
         Vertices from which distances are measured.
-    boundary, exact
+    boundary, exact, progress
         See `Geodesics.distances`, which takes other sources, too.
+    maximum_memory
+        See `Geodesics`.
 
     Returns
     -------
@@ -291,7 +344,9 @@ def geodesic_distance(V: Any, F: Any = None, sources: Any = None, *, boundary: b
     >>> V, F = rl.icosphere(4)
     >>> d = rl.geodesic_distance(V, F, [0, 7])
     """
-    return Geodesics(V, F).distances(sources, boundary=boundary, exact=exact).distances
+    geodesics = Geodesics(V, F, maximum_memory=maximum_memory)
+    return geodesics.distances(sources, boundary=boundary, exact=exact,
+                               progress=progress).distances
 
 
 def farthest_points(V: Any, F: Any = None, number: int = 1, sources: Optional[Any] = None

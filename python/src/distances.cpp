@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -67,17 +68,34 @@ RL::Geodesic_solver make_solver(const RL::Triangulated_surface_3& surface,
   return RL::Geodesic_solver(surface, joining_tolerance);
 }
 
+// How distances are computed: what all queries take.
+struct Query {
+  bool exact = false;
+  std::optional<double> maximum_memory;
+  int threads = 1;
+  nb::object progress;
+
+  template <class Work> auto run(Work&& work) const {
+    RL::Geodesic_options options(exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast);
+    options.maximum_memory = maximum_memory;
+    options.is_parallel = threads != 1;
+    return python::run(threads, progress, [&](const std::function<bool(double)>& callback) {
+      options.callback = callback;
+      return work(options);
+    });
+  }
+};
+
 nb::tuple distances(const RL::Geodesic_solver& solver, const Integers& vertices,
                     const Integers& faces, const Rows& from, const Rows& to, bool boundary,
-                    const Integers& labels, bool exact) {
+                    const Integers& labels, const Query& query) {
   const RL::Geodesic_sources sources = sources_of(vertices, faces, from, to, boundary, labels);
-  RL::Geodesic_distances found;
+  RL::Geodesic_distances found =
+      query.run([&](const auto& options) { return solver.distances(sources, options); });
   std::vector<double> directions;
   std::vector<std::int64_t> nearest;
   {
     const nb::gil_scoped_release release;
-    found =
-        solver.distances(sources, exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast);
     for(const RL::Vector_3& d : found.directions)
       for(int axis = 0; axis < 3; ++axis)
         directions.push_back(d[axis]);
@@ -87,6 +105,16 @@ nb::tuple distances(const RL::Geodesic_solver& solver, const Integers& vertices,
   return nb::make_tuple(array_of_rows(std::move(found.distances), 1),
                         array_of_rows(std::move(directions), 3),
                         array_of_rows(std::move(nearest), 1));
+}
+
+nb::object distance_matrix(const RL::Geodesic_solver& solver, const Integers& vertices,
+                           const Query& query) {
+  std::vector<RL::Geodesic_sources> sources;
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    sources.push_back(RL::Geodesic_sources::vertex(index_of(vertices.data()[i])));
+  std::vector<double> found =
+      query.run([&](const auto& options) { return solver.distance_matrix(sources, options); });
+  return array_of_rows(std::move(found), solver.surface().number_of_vertices());
 }
 
 // Distances with directions, as a function on the surface; `spline` is that of a space, or nothing.
@@ -169,13 +197,13 @@ private:
 
 Distance_function distance_function(const RL::Geodesic_solver& solver, const Integers& vertices,
                                     const Integers& faces, const Rows& from, const Rows& to,
-                                    bool boundary, const Integers& labels, bool exact,
+                                    bool boundary, const Integers& labels, const Query& query,
                                     const RL::Geodesic_fitter* fitter) {
   const RL::Geodesic_sources sources = sources_of(vertices, faces, from, to, boundary, labels);
+  RL::Geodesic_distances found =
+      query.run([&](const auto& options) { return solver.distances(sources, options); });
   const nb::gil_scoped_release release;
-  const RL::Geodesic_function function(
-      solver,
-      solver.distances(sources, exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast));
+  const RL::Geodesic_function function(solver, std::move(found));
   return fitter ? Distance_function(fitter->fit(function)) : Distance_function(function);
 }
 
@@ -193,24 +221,31 @@ nb::tuple location_of_vertex(const RL::Geodesic_solver& solver, std::int64_t v) 
 }
 
 nb::object farthest_points(const RL::Geodesic_solver& solver, std::int64_t number,
-                           const Integers& vertices) {
+                           const Integers& vertices, const Query& query) {
   if(number < 0)
     throw RL::Parameter_error("number", "must not be negative");
   std::vector<std::int64_t> result;
   RL::Geodesic_sources sources;
   for(std::size_t i = 0; i < vertices.size(); ++i)
     sources.add_vertex(index_of(vertices.data()[i]));
-  {
-    const nb::gil_scoped_release release;
-    for(const std::size_t v : solver.farthest_points(index_of(number), sources))
-      result.push_back(static_cast<std::int64_t>(v));
-  }
+  for(const std::size_t v : query.run([&](const auto& options) {
+        return solver.farthest_points(index_of(number), sources, options);
+      }))
+    result.push_back(static_cast<std::int64_t>(v));
   return array_of_rows(std::move(result), 1);
 }
 
 } // namespace
 
 void add_distances(nb::module_& m) {
+  nb::class_<Query>(m, "DistanceQuery")
+      .def(
+          "__init__",
+          [](Query* query, bool exact, std::optional<double> maximum_memory, int threads,
+             nb::object progress) {
+            new(query) Query{exact, maximum_memory, threads, std::move(progress)};
+          },
+          "exact"_a, "maximum_memory"_a.none(), "threads"_a, "progress"_a.none());
   nb::class_<RL::Geodesic_fitter>(m, "GeodesicFitter")
       .def_static("make", &make_fitter, "space"_a, "threads"_a);
   nb::class_<Distance_function>(m, "DistanceFunction")
@@ -222,11 +257,12 @@ void add_distances(nb::module_& m) {
   nb::class_<RL::Geodesic_solver>(m, "GeodesicSolver")
       .def_static("make", &make_solver, "surface"_a, "joining_tolerance"_a.none())
       .def("distances", &distances, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,
-           "labels"_a, "exact"_a)
+           "labels"_a, "query"_a)
       .def("function", &distance_function, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,
-           "labels"_a, "exact"_a, "fitter"_a.none())
+           "labels"_a, "query"_a, "fitter"_a.none())
       .def("location", &location_of_vertex, "vertex"_a)
-      .def("farthest_points", &farthest_points, "number"_a, "vertices"_a);
+      .def("distance_matrix", &distance_matrix, "vertices"_a, "query"_a)
+      .def("farthest_points", &farthest_points, "number"_a, "vertices"_a, "query"_a);
 }
 
 } // namespace python

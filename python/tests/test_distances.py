@@ -98,6 +98,33 @@ def test_program(programs, tmp_path):
                        rtol=1e-3, atol=1e-2)
 
 
+def test_distance_matrix(sphere):
+    V, F = sphere
+    sources = [3, 0, 77]
+    parts = []
+    found = rl.Geodesics(V, F, threads=2).distance_matrix(sources, progress=parts.append)
+    assert found.shape == (3, len(V))
+    assert parts[-1] == 1 and parts == sorted(parts)
+    for row, source in zip(found, sources):
+        assert (row == rl.geodesic_distance(V, F, source)).all()
+    assert (rl.Geodesics(V, F, threads=1).distance_matrix(sources) == found).all()
+    exact = rl.Geodesics(V, F).distance_matrix(sources, exact=True)
+    assert (exact[1] == rl.geodesic_distance(V, F, 0, exact=True)).all()
+    assert rl.Geodesics(V, F).distance_matrix([]).shape == (0, len(V))
+
+
+def test_memory_and_progress(sphere):
+    V, F = sphere
+    with pytest.raises(rl.InputError, match="maximum_memory is 0.1 MB: the windows"):
+        rl.geodesic_distance(V, F, 0, maximum_memory=1e5)
+    with pytest.raises(rl.InputError, match="maximum_memory"):
+        rl.geodesic_distance(V, F, 0, maximum_memory=0)
+    with pytest.raises(rl.Canceled):
+        rl.geodesic_distance(V, F, 0, progress=lambda done: False)
+    with pytest.raises(ZeroDivisionError):
+        rl.Geodesics(V, F).farthest_points(5, progress=lambda done: 1 / 0)
+
+
 def test_threads(sphere):
     V, F = sphere
     geodesics = rl.Geodesics(V, F)

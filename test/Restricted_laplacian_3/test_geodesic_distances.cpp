@@ -21,6 +21,8 @@
 #include <map>
 #include <random>
 #include <set>
+#include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -309,14 +311,89 @@ TEST_CASE("distances_on_regular_meshes", "[geodesic]") {
       for(const std::size_t source : {std::size_t(0), t.points.size() / 2})
         for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
           CAPTURE(n, int(diagonals), source, int(method));
+          RL::Geodesic_options options(method);
+          options.maximum_memory = 5e6;
           Distances expected;
           for(const RL::Point_3& p : t.points)
             expected.push_back(shapes::length(p - t.points[source]));
           const Distances found =
-              geodesics.distances(RL::Geodesic_sources::vertex(source), method).distances;
+              geodesics.distances(RL::Geodesic_sources::vertex(source), options).distances;
           CHECK(Errors(found, expected).worst < 1e-12);
         }
     }
+}
+
+TEST_CASE("distances_from_many_sources_are_those_from_each", "[geodesic][threads]") {
+  const RL::Geodesic_solver geodesics = shapes::geodesics(shapes::sphere(4));
+  std::vector<RL::Geodesic_sources> sources;
+  for(std::size_t v = 0; v < 12; ++v)
+    sources.push_back(RL::Geodesic_sources::vertex(37 * v));
+  sources[5].add_vertex(1000);
+  for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+    RL::Geodesic_options options(method);
+    Distances parts;
+    options.callback = [&, caller = std::this_thread::get_id()](double part) {
+      CHECK(caller == std::this_thread::get_id());
+      parts.push_back(part);
+      return true;
+    };
+    Distances expected;
+    for(const RL::Geodesic_sources& from : sources) {
+      const Distances d = geodesics.distances(from, options).distances;
+      CHECK(parts.back() == 1);
+      expected.insert(expected.end(), d.begin(), d.end());
+    }
+    for(const bool is_parallel : {false, true}) {
+      options.is_parallel = is_parallel;
+      parts.clear();
+      CHECK(geodesics.distance_matrix(sources, options) == expected);
+      CHECK(std::is_sorted(parts.begin(), parts.end()));
+      CHECK(parts.back() == 1);
+    }
+  }
+  CHECK(geodesics.distance_matrix({}).empty());
+  CHECK_THROWS_AS(geodesics.distance_matrix({RL::Geodesic_sources()}), RL::Parameter_error);
+}
+
+TEST_CASE("queries_of_distances_may_be_canceled", "[geodesic]") {
+  const RL::Geodesic_solver geodesics = shapes::geodesics(shapes::sphere(5));
+  const RL::Geodesic_sources source = RL::Geodesic_sources::vertex(0);
+  for(const int calls : {1, 2}) {
+    RL::Geodesic_options options;
+    const auto cancel_at = [&] {
+      options.callback = [&calls, n = 0](double) mutable { return ++n < calls; };
+    };
+    cancel_at();
+    CHECK_THROWS_AS(geodesics.distances(source, options), RL::Canceled);
+    cancel_at();
+    CHECK_THROWS_AS(geodesics.distance_matrix({source, source}, options), RL::Canceled);
+    cancel_at();
+    CHECK_THROWS_AS(geodesics.farthest_points(3, source, options), RL::Canceled);
+  }
+}
+
+TEST_CASE("memory_of_windows_is_limited", "[geodesic]") {
+  const RL::Geodesic_solver geodesics = shapes::geodesics(shapes::sphere(4));
+  const RL::Geodesic_sources source = RL::Geodesic_sources::vertex(0);
+  for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+    RL::Geodesic_options options(method);
+    options.maximum_memory = 5e6;
+    const Distances found = geodesics.distances(source, options).distances;
+    CHECK(found == geodesics.distances(source, method).distances);
+    options.maximum_memory = 2e5;
+    try {
+      geodesics.distances(source, options);
+      FAIL("more memory was taken");
+    } catch(const RL::Parameter_error& e) {
+      CHECK(e.parameter() == "maximum_memory");
+      CHECK(std::string(e.what()) ==
+            "maximum_memory is 0.2 MB: the windows of rays would take more than that");
+    }
+    for(const double wrong : {0., -1., std::nan("")}) {
+      options.maximum_memory = wrong;
+      CHECK_THROWS_AS(geodesics.distances(source, options), RL::Parameter_error);
+    }
+  }
 }
 
 TEST_CASE("directions_point_to_the_source", "[geodesic]") {

@@ -63,7 +63,7 @@ Geodesic_solver geodesic_solver(const FaceGraph& tm, const NamedParameters& np) 
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh
-///   \named_joining_tolerance
+///   \named_joining_tolerance \named_memory_of_distances \named_callback
 /// \cgalNamedParamsEnd
 /// \return distances again, directions and labels, in the order of `vertices(tm)`
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
@@ -75,7 +75,7 @@ Geodesic_distances geodesic_distances(const FaceGraph& tm, const Sources& source
                                       VertexMap distances,
                                       const NamedParameters& np = parameters::default_values()) {
   Geodesic_distances result =
-      internal::geodesic_solver(tm, np).distances(internal::geodesic_sources(tm, sources));
+      internal::geodesic_solver(tm, np).distances(internal::geodesic_sources(tm, sources), np);
   std::size_t i = 0;
   for(auto v : vertices(tm))
     put(distances, v, result.distances[i++]);
@@ -93,7 +93,7 @@ Geodesic_distances geodesic_distances(const FaceGraph& tm, const Sources& source
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh
-///   \named_joining_tolerance
+///   \named_joining_tolerance \named_memory_of_distances \named_callback
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Location_error if the vertices are not on one component
@@ -105,7 +105,7 @@ Geodesic_path shortest_path(const FaceGraph& tm,
                             const NamedParameters& np = parameters::default_values()) {
   const Geodesic_solver solver = internal::geodesic_solver(tm, np);
   const Geodesic_sources start = internal::geodesic_sources(tm, from);
-  return Geodesic_function(solver, solver.distances(internal::geodesic_sources(tm, to)))
+  return Geodesic_function(solver, solver.distances(internal::geodesic_sources(tm, to), np))
       .shortest_path(solver.location(start.vertices()[0].first));
 }
 

@@ -186,7 +186,7 @@ test_help() {
   explains stitch_colors $common_options \
     poses frame method gradients alpha maximum-distance normal-angle unoriented leave-out \
     keep-exposures linear-light no-details truth tolerance stabilization
-  explains geodesic_distance source boundary farthest join exact neighbors split-points path isolines lines show csv output refine \
+  explains geodesic_distance source boundary farthest join exact memory neighbors split-points path isolines lines show csv output refine \
     depth threads quiet verbose progress version
   explains bake_scans views resolution field-of-view points noise exposure-range exposures tint \
     light linear-light pattern seed quiet version
@@ -1444,6 +1444,8 @@ test_distances() {
   succeeds geodesic_distance sphere.off --farthest 3
   check "three sources" [ "$(sed -n '/^sources/,$p' out | wc -l)" -eq 4 ]
   printf 'OFF\n5 4 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n2 2 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n' > square.off
+  fails "--memory is 0.1 MB: the windows of rays would take more" \
+    geodesic_distance sphere.off --source 0 --memory 1e-4
   succeeds geodesic_distance square.off --boundary
   check "the center is farthest from the boundary" \
     is_near "$(sed -n 's/^largest_distance *//p' out)" 2 1e-5

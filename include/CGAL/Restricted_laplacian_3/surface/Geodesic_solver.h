@@ -6,11 +6,13 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -113,6 +115,35 @@ enum class Geodesic_method {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Distances
+/// How distances are computed: the named parameters of queries. A `Geodesic_method` stands for
+/// options that are the defaults else.
+struct Geodesic_options {
+  /// whether they need to be exact
+  Geodesic_method method = Geodesic_method::fast;
+  /// Bytes that a query may take for what it propagates. Most need some hundred bytes for each
+  /// face, but there are surfaces, made for that, on which windows of rays multiply. Without a
+  /// value `memory_of_machine()`
+  std::optional<double> maximum_memory;
+  /// is called with the part of the work that is done, from 0 to 1, on the thread of the caller; if
+  /// it returns `false`, the work ends with the exception `Canceled`
+  std::function<bool(double)> callback;
+  /// whether queries for several sources run on several threads; no effect unless the program is
+  /// linked with TBB. The results are the same.
+  bool is_parallel = false;
+
+  /// the defaults
+  Geodesic_options() = default;
+  /// \param m the method
+  Geodesic_options(Geodesic_method m) : method(m) {}
+  /// what is among named parameters, and the defaults else
+  template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
+  Geodesic_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
+    internal::read_parameter(np, internal_np::maximum_memory, maximum_memory);
+    internal::read_parameter(np, internal_np::callback, callback);
+  }
+};
+
+/// \ingroup PkgRestrictedLaplacian3Distances
 /// Distances along a surface, set up once for any number of queries.
 ///
 /// Distances are those on the triangles as they are, lengths of shortest ways over their faces.
@@ -146,22 +177,35 @@ public:
 
   /// Distances of all vertices from the nearest of the sources.
   /// \param sources at least one
-  /// \param method whether they need to be exact
+  /// \param options how they are computed
+  /// \throws Parameter_error `maximum_memory`, if windows of rays would take more
   /// \throws Parameter_error if there is no source: none was added, or the boundary, and there is
   /// none
   /// \throws Invalid_vertex_error a source is a vertex that does not exist
   /// \throws Location_error a source is not on the surface
+  /// \throws Canceled if the callback returns `false`
   Geodesic_distances distances(const Geodesic_sources& sources,
-                               Geodesic_method method = Geodesic_method::fast) const;
+                               const Geodesic_options& options = {}) const;
+
+  /// Distances of all vertices from each of several sources.
+  /// \param sources each is a set of sources, as for `distances()`
+  /// \param options how they are computed; each thread may take the memory
+  /// \return one row for each element of `sources`, of as many numbers as there are vertices, one
+  /// after the other; infinite where no source is reached
+  /// \throws Parameter_error, Invalid_vertex_error, Location_error as `distances()`
+  /// \throws Canceled if the callback returns `false`
+  std::vector<double> distance_matrix(const std::vector<Geodesic_sources>& sources,
+                                      const Geodesic_options& options = {}) const;
 
   /// Vertices far from each other and from the sources: each is the one that is farthest from the
   /// sources and those before (Gonzalez 1985). Ties go to the lower number.
   /// \param sources where to begin; if empty, the first vertex with a face, which is the first
   /// result then
   /// \param number of vertices
+  /// \param options how distances are computed
   /// \return at most as many vertices as there are on the components that are reached
-  std::vector<std::size_t> farthest_points(std::size_t number,
-                                           const Geodesic_sources& sources = {}) const;
+  std::vector<std::size_t> farthest_points(std::size_t number, const Geodesic_sources& sources = {},
+                                           const Geodesic_options& options = {}) const;
 
 private:
   friend class Geodesic_function;

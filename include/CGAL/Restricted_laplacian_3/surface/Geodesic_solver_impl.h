@@ -7,6 +7,10 @@
 #include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Geodesic_triangle.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Joined_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Ray_geometry.h>
@@ -14,12 +18,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -105,6 +111,28 @@ struct Geodesic_solver::Impl {
     return result;
   }
 
+  /// the rays of the vertices of the joined surface
+  /// \throws as `Geodesic_solver::distances()`
+  std::vector<internal::Ray_propagation::Ray> rays(const Geodesic_sources& sources,
+                                                   const Geodesic_options& options,
+                                                   const internal::Progress& progress) const {
+    const All_sources given = all(sources);
+    const double maximum_memory = options.maximum_memory.value_or(this->maximum_memory);
+    if(!(maximum_memory > 0))
+      throw Parameter_error("maximum_memory",
+                            "is " + std::to_string(maximum_memory) + ", and must be positive");
+    return internal::name_step("not enough memory for the windows of rays", [&] {
+      internal::Ray_propagation propagation(geometry, options.method == Geodesic_method::exact,
+                                            maximum_memory);
+      for(const auto& [v, label] : given.vertices)
+        propagation.add_vertex(v, label);
+      for(const auto& part : given.parts)
+        propagation.add_segment(part.face, geometry.place(part.face, part.from),
+                                geometry.place(part.face, part.to), part.label);
+      return propagation.run(progress);
+    });
+  }
+
   /// a segment in a face
   void add(const Place& p, const Place& q, std::uint32_t label, All_sources& all) const {
     const std::uint32_t face = p.face;
@@ -131,6 +159,7 @@ struct Geodesic_solver::Impl {
 
   internal::Joined_surface surface;
   internal::Ray_geometry geometry; // of the joined surface, to which it refers
+  double maximum_memory = memory_of_machine();
 };
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
@@ -157,18 +186,11 @@ Geodesic_solver::location(std::size_t vertex) const {
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_distances
-Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method method) const {
+Geodesic_solver::distances(const Geodesic_sources& sources, const Geodesic_options& options) const {
   const internal::Ray_geometry& geometry = m_impl->geometry;
   const std::size_t n = surface().number_of_vertices();
-  const Impl::All_sources all = m_impl->all(sources);
-  internal::Ray_propagation propagation(geometry, method == Geodesic_method::exact);
-  for(const auto& [v, label] : all.vertices)
-    propagation.add_vertex(v, label);
-  for(const auto& part : all.parts)
-    propagation.add_segment(part.face, geometry.place(part.face, part.from),
-                            geometry.place(part.face, part.to), part.label);
-
-  const std::vector<internal::Ray_propagation::Ray>& rays = propagation.run();
+  const std::vector<internal::Ray_propagation::Ray> rays =
+      m_impl->rays(sources, options, internal::Progress(options.callback));
   Geodesic_distances result;
   result.sources = sources;
   result.distances.resize(n);
@@ -191,21 +213,60 @@ Geodesic_solver::distances(const Geodesic_sources& sources, Geodesic_method meth
   return result;
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
+Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
+                                 const Geodesic_options& options) const {
+  const std::size_t n = surface().number_of_vertices(), number = sources.size();
+  std::vector<double> result = internal::name_step("not enough memory for a matrix of distances",
+                                                   [&] { return std::vector<double>(number * n); });
+  const internal::Progress progress(options.callback);
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<std::size_t> number_done = 0;
+  internal::parallel_for(options.is_parallel, 0, number, 1, [&](std::size_t i, std::size_t) {
+    internal::Progress part;
+    if(std::this_thread::get_id() == caller) {
+      const double done = static_cast<double>(number_done) / static_cast<double>(number);
+      part = progress.part(done, done + 1 / static_cast<double>(number));
+    }
+    const std::vector<internal::Ray_propagation::Ray> rays =
+        m_impl->rays(sources[i], options, part);
+    for(std::size_t v = 0; v < n; ++v)
+      result[i * n + v] =
+          rays[m_impl->surface.vertex(static_cast<std::uint32_t>(v))].distance * m_impl->unit();
+    ++number_done;
+  });
+  progress(1);
+  return result;
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<std::size_t>
-Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sources) const {
+Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sources,
+                                 const Geodesic_options& options) const {
   const std::size_t n = surface().number_of_vertices();
   std::vector<std::size_t> result;
   if(number == 0)
     return result;
+  const internal::Progress progress(options.callback);
+  Geodesic_options of_query = options;
+  // the last point needs no query
+  const double queries = static_cast<double>(number) - (sources.empty() ? 1 : 0);
+  double queries_done = 0;
+  const auto distances_from = [&](const Geodesic_sources& from) {
+    of_query.callback =
+        progress.part(queries_done / queries, (queries_done + 1) / queries).callback();
+    ++queries_done;
+    return distances(from, of_query).distances;
+  };
   std::vector<double> nearest;
   if(!sources.empty())
-    nearest = distances(sources).distances;
+    nearest = distances_from(sources);
   else {
     std::uint32_t first = 0;
     while(!m_impl->geometry.has_corner(m_impl->surface.vertex(first)))
       ++first;
     result.push_back(first);
-    nearest = distances(Geodesic_sources::vertex(result[0])).distances;
+    if(number > 1)
+      nearest = distances_from(Geodesic_sources::vertex(first));
   }
   while(result.size() < number) {
     std::size_t farthest = n;
@@ -215,10 +276,13 @@ Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sou
     if(farthest == n)
       break;
     result.push_back(farthest);
-    const std::vector<double> from = distances(Geodesic_sources::vertex(farthest)).distances;
+    if(result.size() == number)
+      break;
+    const std::vector<double> from = distances_from(Geodesic_sources::vertex(farthest));
     for(std::size_t v = 0; v < n; ++v)
       nearest[v] = (std::min)(nearest[v], from[v]);
   }
+  progress(1);
   return result;
 }
 

@@ -4,6 +4,9 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_PROPAGATION_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_RAY_PROPAGATION_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/Ray_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/internal/ray_waves.h>
 
@@ -17,6 +20,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,9 +54,10 @@ public:
   using Corner = Ray_geometry::Corner;
 
   /// \param is_exact whether there are windows only
-  Ray_propagation(const Ray_geometry& geometry, bool is_exact)
-    : m_geometry(geometry), m_is_exact(is_exact), m_rays(geometry.surface().number_of_vertices()),
-      m_is_popped(m_rays.size(), 0),
+  /// \param maximum_memory in bytes
+  Ray_propagation(const Ray_geometry& geometry, bool is_exact, double maximum_memory)
+    : m_geometry(geometry), m_is_exact(is_exact), m_maximum_memory(maximum_memory),
+      m_rays(geometry.surface().number_of_vertices()), m_is_popped(m_rays.size(), 0),
       m_states(3 * geometry.surface().number_of_faces(), is_exact ? State::windows : State::open),
       m_waiting(m_states.size(), no_root), m_nearest_rays(is_exact ? m_states.size() : 0) {}
 
@@ -121,9 +126,16 @@ public:
     }
   }
 
-  /// distances of all vertices from what was added; infinite where there is no way
-  const std::vector<Ray>& run() {
-    while(!m_heap.empty()) {
+  /// Distances of all vertices from what was added; infinite where there is no way. May be called
+  /// once.
+  /// \throws Parameter_error if there is more memory needed than permitted
+  /// \throws Canceled
+  std::vector<Ray> run(const Progress& progress) {
+    std::size_t popped_vertices = 0;
+    for(std::size_t step = 0; !m_heap.empty(); ++step) {
+      constexpr std::size_t steps_between_calls = 4096;
+      if(step % steps_between_calls == 0)
+        progress(static_cast<double>(popped_vertices) / static_cast<double>(m_rays.size()));
       const Entry next = m_heap.top();
       m_heap.pop();
       if(next.is_window) {
@@ -132,6 +144,7 @@ public:
         if(is_useful(window))
           cross(window, all_ways);
       } else if(next.key == m_rays[next.number].distance) {
+        popped_vertices += m_is_popped[next.number] == 0;
         m_is_popped[next.number] = 1;
         propagate(next.number);
       }
@@ -139,7 +152,8 @@ public:
     for(std::uint32_t v = 0; v < m_rays.size(); ++v)
       if(std::isnan(m_rays[v].angle) && std::isfinite(m_rays[v].distance))
         look_along_edges(v);
-    return m_rays;
+    progress(1);
+    return std::move(m_rays);
   }
 
 private:
@@ -311,9 +325,11 @@ private:
         return;
     }
     std::uint32_t i = static_cast<std::uint32_t>(m_windows.size());
-    if(m_free_windows.empty())
+    if(m_free_windows.empty()) {
+      if(m_windows.size() == m_windows.capacity())
+        grow();
       m_windows.push_back(w);
-    else {
+    } else {
       i = m_free_windows.back();
       m_free_windows.pop_back();
       m_windows[i] = w;
@@ -325,6 +341,25 @@ private:
       m_waiting[side] = i;
     } else
       m_heap.push({w.origin.offset + w.height(), true, i});
+  }
+
+  /// makes room for twice as many windows, if that is permitted
+  void grow() {
+    constexpr std::size_t least_room = 1024;
+    const std::size_t room = (std::max)(least_room, 2 * m_windows.size()),
+                      bytes_of_window = sizeof(Ray_window) + sizeof(Entry) + sizeof(std::uint32_t);
+    const std::size_t at_surface = m_rays.size() * (sizeof(Ray) + sizeof(Entry)) +
+                                   m_states.size() * (sizeof(State) + sizeof(std::uint32_t)) +
+                                   m_nearest_rays.size() * sizeof(Nearest_ray);
+    // windows exist twice while they are moved
+    const double bytes =
+        static_cast<double>(at_surface) +
+        static_cast<double>(room * bytes_of_window + m_windows.size() * sizeof(Ray_window));
+    if(bytes > m_maximum_memory)
+      throw Parameter_error("maximum_memory",
+                            "is " + memory_text(m_maximum_memory) +
+                                ": the windows of rays would take more than that");
+    m_windows.reserve(room);
   }
 
   /// Whether a window can give any point its distance: not if one end of the side gives a shorter
@@ -536,6 +571,7 @@ private:
 
   const Ray_geometry& m_geometry;
   bool m_is_exact;
+  double m_maximum_memory;
   std::vector<Ray> m_rays; // of vertices
   std::vector<char> m_is_popped;
   std::vector<State> m_states;             // of sides

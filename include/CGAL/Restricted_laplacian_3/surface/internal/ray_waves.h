@@ -95,12 +95,13 @@ void for_each_window_beyond(const Ray_geometry& geometry, const Ray_geometry::Si
   });
 }
 
-/// The nearest way through a side to the third corner of its face. Rays of other windows that cross
-/// it give no point its distance: where they cross, it is not longer than they are, or they would be
-/// nearer to the corner. So a window that is not nearer sends no ray across in the face. If it sees
-/// the corner, it sends none to the other side of the way at all: followed back, the way leaves the
-/// faces that the window has come through across those rays, since no vertex is there at which it
-/// could begin (Chen and Han 1990: one angle, one split).
+/// The nearest way through a side to the third corner of its face. Rays of other windows that
+/// cross it give no point its distance: where they cross, it is not longer than they are, or they
+/// would be nearer to the corner. So a window that is not nearer sends no ray across in the face. If
+/// it sees the corner, it sends none to the other side of the way at all: followed back, the way
+/// leaves the faces that the window has come through across those rays, since no vertex is there at
+/// which it could begin (J. Chen and Y. Han, Shortest Paths on a Polyhedron, 1990: one angle, one
+/// split).
 struct Nearest_ray {
   double distance = std::numeric_limits<double>::infinity();
   double passes = 0;             // where, in units of length
