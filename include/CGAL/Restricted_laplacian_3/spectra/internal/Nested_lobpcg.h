@@ -28,6 +28,12 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// What the largest residuals of the steps of an iteration say about it.
+///
+/// The largest residual grows for two reasons. By rounding: the products that the projection knows
+/// are no longer those of its vectors, and the iteration is to be started anew with the vectors
+/// alone. Or because a pair has come within the number asked for that nobody has improved: then to
+/// start anew does no good, and little harm if it is done once. So what follows a start is compared
+/// with what comes after it, not with what was before.
 class Convergence {
 public:
   explicit Convergence(double tolerance) : m_tolerance(tolerance) {}
@@ -36,30 +42,46 @@ public:
     ++m_steps;
     m_first = (std::max)(m_first, residual);
     m_last = residual;
-    if(residual < gain_of_a_step * m_best) {
-      m_best = residual;
+    if(residual < gain_of_a_step * m_best_since_start) {
+      m_best_since_start = residual;
       m_last_gain = m_steps;
     }
+    if(residual < gain_of_a_step * m_best) {
+      m_best = residual;
+      m_starts_without_gain = 0;
+    }
+  }
+  /// the iteration is started anew with the last vectors
+  void start_anew() {
+    m_best_since_start = (std::numeric_limits<double>::max)();
+    m_last_gain = m_steps;
+    ++m_starts_without_gain;
   }
   /// whether further steps are of no use
-  bool stagnates() const { return m_steps - m_last_gain >= steps_without_gain; }
-  /// whether the residual grows again
-  bool shows_rounding() const { return m_last > growth_of_rounding * m_best; }
+  bool stagnates() const {
+    return m_steps - m_last_gain >= steps_without_gain ||
+           m_starts_without_gain > most_starts_without_gain;
+  }
+  /// whether the residual has grown since the last start
+  bool has_grown() const { return m_last > growth_of_rounding * m_best_since_start; }
   /// part of the way from the first residual to the tolerance, in powers of ten
   double progress() const {
     return m_last > m_tolerance ? std::log(m_first / m_last) / std::log(m_first / m_tolerance) : 1;
   }
 
 private:
+  static constexpr double huge = (std::numeric_limits<double>::max)();
   // Pairs in the middle of a cluster may rest for some steps, while the others converge.
   static constexpr double gain_of_a_step = 0.9;
   static constexpr int steps_without_gain = 8;
   // A step may make the residual larger, but not much, as values fall monotonically.
   static constexpr double growth_of_rounding = 2;
+  // Where the limit is that of rounding, starts do not help. Pairs that come in are few.
+  static constexpr int most_starts_without_gain = 8;
 
   double m_tolerance;
-  double m_first = 0, m_last = 0, m_best = (std::numeric_limits<double>::max)();
-  int m_steps = 0, m_last_gain = 0;
+  double m_first = 0, m_last = 0, m_best = huge, m_best_since_start = huge;
+  int m_steps = 0, m_last_gain = 0, m_starts_without_gain = 0;
 };
 
 /// The locally optimal block preconditioned conjugate gradient method (A. V. Knyazev, SIAM J. Sci.
@@ -130,8 +152,11 @@ public:
       }
       ++m_iterations;
       is_orthonormalized = false;
-      if(convergence.shows_rounding())
+      // never twice in a row, which would leave the vectors as they are
+      if(!m_is_fresh && convergence.has_grown()) {
         start_anew(m_basis.size());
+        convergence.start_anew();
+      }
       project();
       extend_or_cut();
     }

@@ -97,8 +97,8 @@ void for_each_window_beyond(const Ray_geometry& geometry, const Ray_geometry::Si
 
 /// The nearest way through a side to the third corner of its face. Rays of other windows that
 /// cross it give no point its distance: where they cross, it is not longer than they are, or they
-/// would be nearer to the corner. So a window that is not nearer sends no ray across in the face. If
-/// it sees the corner, it sends none to the other side of the way at all: followed back, the way
+/// would be nearer to the corner. So a window that is not nearer sends no ray across in the face.
+/// If it sees the corner, it sends none to the other side of the way at all: followed back, the way
 /// leaves the faces that the window has come through across those rays, since no vertex is there at
 /// which it could begin (J. Chen and Y. Han, Shortest Paths on a Polyhedron, 1990: one angle, one
 /// split).
@@ -132,7 +132,8 @@ void cross_face(const Ray_geometry& geometry, const Ray_window& w, const Nearest
   Plane_vector left_end = sees_apex ? to_apex : last, right_begin = sees_apex ? to_apex : first;
   if(!is_nearest) {
     const double close = 1e-9 * b.x; // else it is the same way
-    const bool is_left = passes<nearest.passes - close, is_right = passes> nearest.passes + close;
+    const bool is_left = nearest.passes - passes > close,
+               is_right = passes - nearest.passes > close;
     goes_left = goes_left && nearest.passes > w.first &&
                 !(sees_apex && nearest.begins_at_vertex && is_right);
     goes_right = goes_right && nearest.passes < w.last &&
