@@ -31,13 +31,13 @@ class Report(dict):
             raise AttributeError(name) from None
 
 
-def checked(result: Any, report: dict, check: bool, return_report: bool) -> Any:
+def checked(result: Any, report: dict, check: bool, return_report: bool, advice: str = "") -> Any:
     """The result of a solver, if it converged or that does not matter."""
     own = Report(report)
     if check and not own.converged:
         error = ConvergenceError(
             f"the solver did not converge: the iteration {own.status}, with a relative residual of "
-            f"{own.relative_residual:.3g} after {own.iterations} iterations")
+            f"{own.relative_residual:.3g} after {own.iterations} iterations{advice}")
         error.result, error.report = result, own
         raise error
     return (result, own) if return_report else result

@@ -56,6 +56,7 @@ class Spectrum(Viewable):
 
 def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",
                      eigenvalues_only: bool = False, tolerance: Optional[float] = None,
+                     max_iterations: Optional[int] = None,
                      stabilization: Optional[float] = None, normals: Any = None,
                      depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
                      geometry: Any = None, threads: Optional[int] = None, progress: Progress = None,
@@ -67,12 +68,16 @@ def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "
     k : int
         Number of eigenvalues, with multiplicities and zeros.
     eigensolver : {"auto", "multigrid", "shift-invert"}
+        The faster one by default; if multigrid stalls, a factorization (shift-invert) where memory
+        allows. ``report.eigensolver`` says which one it was.
     eigenvalues_only : bool
         Whether eigenfunctions are of no use: they are not evaluated at the vertices, and the
         iteration ends earlier.
     tolerance : float, optional
         Residual, 1e-3 by default, or 2.5e-3 with `eigenvalues_only`; errors of eigenvalues are
         about its square.
+    max_iterations : int, optional
+        Of multigrid, on each level; 100 by default.
     stabilization : float, optional
         1e-5 by default.
     V, F, normals, depth, joining_tolerance, geometry
@@ -93,15 +98,18 @@ def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "
                      joining_tolerance=joining_tolerance, geometry=geometry)
     values, at_vertices, vectors, area, report = _core.eigenpairs(
         space._space, int(k), eigensolver, True, bool(eigenvalues_only),
-        solver_options(tolerance, None, stabilization), number_of_threads(threads),
-        listener(progress))
+        solver_options(tolerance, None, stabilization, max_iterations=max_iterations),
+        number_of_threads(threads), listener(progress))
     spectrum = Spectrum(values, at_vertices, vectors, area, space, Report(report))
-    return checked(spectrum, report, check, False)
+    advice = {"multigrid": '; eigensolver="shift-invert" may find all of them, or a larger '
+                           "tolerance or max_iterations",
+              "shift-invert": "; a smaller k, or another depth, may help"}
+    return checked(spectrum, report, check, False, advice[report["eigensolver"]])
 
 
 def eigs(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",
-         tolerance: Optional[float] = None, stabilization: Optional[float] = None,
-         normals: Any = None, depth: Optional[int] = None,
+         tolerance: Optional[float] = None, max_iterations: Optional[int] = None,
+         stabilization: Optional[float] = None, normals: Any = None, depth: Optional[int] = None,
          joining_tolerance: Optional[float] = None, geometry: Any = None,
          threads: Optional[int] = None, progress: Progress = None,
          check: bool = True) -> tuple[np.ndarray, np.ndarray]:
@@ -109,7 +117,8 @@ def eigs(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",
 
     Parameters
     ----------
-    V, F, k, eigensolver, tolerance, stabilization, normals, depth, joining_tolerance, geometry
+    V, F, k, eigensolver, tolerance, max_iterations, stabilization, normals, depth, \
+joining_tolerance, geometry
         See `laplace_spectrum`.
     threads, progress, check
         See `solve_poisson`.
@@ -129,7 +138,7 @@ def eigs(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",
     array([0., 2., 2., 2., 6., 6., 6., 6., 6.])
     """
     s = laplace_spectrum(V, F, k, eigensolver=eigensolver, tolerance=tolerance,
-                         stabilization=stabilization, normals=normals, depth=depth,
+                         max_iterations=max_iterations, stabilization=stabilization, normals=normals, depth=depth,
                          joining_tolerance=joining_tolerance, geometry=geometry, threads=threads,
                          progress=progress, check=check)
     return s.eigenvalues, s.vertex_values

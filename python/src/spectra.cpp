@@ -34,11 +34,15 @@ nb::tuple eigenpairs(const RL::Spline_space_3& space, int k, const std::string& 
   o.normal_stabilization = number_of(options, "stabilization");
   if(const auto tolerance = number_of(options, "tolerance"))
     o.multigrid.relative_tolerance = *tolerance;
+  if(const auto limit = whole_number_of(options, "max_iterations"))
+    o.multigrid.maximum_iterations = *limit;
   RL::Laplace_spectrum s = run(threads, progress, [&](const auto& callback) {
     o.multigrid.callback = callback;
     return with_values ? RL::laplace_spectrum(space, k, o) : RL::laplace_eigenpairs(space, k, o);
   });
-  const nb::dict report = report_of(s.report);
+  nb::dict report = report_of(s.report);
+  report["eigensolver"] =
+      s.eigensolver == RL::Eigensolver::multigrid ? "multigrid" : "shift-invert";
   return nb::make_tuple(array_of_matrix(std::move(s.eigenvalues)),
                         array_of_matrix(std::move(s.vertex_values)),
                         array_of_matrix(std::move(s.pairs.vectors)), s.area, report);

@@ -360,3 +360,12 @@ def test_projections():
         rl.Space(points, faces, geometry=lambda p: np.nan * p)
     with pytest.raises(ZeroDivisionError):
         rl.Space(points, faces, geometry=lambda p: p / (1 // 0))
+
+
+def test_spectra_say_how_they_were_computed():
+    V, F = rl.icosphere(5)
+    space = rl.Space(V, F, depth=5)
+    assert rl.laplace_spectrum(space, k=9).report.eigensolver == "multigrid"
+    assert rl.laplace_spectrum(rl.Space(V, F, depth=3), k=9).report.eigensolver == "shift-invert"
+    with pytest.raises(rl.ConvergenceError, match='largest number.*eigensolver="shift-invert"'):
+        rl.eigs(space, k=9, max_iterations=1, tolerance=1e-6)

@@ -28,6 +28,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <random>
 #include <string>
@@ -179,6 +181,91 @@ TEST_CASE("multigrid_eigenpairs_say_when_they_have_not_converged", "[eigensolver
   CHECK_FALSE(best.converged);
   CHECK(best.iterations < 50);
   CHECK(best.residuals.maxCoeff() <= 1e-9);
+}
+
+TEST_CASE("pairs_that_come_within_the_number_do_not_stop_the_iteration", "[eigensolver]") {
+  // a wheel with twelve teeth: a pair comes in, with a residual that is larger than all before
+  constexpr int teeth = 12, per_tooth = 8, rings = 12;
+  shapes::Triangles t;
+  for(int j = 0; j <= rings; ++j)
+    for(int i = 0; i < teeth * per_tooth; ++i) {
+      const double angle = 2 * CGAL_PI * i / (teeth * per_tooth), s = double(j) / rings,
+                   r = (1 + 0.25 * std::cos(teeth * angle)) *
+                       std::sqrt((std::max)(0.02, 1 - std::pow(2 * s - 1, 4)));
+      t.points.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.3 * (s - 0.5));
+    }
+  const auto vertex = [](int j, int i) {
+    return static_cast<std::uint32_t>(j * teeth * per_tooth + i % (teeth * per_tooth));
+  };
+  for(int j = 0; j < rings; ++j)
+    for(int i = 0; i < teeth * per_tooth; ++i) {
+      t.faces.push_back({vertex(j, i), vertex(j, i + 1), vertex(j + 1, i + 1)});
+      t.faces.push_back({vertex(j, i), vertex(j + 1, i + 1), vertex(j + 1, i)});
+    }
+  const RL::Spline_space_3 space(shapes::mesh(t), params::octree_depth(5));
+  const RL::Laplace_spectrum spectrum =
+      RL::laplace_eigenpairs(space, 62, params::eigensolver(RL::Eigensolver::multigrid));
+  CHECK(spectrum.report.converged);
+  CHECK(spectrum.report.status == RL::Solve_status::converged);
+  CHECK(spectrum.eigensolver == RL::Eigensolver::multigrid);
+  CHECK(spectrum.report.iterations < 20);
+}
+
+TEST_CASE("an_iteration_is_started_anew_once_for_each_growth", "[eigensolver]") {
+  RL::internal::Convergence convergence(1e-3);
+  const auto add = [&](std::initializer_list<double> residuals) {
+    for(const double r : residuals)
+      convergence.add(r);
+  };
+  add({0.1, 0.03, 0.01, 0.015});
+  CHECK_FALSE(convergence.has_grown());
+  convergence.add(0.2);
+  CHECK(convergence.has_grown());
+  convergence.start_anew();
+  // what comes now is compared with what follows the start
+  add({0.2, 0.19});
+  CHECK_FALSE(convergence.has_grown());
+  CHECK_FALSE(convergence.stagnates());
+  add({0.05, 0.01, 0.0009});
+  CHECK_FALSE(convergence.has_grown());
+  CHECK_FALSE(convergence.stagnates());
+  CHECK(convergence.progress() == 1);
+  SECTION("eight steps without gain are enough") {
+    for(int step = 0; step < 7; ++step)
+      convergence.add(0.0009);
+    CHECK_FALSE(convergence.stagnates());
+    convergence.add(0.0009);
+    CHECK(convergence.stagnates());
+  }
+  SECTION("three starts without gain, too") {
+    for(int start = 0; start < 3; ++start) {
+      CHECK_FALSE(convergence.stagnates());
+      add({0.0008, 0.002});
+      CHECK(convergence.has_grown());
+      convergence.start_anew();
+    }
+    CHECK(convergence.stagnates());
+  }
+}
+
+TEST_CASE("what_stalls_is_not_made_worse_by_a_factorization", "[eigensolver][slow]") {
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(5));
+  REQUIRE(space.dimension() > 5000);
+  const auto impossible = params::relative_tolerance(1e-18);
+  const RL::Laplace_spectrum stalled =
+      RL::laplace_eigenpairs(space, 3, impossible.eigensolver(RL::Eigensolver::multigrid));
+  const RL::Laplace_spectrum automatic = RL::laplace_eigenpairs(space, 3, impossible);
+  CHECK(stalled.report.status == RL::Solve_status::stalled);
+  CHECK(stalled.eigensolver == RL::Eigensolver::multigrid);
+  CHECK(automatic.report.status == RL::Solve_status::stalled);
+  CHECK(automatic.report.relative_residual <= stalled.report.relative_residual);
+  CHECK((automatic.eigenvalues - stalled.eigenvalues).cwiseAbs().maxCoeff() < 1e-9);
+  // nothing follows an iteration that ended as it was asked to
+  const RL::Laplace_spectrum few =
+      RL::laplace_eigenpairs(space, 9, params::number_of_iterations(1).relative_tolerance(1e-6));
+  CHECK(few.report.status == RL::Solve_status::iteration_limit);
+  CHECK(few.report.iterations == 1);
+  CHECK(few.eigensolver == RL::Eigensolver::multigrid);
 }
 
 TEST_CASE("values_of_known_products_are_those_of_the_vectors", "[eigensolver]") {

@@ -62,7 +62,8 @@ inline RL::Spline_space_3 make_spectral_space(Job& job) {
 inline void check_number(Job& job, const RL::Eigenpairs& pairs, int count) {
   if(!pairs.converged)
     job.fail("it found " + std::to_string(pairs.values.size()) + " of " + std::to_string(count) +
-             " eigenvalues");
+             " eigenvalues, and the iteration " + to_string(pairs.status) +
+             "; --eigensolver shift-invert, or another depth or count, may find them");
 }
 
 // The smallest eigenpairs on a space, without values at the vertices.
@@ -82,6 +83,9 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
   const RL::Laplace_spectrum spectrum = RL::laplace_eigenpairs(space, count, options);
   job.summary.add_detail("assembly_seconds", spectrum.report.assembly_seconds);
   job.summary.add_detail("solve_seconds", spectrum.report.solve_seconds);
+  job.summary.add_detail("eigensolver", spectrum.eigensolver == RL::Eigensolver::multigrid
+                                            ? "multigrid"
+                                            : "shift-invert");
   job.summary.add_detail("iterations", spectrum.report.iterations);
   job.summary.add_detail("relative_residual", spectrum.report.relative_residual);
   return spectrum;

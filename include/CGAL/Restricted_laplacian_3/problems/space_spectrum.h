@@ -25,7 +25,8 @@ namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// How `laplace_spectrum()` computes eigenpairs: by `multigrid_eigenpairs()`, by
-/// `smallest_eigenpairs()`, or by the one of them that is faster.
+/// `smallest_eigenpairs()`, or by the one of them that is faster; if that is `multigrid`, and it
+/// stalls, by the other one, unless it would take more than the `maximum_memory` of the space.
 enum class Eigensolver { automatic, multigrid, shift_invert };
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
@@ -42,6 +43,8 @@ struct Laplace_spectrum {
   double area = 0;
   /// the algebraic problem: vectors of coefficients, residuals, shift and regularization
   Eigenpairs pairs;
+  /// which one computed the pairs, `multigrid` or `shift_invert`
+  Eigensolver eigensolver = Eigensolver::shift_invert;
   /// convergence, iterations, largest residual, times
   Solve_report report;
 };

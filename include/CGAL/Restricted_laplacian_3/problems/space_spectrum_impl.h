@@ -37,9 +37,10 @@ namespace internal {
 inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
   spectrum.pairs = std::move(pairs);
   spectrum.eigenvalues = spectrum.pairs.values;
-  spectrum.report.set_status(spectrum.pairs.converged ? Solve_status::converged
-                                                      : Solve_status::iteration_limit);
+  spectrum.report.set_status(spectrum.pairs.status);
   spectrum.report.iterations = spectrum.pairs.iterations;
+  spectrum.report.relative_residuals.clear();
+  spectrum.report.relative_residual = 0;
   for(double residual : spectrum.pairs.residuals) {
     spectrum.report.relative_residuals.push_back(residual);
     spectrum.report.relative_residual = (std::max)(spectrum.report.relative_residual, residual);
@@ -85,6 +86,27 @@ inline double memory_of_pairs(const Spline_space_3& space, int k, bool with_vert
   return memory_of_space(space.surface(), 0).total() + (std::max)(solver, values);
 }
 
+/// bytes that a factorization and `k` pairs by it take
+inline double memory_of_factorization(const Spline_space_3& space, int k) {
+  // of an unknown, measured on 9,000 to 355,000: matrices and factor; two vectors for a pair in the
+  // Krylov space, and those that are found
+  constexpr double of_factor = 12000, of_pair = 40;
+  return memory_of_space(space.surface(), 0).total() +
+         static_cast<double>(space.dimension()) * (of_factor + of_pair * k);
+}
+
+/// Whether an iteration of `multigrid_eigenpairs()` that has not converged is to be followed by a
+/// factorization: not if it ended as the caller has asked it to.
+inline bool tries_factorization(const Spline_space_3& space, int k, const Eigenpairs& pairs,
+                                const Laplace_spectrum_options& options) {
+  const bool has_stalled =
+      pairs.status == Solve_status::stalled ||
+      (pairs.status == Solve_status::iteration_limit &&
+       options.multigrid.maximum_iterations >= Multigrid_eigenpairs_options().maximum_iterations);
+  return options.eigensolver == Eigensolver::automatic && has_stalled &&
+         memory_of_factorization(space, k) <= *space.options().maximum_memory;
+}
+
 /// \throws Parameter_error if `k` is not positive, or if so many pairs, perhaps with values at the
 /// vertices, would take more memory than the space may have
 inline void check_number_of_pairs(const Spline_space_3& space, int k, bool with_vertex_values) {
@@ -108,6 +130,32 @@ inline void check_number_of_pairs(const Spline_space_3& space, int k, bool with_
     reason += "; without values at the vertices they would take " +
               memory_text(memory_of_pairs(space, k, false));
   throw Parameter_error("k", reason);
+}
+
+/// Computes pairs by a factorization, and takes them if their residuals are smaller than those that
+/// are there.
+inline void factorize(const Spline_space_3& space, int k, double stabilization,
+                      const Multigrid_eigenpairs_options& options, Laplace_spectrum& spectrum) {
+  const std::vector<Operators> operators = assemble_operators_of_levels(
+      space, space.depth(), space.depth(), stabilization, Stabilized::stiffness, {});
+  Eigenpairs_options of_factorization;
+  of_factorization.callback = options.callback;
+  Eigenpairs pairs;
+  try {
+    pairs = smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization);
+  } catch(const Numerical_error&) { // what is there remains
+    return;
+  }
+  if(pairs.values.size() < k || !(pairs.residuals.maxCoeff() < spectrum.report.relative_residual))
+    return;
+  // Spectra has a tolerance of its own.
+  if(!(pairs.residuals.maxCoeff() <=
+       options.relative_tolerance.value_or(Multigrid_eigenpairs_options::default_tolerance))) {
+    pairs.converged = false;
+    pairs.status = Solve_status::stalled;
+  }
+  take_pairs(std::move(pairs), spectrum);
+  spectrum.eigensolver = Eigensolver::shift_invert;
 }
 
 } // namespace internal
@@ -141,6 +189,9 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
           internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
           spectrum);
     });
+    spectrum.eigensolver = Eigensolver::multigrid;
+    if(internal::tries_factorization(space, k, spectrum.pairs, options))
+      internal::factorize(space, k, stabilization, of_multigrid, spectrum);
   } else {
     Eigenpairs_options of_factorization;
     of_factorization.callback = of_solver.callback();

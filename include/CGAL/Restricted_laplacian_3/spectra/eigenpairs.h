@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_EIGENPAIRS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
 #include <Eigen/Core>
 
@@ -26,6 +27,8 @@ struct Eigenpairs {
   /// whether all requested pairs were found to the tolerance; if not, `values` holds those that
   /// were
   bool converged = false;
+  /// how the iteration ended; on coarse levels it may have ended otherwise
+  Solve_status status = Solve_status::iteration_limit;
   /// restarts of the Lanczos iteration, 0 if the problem was solved densely; of
   /// `multigrid_eigenpairs()`, iterations on the finest level
   int iterations = 0;

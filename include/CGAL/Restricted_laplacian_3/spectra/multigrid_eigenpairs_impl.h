@@ -127,20 +127,27 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   while(start < finest && stiffness[start].cols() < internal::unknowns_of_a_start_vector * carried)
     ++start;
 
-  double work = 0;
-  for(std::size_t level = start; level <= finest; ++level)
-    work += static_cast<double>(stiffness[level].cols());
   const internal::Progress progress(options.callback);
   progress(0);
-  double done = static_cast<double>(stiffness[start].cols()) / work;
-  start_options.callback = progress.part(0, done).callback();
-  if(start == finest)
+  Eigenpairs at_start;
+  double work = 0, done = 0;
+  for(; start < finest; ++start) {
+    work = 0;
+    for(std::size_t level = start; level <= finest; ++level)
+      work += static_cast<double>(stiffness[level].cols());
+    done = static_cast<double>(stiffness[start].cols()) / work;
+    start_options.callback = progress.part(0, done).callback();
+    start_options.tolerance = internal::tolerance_of_start;
+    at_start = smallest_eigenpairs(stiffness[start], mass[start], carried, start_options);
+    // A level that cannot be solved is not the end: the next one is another problem.
+    if(at_start.values.size() == carried)
+      break;
+  }
+  if(start == finest) {
+    start_options.callback = progress.callback();
+    start_options.tolerance = Eigenpairs_options().tolerance;
     return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
-  start_options.tolerance = internal::tolerance_of_start;
-  const Eigenpairs at_start =
-      smallest_eigenpairs(stiffness[start], mass[start], carried, start_options);
-  if(at_start.values.size() < carried)
-    throw Numerical_error("the problem on the coarsest level could not be solved");
+  }
 
   Eigenpairs pairs;
   pairs.shift = internal::natural_shift(mass[finest].coeffs().sum());
@@ -165,7 +172,11 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   }
   pairs.iterations = solver.iterations();
   solver.take_pairs(k, pairs);
+  // vectors that were made orthonormal at the end may have other residuals
   pairs.converged = (pairs.residuals.array() <= tolerance).all();
+  pairs.status = pairs.converged                              ? Solve_status::converged
+                 : solver.status() == Solve_status::converged ? Solve_status::stalled
+                                                              : solver.status();
   return pairs;
 }
 

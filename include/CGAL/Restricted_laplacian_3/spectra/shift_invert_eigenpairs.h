@@ -138,7 +138,11 @@ Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& 
   internal::finish_eigenpairs(s, m, std::move(vectors), pairs);
   // A pair that is further off is none, whatever Spectra says: the factorization was of no use.
   constexpr double largest_residual = 1e-3;
-  pairs.converged = pairs.converged && (pairs.residuals.array() <= largest_residual).all();
+  const bool is_useful = (pairs.residuals.array() <= largest_residual).all();
+  pairs.status = !is_useful         ? Solve_status::stalled
+                 : !pairs.converged ? Solve_status::iteration_limit
+                                    : Solve_status::converged;
+  pairs.converged = pairs.status == Solve_status::converged;
   return pairs;
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Symmetric_matrix.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
@@ -46,7 +47,7 @@ public:
       m_best_since_start = residual;
       m_last_gain = m_steps;
     }
-    if(residual < gain_of_a_step * m_best) {
+    if(residual < gain_of_a_start * m_best) {
       m_best = residual;
       m_starts_without_gain = 0;
     }
@@ -76,8 +77,10 @@ private:
   static constexpr int steps_without_gain = 8;
   // A step may make the residual larger, but not much, as values fall monotonically.
   static constexpr double growth_of_rounding = 2;
-  // Where the limit is that of rounding, starts do not help. Pairs that come in are few.
-  static constexpr int most_starts_without_gain = 8;
+  // Where the limit is that of rounding, about which residuals vary, starts do not help. Pairs that
+  // come in are few.
+  static constexpr double gain_of_a_start = 0.5;
+  static constexpr int most_starts_without_gain = 2;
 
   double m_tolerance;
   double m_first = 0, m_last = 0, m_best = huge, m_best_since_start = huge;
@@ -139,7 +142,11 @@ public:
       if(!is_given_up) {
         convergence.add(m_residuals.maxCoeff());
         progress(convergence.progress());
-        is_given_up = m_iterations >= m_parameters.maximum_iterations || convergence.stagnates();
+        is_given_up = !m_active.empty() &&
+                      (m_iterations >= m_parameters.maximum_iterations || convergence.stagnates());
+        m_status = !is_given_up              ? Solve_status::converged
+                   : convergence.stagnates() ? Solve_status::stalled
+                                             : Solve_status::iteration_limit;
       }
       if(is_given_up || m_active.empty()) {
         if(!is_verified || (m_is_fresh && (is_orthonormalized || is_orthonormal())))
@@ -164,6 +171,8 @@ public:
 
   /// of the last level
   int iterations() const { return m_iterations; }
+  /// how the iteration on the last level ended
+  Solve_status status() const { return m_status; }
 
   /// Moves the first vectors to `pairs`, normalized, with their values and residuals.
   void take_pairs(Eigen::Index count, Eigenpairs& pairs) {
@@ -314,6 +323,7 @@ private:
   std::size_t m_level = 0;
   Eigen::Index m_count = 0; // of vectors that are asked for
   int m_iterations = 0;
+  Solve_status m_status = Solve_status::iteration_limit;
   Ritz_basis m_basis;
   Eigen::VectorXd m_values, m_masses, m_residuals;
   // whether nothing is known but products of vectors with themselves
