@@ -43,8 +43,8 @@ struct Laplace_spectrum {
   double area = 0;
   /// the algebraic problem: vectors of coefficients, residuals, shift and regularization
   Eigenpairs pairs;
-  /// which one computed the pairs, `multigrid` or `shift_invert`
-  Eigensolver eigensolver = Eigensolver::shift_invert;
+  /// which one has computed the pairs, `multigrid` or `shift_invert`
+  Eigensolver eigensolver = Eigensolver::automatic;
   /// convergence, iterations, largest residual, times
   Solve_report report;
 };

@@ -34,8 +34,9 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// sets eigenvalues and report
-inline void take_pairs(Eigenpairs&& pairs, Laplace_spectrum& spectrum) {
+inline void take_pairs(Eigenpairs&& pairs, Eigensolver eigensolver, Laplace_spectrum& spectrum) {
   spectrum.pairs = std::move(pairs);
+  spectrum.eigensolver = eigensolver;
   spectrum.eigenvalues = spectrum.pairs.values;
   spectrum.report.set_status(spectrum.pairs.status);
   spectrum.report.iterations = spectrum.pairs.iterations;
@@ -154,8 +155,7 @@ inline void factorize(const Spline_space_3& space, int k, double stabilization,
     pairs.converged = false;
     pairs.status = Solve_status::stalled;
   }
-  take_pairs(std::move(pairs), spectrum);
-  spectrum.eigensolver = Eigensolver::shift_invert;
+  take_pairs(std::move(pairs), Eigensolver::shift_invert, spectrum);
 }
 
 } // namespace internal
@@ -187,9 +187,8 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
     internal::name_step("not enough memory for the eigenvectors", [&] {
       internal::take_pairs(
           internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
-          spectrum);
+          Eigensolver::multigrid, spectrum);
     });
-    spectrum.eigensolver = Eigensolver::multigrid;
     if(internal::tries_factorization(space, k, spectrum.pairs, options))
       internal::factorize(space, k, stabilization, of_multigrid, spectrum);
   } else {
@@ -197,7 +196,7 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
     of_factorization.callback = of_solver.callback();
     internal::take_pairs(
         smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization),
-        spectrum);
+        Eigensolver::shift_invert, spectrum);
   }
   spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
   spectrum.area = space.surface().area();
@@ -222,7 +221,8 @@ cotangent_eigenpairs(const Triangulated_surface_3& surface, int k, bool lumped_m
   const Operators operators = cotangent_operators(surface, lumped_mass);
   Laplace_spectrum spectrum;
   spectrum.report.assembly_seconds = timer.time();
-  take_pairs(smallest_eigenpairs(operators.stiffness, operators.mass, k), spectrum);
+  take_pairs(smallest_eigenpairs(operators.stiffness, operators.mass, k), Eigensolver::shift_invert,
+             spectrum);
   spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
   spectrum.area = surface.area();
   spectrum.vertex_values = spectrum.pairs.vectors;
