@@ -37,8 +37,12 @@ inline Triangles stairs(int n, double step) {
   return t;
 }
 
-/// a grid over [0, 1]^2, taken to space; with two diagonals in turn
-template <class Map> Triangles grid(int n, Map&& map) {
+/// how the squares of a grid are cut
+enum class Diagonals { rising, falling, alternating };
+
+/// a grid over [0, 1]^2, taken to space
+template <class Map>
+Triangles grid(int n, Map&& map, Diagonals diagonals = Diagonals::alternating) {
   Triangles t;
   for(int j = 0; j <= n; ++j)
     for(int i = 0; i <= n; ++i)
@@ -47,7 +51,8 @@ template <class Map> Triangles grid(int n, Map&& map) {
     for(int i = 0; i < n; ++i) {
       const auto a = static_cast<std::uint32_t>(i + (n + 1) * j), b = a + 1,
                  c = static_cast<std::uint32_t>(a + n + 2), d = c - 1;
-      if((i + j) % 2) {
+      if(diagonals == Diagonals::rising ||
+         (diagonals == Diagonals::alternating && (i + j) % 2 != 0)) {
         t.faces.push_back({a, b, c});
         t.faces.push_back({a, c, d});
       } else {

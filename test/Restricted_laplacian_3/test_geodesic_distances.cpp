@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <random>
@@ -287,39 +288,64 @@ TEST_CASE("distances_on_unfolded_surfaces_are_exact", "[geodesic]") {
 }
 
 TEST_CASE("distances_on_regular_meshes", "[geodesic]") {
-  // Rays from a corner pass through many vertices, on lines of all slopes.
-  enum Diagonals { rising, falling, alternating };
-  for(const int n : {39, 50})
-    for(const Diagonals diagonals : {rising, falling, alternating}) {
-      shapes::Triangles t;
-      for(int j = 0; j <= n; ++j)
-        for(int i = 0; i <= n; ++i)
-          t.points.emplace_back(i / double(n), j / double(n), 0);
-      for(int j = 0; j < n; ++j)
-        for(int i = 0; i < n; ++i) {
-          const auto a = static_cast<std::uint32_t>(j * (n + 1) + i), b = a + 1,
-                     c = a + static_cast<std::uint32_t>(n + 1), d = c + 1;
-          if(diagonals == rising || (diagonals == alternating && (i + j) % 2 == 0)) {
-            t.faces.push_back({a, b, d});
-            t.faces.push_back({a, d, c});
-          } else {
-            t.faces.push_back({a, b, c});
-            t.faces.push_back({b, d, c});
+  // Rays pass through many vertices, on lines of all slopes: from a corner, from the middle.
+  using Shape = std::function<RL::Point_3(double, double)>;
+  const std::vector<std::pair<const char*, Shape>> shapes = {
+      {"flat", [](double x, double y) { return RL::Point_3(x, y, 0); }},
+      {"large, away", [](double x, double y) { return RL::Point_3(1e6 * x + 7e6, 1e6 * y, -1e6); }},
+      {"small, tilted",
+       [](double x, double y) { return RL::Point_3(1e-6 * x, 0.6e-6 * y, 0.8e-6 * y); }},
+      {"cylinder, cut open",
+       [](double x, double y) { return RL::Point_3(std::cos(5 * x), std::sin(5 * x), y); }},
+      {"staircase", [](double x, double y) {
+         // as many steps up as on, each one square
+         const double on = std::floor(19.5 * x + 1e-9), up = 39 * x - 2 * on;
+         return RL::Point_3((on + (std::max)(0., up - 1)) / 39, y, (on + (std::min)(1., up)) / 39);
+       }}};
+  for(const auto& [name, shape] : shapes)
+    for(const auto diagonals :
+        {shapes::Diagonals::rising, shapes::Diagonals::falling, shapes::Diagonals::alternating})
+      for(const int n : {39, 78}) {
+        const shapes::Triangles t = shapes::grid(n, shape, diagonals);
+        // unfolded into the plane
+        const double width = n * shapes::length(t.points[1] - t.points[0]),
+                     height = n * shapes::length(t.points[n + 1] - t.points[0]);
+        const auto place = [&](std::size_t v) {
+          return std::array<double, 2>{width * double(v % std::size_t(n + 1)) / n,
+                                       height * double(v / std::size_t(n + 1)) / n};
+        };
+        const RL::Geodesic_solver geodesics = shapes::geodesics(t);
+        for(const std::size_t source : {std::size_t(0), t.points.size() / 2})
+          for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+            CAPTURE(name, n, int(diagonals), source, int(method));
+            RL::Geodesic_options options(method);
+            options.maximum_memory = 1e7;
+            Distances expected;
+            for(std::size_t v = 0; v < t.points.size(); ++v)
+              expected.push_back(
+                  std::hypot(place(v)[0] - place(source)[0], place(v)[1] - place(source)[1]));
+            const Distances found =
+                geodesics.distances(RL::Geodesic_sources::vertex(source), options).distances;
+            CHECK(Errors(found, expected).worst < 1e-9);
           }
-        }
-      const RL::Geodesic_solver geodesics = shapes::geodesics(t);
-      for(const std::size_t source : {std::size_t(0), t.points.size() / 2})
-        for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
-          CAPTURE(n, int(diagonals), source, int(method));
-          RL::Geodesic_options options(method);
-          options.maximum_memory = 5e6;
-          Distances expected;
-          for(const RL::Point_3& p : t.points)
-            expected.push_back(shapes::length(p - t.points[source]));
-          const Distances found =
-              geodesics.distances(RL::Geodesic_sources::vertex(source), options).distances;
-          CHECK(Errors(found, expected).worst < 1e-12);
-        }
+      }
+}
+
+TEST_CASE("distances_on_boxes_take_little_memory", "[geodesic]") {
+  for(const int n : {10, 20, 40})
+    for(const double thickness : {1., 0.1}) {
+      // the same surface, triangulated in two ways
+      const RL::Geodesic_solver one = shapes::geodesics(shapes::box(1, 1, thickness, n, 1)),
+                                other = shapes::geodesics(shapes::box(1, 1, thickness, n, 2));
+      RL::Geodesic_options fast, exact(RL::Geodesic_method::exact);
+      fast.maximum_memory = exact.maximum_memory = 1e7;
+      for(const std::size_t v : {std::size_t(0), std::size_t(2 * n)}) {
+        CAPTURE(n, thickness, v);
+        const RL::Geodesic_sources source = RL::Geodesic_sources::vertex(v);
+        const Distances expected = one.distances(source, exact).distances;
+        CHECK(Errors(other.distances(source, exact).distances, expected).worst < 1e-9);
+        CHECK(Errors(one.distances(source, fast).distances, expected).worst < 5e-3);
+      }
     }
 }
 
@@ -353,6 +379,49 @@ TEST_CASE("distances_from_many_sources_are_those_from_each", "[geodesic][threads
   }
   CHECK(geodesics.distance_matrix({}).empty());
   CHECK_THROWS_AS(geodesics.distance_matrix({RL::Geodesic_sources()}), RL::Parameter_error);
+}
+
+TEST_CASE("distances_from_a_set_are_those_from_its_nearest_member", "[geodesic]") {
+  // Windows from points in faces end at vertices that have distances from elsewhere.
+  for(unsigned seed = 200; seed < 240; ++seed) {
+    std::mt19937 generator(seed);
+    const auto random = [&] { return generator() * std::ldexp(1., -32); };
+    shapes::Triangles t =
+        seed % 2 != 0 ? shapes::crumpled(shapes::sphere(2), 0.1 + 0.3 * random(), seed)
+                      : shapes::crumpled(shapes::box(1, 1, 1, 3, seed), 0.2 * random(), seed);
+    if(seed % 4 == 0)
+      for(RL::Point_3& p : t.points)
+        p = RL::Point_3(p.x(), p.y(), 0.2 * p.z());
+    const RL::Geodesic_solver geodesics = shapes::geodesics(t);
+    const unsigned number = 2 + generator() % 5;
+    RL::Geodesic_sources all;
+    Distances expected(t.points.size(), std::numeric_limits<double>::infinity());
+    for(unsigned i = 0; i < number; ++i) {
+      RL::Geodesic_sources one;
+      if(i % 3 == 2) {
+        const std::size_t v = generator() % t.points.size();
+        one.add_vertex(v);
+        all.add_vertex(v);
+      } else {
+        double a = random(), b = random();
+        if(a + b > 1) {
+          a = 1 - a;
+          b = 1 - b;
+        }
+        if(random() < 0.5) // close to an edge
+          a *= 1e-3;
+        const RL::Surface_location l{generator() % t.faces.size(), {1 - a - b, a, b}};
+        one.add_location(l);
+        all.add_location(l);
+      }
+      const Distances d = geodesics.distances(one, RL::Geodesic_method::exact).distances;
+      for(std::size_t v = 0; v < d.size(); ++v)
+        expected[v] = (std::min)(expected[v], d[v]);
+    }
+    CAPTURE(seed);
+    CHECK(Errors(geodesics.distances(all, RL::Geodesic_method::exact).distances, expected).worst <
+          1e-9);
+  }
 }
 
 TEST_CASE("queries_of_distances_may_be_canceled", "[geodesic]") {

@@ -375,8 +375,8 @@ private:
   /// Takes off the parts of a window to which the ends of the side give shorter ways. Squared, the
   /// equation of equal ways from the source and from an end is linear.
   static void narrow(Ray_window& w, double l, const std::array<double, 2>& ends) {
-    const double y = std::abs(w.source.y), slack = 1e-9 * l + 1e-15 * y, from_first = w.source.x,
-                 from_second = l - w.source.x;
+    const double y = std::abs(w.source.y), slack = close_to_end * l + 1e-15 * y,
+                 from_first = w.source.x, from_second = l - w.source.x;
     // how far from an end that is `along` from the foot of the source
     const auto equal = [&](double end, double along) {
       const double d = end - w.origin.offset;

@@ -32,17 +32,18 @@ struct Ray_origin {
   std::uint32_t label = 0;
 };
 
-/// Where on the way from `p` to `q` a ray from `s` passes, in units of length; at an end if it is
-/// closer to that than a ray needs to be. A ray through a vertex goes on to both sides of it, and
-/// one of the two windows would be as wide as a rounding error and be divided again at each vertex
-/// on the line: on regular grids their number would double and double. Since the window on the
-/// other side then begins at the vertex, none is lost.
+/// What is closer to the end of a side than this part of its length is at the end. A ray through a
+/// vertex goes on to both sides of it; one of the two windows would be as wide as a rounding error,
+/// and be divided again at each vertex on the line: on regular grids their number would double and
+/// double. It is not made, and the one on the other side begins at the vertex, so none is lost.
+constexpr double close_to_end = 1e-9;
+
+/// Where on the way from `p` to `q` a ray from `s` passes, in units of length.
 inline double passing_point(const Plane_vector& s, const Plane_vector& direction,
                             const Plane_vector& p, const Plane_vector& q) {
-  constexpr double close = 1e-9;
   const Plane_vector e = q - p;
   const double n = cross(e, direction), t = n != 0 ? cross(direction, p - s) / n : 0;
-  return (t < close ? 0 : t > 1 - close ? 1 : t) * e.length();
+  return (t > 1 - close_to_end ? 1 : t > close_to_end ? t : 0) * e.length();
 }
 
 /// Rays from one point that pass through the part of a side from `first` to `last`.
@@ -119,37 +120,30 @@ void cross_face(const Ray_geometry& geometry, const Ray_window& w, const Nearest
   constexpr double rounding = 1e-12;
   const std::uint32_t face = w.side.face, k = w.side.number;
   const Plane_vector &s = w.source, a{0, 0}, b{geometry.length(face, k), 0},
-                     c = geometry.apex(w.side);
-  const Plane_vector first{w.first - s.x, -s.y}, last{w.last - s.x, -s.y},
-      to_apex = c - s, barrier{nearest.passes - s.x, -s.y};
-  const double distance = to_apex.length(), slack = rounding * b.x * distance,
-               passes = s.x - s.y * to_apex.x / to_apex.y;
-  bool goes_left = internal::cross(to_apex, first) > -slack,
-       goes_right = internal::cross(last, to_apex) > -slack;
-  const bool sees_apex = goes_left && goes_right,
+                     c = geometry.apex(w.side), to_apex = c - s;
+  const double distance = to_apex.length(), passes = s.x - s.y * to_apex.x / to_apex.y,
+               slack = rounding * b.x * distance / to_apex.y;
+  const bool sees_apex = w.first < passes + slack && w.last > passes - slack,
              is_nearest = w.origin.offset + distance < nearest.distance * (1 - rounding);
-  // the ray at which those to the left end and those to the right begin
-  Plane_vector left_end = sees_apex ? to_apex : last, right_begin = sees_apex ? to_apex : first;
-  if(!is_nearest) {
-    const double close = 1e-9 * b.x; // else it is the same way
-    const bool is_left = nearest.passes - passes > close,
-               is_right = passes - nearest.passes > close;
-    goes_left = goes_left && nearest.passes > w.first &&
-                !(sees_apex && nearest.begins_at_vertex && is_right);
-    goes_right = goes_right && nearest.passes < w.last &&
-                 !(sees_apex && nearest.begins_at_vertex && is_left);
-    if(internal::cross(left_end, barrier) > 0 && !(sees_apex && !is_right))
-      left_end = barrier;
-    if(internal::cross(barrier, right_begin) > 0 && !(sees_apex && !is_left))
-      right_begin = barrier;
+  // the rays to the left side end, and those to the right side begin, at that to the corner
+  double left_last = (std::min)(w.last, passes), right_first = (std::max)(w.first, passes);
+  if(!is_nearest && std::abs(passes - nearest.passes) > close_to_end * b.x) {
+    left_last = (std::min)(left_last, nearest.passes);
+    right_first = (std::max)(right_first, nearest.passes);
+    if(sees_apex && nearest.begins_at_vertex)
+      passes < nearest.passes ? right_first = w.last : left_last = w.first;
   }
   if(sees_apex)
     at_apex(c, distance, passes);
-  const Ray_geometry::Side left{face, (k + 2) % 3}, right{face, (k + 1) % 3};
-  if(goes_left) // from c to a
-    through(left, c, a, passing_point(s, left_end, c, a), passing_point(s, first, c, a));
-  if(goes_right) // from b to c
-    through(right, b, c, passing_point(s, last, b, c), passing_point(s, right_begin, b, c));
+  const auto where = [&](double x, const Plane_vector& p, const Plane_vector& q) {
+    return passing_point(s, {x - s.x, -s.y}, p, q);
+  };
+  if(left_last > w.first)
+    through(Ray_geometry::Side{face, (k + 2) % 3}, c, a, where(left_last, c, a),
+            where(w.first, c, a));
+  if(right_first < w.last)
+    through(Ray_geometry::Side{face, (k + 1) % 3}, b, c, where(w.last, b, c),
+            where(right_first, b, c));
 }
 
 /// Squared distances along a side of the length `length`, less the offset before squaring: a cubic
