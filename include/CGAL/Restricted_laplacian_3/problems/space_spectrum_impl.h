@@ -89,8 +89,8 @@ inline double memory_of_pairs(const Spline_space_3& space, int k, bool with_vert
 
 /// bytes that a factorization and `k` pairs by it take
 inline double memory_of_factorization(const Spline_space_3& space, int k) {
-  // of an unknown, measured on 9,000 to 355,000: matrices and factor; two vectors for a pair in the
-  // Krylov space, and those that are found
+  // of an unknown, measured: matrices and factor; two vectors for a pair in the Krylov space, and
+  // those that are found
   constexpr double of_factor = 12000, of_pair = 40;
   return memory_of_space(space.surface(), 0).total() +
          static_cast<double>(space.dimension()) * (of_factor + of_pair * k);
@@ -152,8 +152,7 @@ inline void factorize(const Spline_space_3& space, int k, double stabilization,
   // Spectra has a tolerance of its own.
   if(!(pairs.residuals.maxCoeff() <=
        options.relative_tolerance.value_or(Multigrid_eigenpairs_options::default_tolerance))) {
-    pairs.converged = false;
-    pairs.status = Solve_status::stalled;
+    pairs.set_status(Solve_status::stalled);
   }
   take_pairs(std::move(pairs), Eigensolver::shift_invert, spectrum);
 }

@@ -27,7 +27,7 @@ struct Eigenpairs {
   /// whether all requested pairs were found to the tolerance; if not, `values` holds those that
   /// were
   bool converged = false;
-  /// how the iteration ended; on coarse levels it may have ended otherwise
+  /// how the iteration ended, of `multigrid_eigenpairs()` the one on the finest level
   Solve_status status = Solve_status::iteration_limit;
   /// restarts of the Lanczos iteration, 0 if the problem was solved densely; of
   /// `multigrid_eigenpairs()`, iterations on the finest level
@@ -36,6 +36,12 @@ struct Eigenpairs {
   double shift = 0;
   /// \f$\tau\f$, see `smallest_eigenpairs()`; 0 for `multigrid_eigenpairs()`
   double regularization = 0;
+
+  /// sets the status, and whether that is `Solve_status::converged`
+  void set_status(Solve_status s) {
+    status = s;
+    converged = s == Solve_status::converged;
+  }
 };
 
 /// \ingroup PkgRestrictedLaplacian3Options

@@ -59,9 +59,9 @@ struct Multigrid_eigenpairs_options {
 /// for symmetric positive semi-definite matrices that are given on all levels of a hierarchy.
 ///
 /// *Nested iteration.* The coarsest level with ten unknowns for each vector is solved by
-/// `smallest_eigenpairs()`. The eigenvectors of a level are prolongated to the next finer one and
-/// improved there, until their residuals are at most 1e-2, on the finest level at most
-/// `relative_tolerance`.
+/// `smallest_eigenpairs()`, or the next one if that fails. The eigenvectors of a level are
+/// prolongated to the next finer one and improved there, until their residuals are at most 1e-2, on
+/// the finest level at most `relative_tolerance`.
 ///
 /// *Improvement* is by LOBPCG (A. V. Knyazev, *Toward the optimal preconditioned eigensolver*, SIAM
 /// J. Sci. Comput. 23, 2001), preconditioned by one V-cycle for \f$S + \alpha M\f$, where
@@ -101,7 +101,7 @@ struct Multigrid_eigenpairs_options {
 /// by `smallest_eigenpairs()`, because it is small.
 /// \throws Parameter_error if sizes do not fit, if an entry is not finite, if `k` is not positive
 /// or exceeds the number of independent functions, or if an option is outside its domain
-/// \throws Numerical_error if the coarsest problem cannot be solved
+/// \throws Numerical_error if neither a coarse problem nor the finest one can be solved directly
 /// \throws Canceled if the callback returned `false`
 Eigenpairs multigrid_eigenpairs(std::vector<Sparse_matrix> stiffness,
                                 std::vector<Sparse_matrix> mass,

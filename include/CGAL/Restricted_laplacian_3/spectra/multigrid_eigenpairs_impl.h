@@ -105,6 +105,22 @@ inline void make_levels(std::size_t start, double alpha, std::vector<Sparse_matr
       std::move(a), {std::move(prolongations), std::move(patches), std::move(coarse)}, is_parallel);
 }
 
+/// Finds the pairs with which the iteration begins. A level on which that fails is not the end: the
+/// next one is another problem.
+/// \return whether that succeeds
+inline bool solve_start(const Sparse_matrix& stiffness, const Sparse_matrix& mass, int number,
+                        const Progress& progress, Eigenpairs& pairs) {
+  Eigenpairs_options options;
+  options.tolerance = tolerance_of_start;
+  options.callback = progress.callback();
+  try {
+    pairs = smallest_eigenpairs(stiffness, mass, number, options);
+  } catch(const Numerical_error&) {
+    return false;
+  }
+  return pairs.values.size() == number;
+}
+
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
@@ -136,18 +152,12 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
     for(std::size_t level = start; level <= finest; ++level)
       work += static_cast<double>(stiffness[level].cols());
     done = static_cast<double>(stiffness[start].cols()) / work;
-    start_options.callback = progress.part(0, done).callback();
-    start_options.tolerance = internal::tolerance_of_start;
-    at_start = smallest_eigenpairs(stiffness[start], mass[start], carried, start_options);
-    // A level that cannot be solved is not the end: the next one is another problem.
-    if(at_start.values.size() == carried)
+    if(internal::solve_start(stiffness[start], mass[start], carried, progress.part(0, done),
+                             at_start))
       break;
   }
-  if(start == finest) {
-    start_options.callback = progress.callback();
-    start_options.tolerance = Eigenpairs_options().tolerance;
+  if(start == finest)
     return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
-  }
 
   Eigenpairs pairs;
   pairs.shift = internal::natural_shift(mass[finest].coeffs().sum());
@@ -172,11 +182,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   }
   pairs.iterations = solver.iterations();
   solver.take_pairs(k, pairs);
-  // vectors that were made orthonormal at the end may have other residuals
-  pairs.converged = (pairs.residuals.array() <= tolerance).all();
-  pairs.status = pairs.converged                              ? Solve_status::converged
-                 : solver.status() == Solve_status::converged ? Solve_status::stalled
-                                                              : solver.status();
+  // what was given up may have been a pair beyond those that are asked for
+  pairs.set_status((pairs.residuals.array() <= tolerance).all() ? Solve_status::converged
+                                                                : solver.status());
   return pairs;
 }
 

@@ -44,7 +44,8 @@ std::pair<Eigen::MatrixXd, Eigen::VectorXd> lanczos(Pencil& pencil, int k, std::
   const Eigen::Index found =
       solver.compute(Spectra::SortRule::LargestAlge, options.maximum_iterations, options.tolerance);
   pairs.iterations += static_cast<int>(solver.num_iterations());
-  pairs.converged = pairs.converged && solver.info() == Spectra::CompInfo::Successful && found == k;
+  if(solver.info() != Spectra::CompInfo::Successful || found != k)
+    pairs.set_status(Solve_status::iteration_limit);
   const Eigen::MatrixXd y = solver.eigenvectors();
   pencil.deflate(y, solver.eigenvalues());
   Eigen::MatrixXd x(n, y.cols());
@@ -125,7 +126,7 @@ Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& 
   internal::Inverted_pencil<SparseCholesky> pencil(s, unit_mass, pairs.shift * mass,
                                                    np.regularization);
   pairs.regularization = pencil.regularization();
-  pairs.converged = true;
+  pairs.set_status(Solve_status::converged);
   int operations = 0;
   if(np.callback)
     pencil.on_operation = [&operations, &np, k] {
@@ -138,11 +139,8 @@ Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& 
   internal::finish_eigenpairs(s, m, std::move(vectors), pairs);
   // A pair that is further off is none, whatever Spectra says: the factorization was of no use.
   constexpr double largest_residual = 1e-3;
-  const bool is_useful = (pairs.residuals.array() <= largest_residual).all();
-  pairs.status = !is_useful         ? Solve_status::stalled
-                 : !pairs.converged ? Solve_status::iteration_limit
-                                    : Solve_status::converged;
-  pairs.converged = pairs.status == Solve_status::converged;
+  if(!(pairs.residuals.array() <= largest_residual).all())
+    pairs.set_status(Solve_status::stalled);
   return pairs;
 }
 

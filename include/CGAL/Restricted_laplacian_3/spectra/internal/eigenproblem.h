@@ -109,8 +109,7 @@ inline void dense_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int
   const Eigen::MatrixXd reduced = basis.transpose() * (s * basis);
   const Symmetric_eigenpairs found =
       symmetric_eigenpairs((reduced + reduced.transpose()) / 2, "the reduced stiffness matrix");
-  pairs.converged = true;
-  pairs.status = Solve_status::converged;
+  pairs.set_status(Solve_status::converged);
   finish_eigenpairs(s, m, basis * found.vectors.leftCols(k), pairs);
 }
 
