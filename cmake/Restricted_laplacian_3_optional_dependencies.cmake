@@ -21,6 +21,9 @@ find_path(Spectra_INCLUDE_DIR NAMES Spectra/SymGEigsShiftSolver.h)
 mark_as_advanced(Spectra_INCLUDE_DIR)
 
 add_library(Restricted_laplacian_3::optional_dependencies INTERFACE IMPORTED GLOBAL)
+# for dlsym(), where that is not in the C library
+set_property(TARGET Restricted_laplacian_3::optional_dependencies APPEND PROPERTY
+  INTERFACE_LINK_LIBRARIES ${CMAKE_DL_LIBS})
 if(CHOLMOD_FOUND)
   set_property(TARGET Restricted_laplacian_3::optional_dependencies APPEND PROPERTY
     INTERFACE_COMPILE_DEFINITIONS CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD)

@@ -5,6 +5,7 @@
 #include "shapes.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Single_blas_thread.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/vector_lanes.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
@@ -26,13 +27,17 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <random>
+#include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -296,6 +301,52 @@ TEST_CASE("a_factorization_follows_where_multigrid_stalls", "[eigensolver]") {
       RL::laplace_eigenpairs(space, 9, hard.relative_tolerance(1e-18));
   CHECK(impossible.eigensolver == RL::Eigensolver::shift_invert);
   CHECK(impossible.report.status == RL::Solve_status::stalled);
+}
+
+TEST_CASE("factorizations_use_the_calling_thread", "[eigensolver]") {
+  using RL::internal::number_of_blas_threads;
+  const int before = number_of_blas_threads();
+  if(before == 0)
+    SKIP_TEST("the BLAS library does not say how many threads it has");
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));
+  const RL::Operators operators = RL::assemble_operators(space);
+  const auto pairs_with = [&](int threads, const std::function<bool(double)>& callback) {
+    RL::internal::set_number_of_blas_threads(threads);
+    CHECK(number_of_blas_threads() == threads);
+    RL::Eigenpairs_options options;
+    options.callback = callback;
+    RL::Eigenpairs pairs =
+        RL::smallest_eigenpairs(operators.stiffness, operators.mass, 10, options);
+    CHECK(number_of_blas_threads() == threads);
+    return pairs;
+  };
+  std::set<int> numbers;
+  const auto note = [&](double) {
+    numbers.insert(number_of_blas_threads());
+    return true;
+  };
+  const RL::Eigenpairs one = pairs_with(1, note), several = pairs_with(3, note);
+  CHECK(numbers == std::set<int>{1});
+  CHECK(one.values == several.values);
+  CHECK(one.vectors == several.vectors);
+  CHECK_THROWS_AS(pairs_with(3, [](double) { return false; }), RL::Canceled);
+  CHECK(number_of_blas_threads() == 3);
+
+  // on several threads at once, the last one to end restores
+  std::vector<std::thread> threads;
+  std::atomic<int> wrong{0};
+  for(int i = 0; i < 8; ++i)
+    threads.emplace_back([&wrong] {
+      for(int j = 0; j < 1000; ++j) {
+        const RL::internal::Single_blas_thread single, another;
+        wrong += number_of_blas_threads() != 1;
+      }
+    });
+  for(std::thread& thread : threads)
+    thread.join();
+  CHECK(wrong == 0);
+  CHECK(number_of_blas_threads() == 3);
+  RL::internal::set_number_of_blas_threads(before);
 }
 
 TEST_CASE("values_of_known_products_are_those_of_the_vectors", "[eigensolver]") {

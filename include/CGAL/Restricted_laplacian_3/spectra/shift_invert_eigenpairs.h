@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Single_blas_thread.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/Inverted_pencil.h>
 #include <CGAL/Restricted_laplacian_3/spectra/internal/eigenproblem.h>
@@ -93,7 +94,8 @@ Eigen::MatrixXd all_copies(Pencil& pencil, const Eigen::MatrixXd& constants, dou
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// `smallest_eigenpairs()` with a factorization that the caller chooses. Needs Spectra.
+/// `smallest_eigenpairs()` with a factorization that the caller chooses. Needs Spectra. Uses the
+/// calling thread: until it returns, OpenBLAS and MKL are set to one thread in the whole process.
 /// \tparam SparseCholesky a model of `SparseCholesky_3`
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
@@ -120,6 +122,7 @@ Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& 
   Eigenpairs pairs;
   if(internal::is_solved_densely(s, m, k, pairs))
     return pairs;
+  const internal::Single_blas_thread single_thread;
   // Spectra compares with absolute numbers: solve for a surface of area 1.
   const double mass = m.coeffs().sum();
   const Sparse_matrix unit_mass = m / mass;
