@@ -30,7 +30,7 @@ from ._input import Progress, listener, number_of_threads, numbers
 from ._space import PoissonSolver, SplineFunction, checked, solver_options, space_of
 
 
-def _constraints(constraints: Any, weight: float) -> Optional[np.ndarray]:
+def _constraints(constraints: Any) -> Optional[np.ndarray]:
     if constraints is None:
         return None
     try:
@@ -39,12 +39,11 @@ def _constraints(constraints: Any, weight: float) -> Optional[np.ndarray]:
         raise argument_error("constraints", "must be a pair: vertices, and values") from None
     vertices = numbers(vertices, "constraints", np.float64).ravel()
     values = np.broadcast_to(numbers(values, "constraints", np.float64), vertices.shape)
-    weights = np.full(vertices.shape, float(weight))
-    return np.ascontiguousarray(np.stack([vertices, values, weights], axis=1).ravel())
+    return np.ascontiguousarray(np.stack([vertices, values], axis=1).ravel())
 
 
 def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints: Any,
-           constraint_weight: float, options: dict, space_options: dict, threads: Optional[int],
+           constraint_weight: Optional[float], options: dict, space_options: dict, threads: Optional[int],
            progress: Progress, check: bool, return_report: bool, as_spline: bool) -> Any:
     space = space_of(V, F, threads, **space_options)
     n = number_of_threads(threads)
@@ -57,11 +56,12 @@ def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints
     boundary = None
     if boundary_values is not None:
         boundary = space._function(boundary_values, "boundary_values")
-    constrained = _constraints(constraints, constraint_weight)
+    constrained = _constraints(constraints)
     is_vector = callable(f) and right.components == 1 or np.ndim(f) < 2
     if right.components == 1:
         x, report = _core.solve_poisson(space._space, right, weight, weight_function, boundary,
-                                        constrained, options, n, listener(progress))
+                                        constrained, constraint_weight, options, n,
+                                        listener(progress))
         if not is_vector:
             x = x[:, np.newaxis]
     elif weight_function is None and boundary is None and constrained is None:
@@ -78,7 +78,7 @@ def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints
 
 
 def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constraints: Any = None,
-                  constraint_weight: float = 1e6, tolerance: Optional[float] = None,
+                  constraint_weight: Optional[float] = None, tolerance: Optional[float] = None,
                   energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
                   cycle: str = "v", smoother: str = "patch", max_iterations: Optional[int] = None,
                   normals: Any = None, depth: Optional[int] = None,
@@ -101,11 +101,13 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constr
     boundary_values : array_like, callable or float, optional
         What u is on the boundary, given as f is.
     constraints : (array_like, array_like), optional
-        Vertices, and what u is there.
-    constraint_weight : float
-        How strongly it is.
+        Vertices, and what u is there. Without `boundary_values` it holds along each edge of the
+        boundary, too, both ends of which have a value, linear between them.
+    constraint_weight : float, optional
+        Values at vertices only pull: u minimizes the energy plus the weight times the squares of
+        what is missed. By default they are met exactly.
     tolerance : float, optional
-        Residual over right-hand side: 1e-3, or 1e-7 with prescribed values.
+        Residual over right-hand side: 1e-3, or 1e-8 with prescribed values.
     energy_tolerance, stabilization, cycle, smoother, max_iterations
         See `PoissonSolver`.
     threads, progress, check, return_report
@@ -145,7 +147,7 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constr
 
 
 def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_values: Any = None,
-                           constraints: Any = None, constraint_weight: float = 1e6,
+                           constraints: Any = None, constraint_weight: Optional[float] = None,
                            tolerance: Optional[float] = None,
                            energy_tolerance: Optional[float] = None,
                            stabilization: Optional[float] = None, cycle: str = "v",

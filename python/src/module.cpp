@@ -63,6 +63,7 @@ nb::dict report_of(const RL::Solve_report& r) {
   result["iterations"] = r.iterations;
   result["relative_residual"] = r.relative_residual;
   result["relative_energy_error"] = r.relative_energy_error;
+  result["constraint_error"] = r.constraint_error;
   result["assembly_seconds"] = r.assembly_seconds;
   result["setup_seconds"] = r.setup_seconds;
   result["solve_seconds"] = r.solve_seconds;

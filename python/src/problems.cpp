@@ -18,6 +18,8 @@
 #include <nanobind/stl/string.h>
 
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -29,7 +31,8 @@ using Space = RL::Spline_space_3;
 
 nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
                         const Function* alpha_function, const Function* boundary_values,
-                        const std::optional<Numbers>& constrained, const nb::dict& options,
+                        const std::optional<Numbers>& constrained,
+                        std::optional<double> constraint_weight, const nb::dict& options,
                         int threads, const nb::object& progress) {
   const RL::Triangulated_surface_3& surface = space.surface();
   check_function(f, surface, "f", 1);
@@ -46,19 +49,23 @@ nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
   problem.solver = solver_options(options, threads);
   problem.normal_stabilization = number_of(options, "stabilization");
   if(constrained) {
-    // of each: vertex, value, weight
-    const auto locations = RL::internal::locations_of_vertices(surface);
-    problem.constraints.emplace(space);
-    for(std::size_t i = 0; i < constrained->size(); i += 3) {
-      const double* const c = constrained->data() + i;
-      if(!(c[0] >= 0 && c[0] < static_cast<double>(locations.size()) && c[0] == std::floor(c[0])))
-        throw RL::Parameter_error("constraints", "names vertex " + std::to_string(c[0]) +
-                                                     ", which does not exist");
-      const auto vertex = static_cast<std::size_t>(c[0]);
-      if(locations[vertex].barycentric[0] < 0)
-        throw RL::Invalid_vertex_error(vertex, "has a prescribed value, but no face");
-      problem.constraints->add(locations[vertex], c[1], c[2]);
+    // of each: vertex, value
+    problem.vertex_values.assign(surface.number_of_vertices(),
+                                 std::numeric_limits<double>::quiet_NaN());
+    for(std::size_t i = 0; i < constrained->size(); i += 2) {
+      const double v = constrained->data()[i], value = constrained->data()[i + 1];
+      if(!(v >= 0 && v < static_cast<double>(problem.vertex_values.size()) && v == std::floor(v)))
+        throw RL::Parameter_error("constraints",
+                                  "names vertex " + std::to_string(v) + ", which does not exist");
+      if(!std::isfinite(value))
+        throw RL::Parameter_error("constraints", "has a value that is not a finite number");
+      double& known = problem.vertex_values[static_cast<std::size_t>(v)];
+      if(known != value && !std::isnan(known))
+        throw RL::Parameter_error("constraints",
+                                  "has two values for vertex " + std::to_string(std::size_t(v)));
+      known = value;
     }
+    problem.vertex_weight = constraint_weight;
   }
   RL::Poisson_solution solution = run(threads, progress, [&](const auto& callback) {
     problem.callback = callback;
@@ -213,8 +220,8 @@ nb::tuple solve(const RL::Poisson_solver& solver, const Rows& b, const std::opti
 
 void add_problems(nb::module_& m) {
   m.def("solve_poisson", &solve_poisson, "space"_a, "f"_a, "alpha"_a, "alpha_function"_a.none(),
-        "boundary_values"_a.none(), "constrained"_a.none(), "options"_a, "threads"_a,
-        "progress"_a.none());
+        "boundary_values"_a.none(), "constrained"_a.none(), "constraint_weight"_a.none(),
+        "options"_a, "threads"_a, "progress"_a.none());
   m.def("fit_function", &fit_function, "space"_a, "f"_a, "options"_a, "threads"_a,
         "progress"_a.none());
   m.def("curvature", &curvature, "space"_a, "method"_a, "options"_a, "threads"_a,

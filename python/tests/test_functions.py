@@ -151,6 +151,36 @@ def test_prescribed_values(sphere):
     assert abs(u).max() < 1.001
 
 
+def test_values_at_vertices_are_met():
+    V, F = rl.icosphere(3)
+    free, report = rl.solve_poisson(V, F, V[:, 2], constraints=([7], [0]), return_report=True)
+    assert report["constraint_error"] <= 1e-8
+    for value in (1, 100, 1e4):
+        u, report = rl.solve_poisson(V, F, V[:, 2], constraints=([7], [value]), return_report=True)
+        assert report.converged and abs(u[7] - value) <= 1e-6
+        assert abs(u - value - free).max() <= 1e-4
+    # with a weight they pull
+    u = rl.solve_poisson(V, F, 0.0, constraints=([0, 3], [1, -1]), constraint_weight=10)
+    assert 0.5 < u[0] < 0.99
+    with pytest.raises(rl.InputError, match="constraints"):
+        rl.solve_poisson(V, F, 0.0, constraints=([7, 8], [0, np.nan]))
+    with pytest.raises(rl.InputError, match="two values for vertex 7"):
+        rl.solve_poisson(V, F, 0.0, constraints=([7, 7], [0, 1]))
+
+
+def test_values_at_vertices_hold_along_the_boundary():
+    n = 16
+    x, y = np.meshgrid(np.arange(n + 1) / n, np.arange(n + 1) / n)
+    V = np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
+    a = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
+    F = np.concatenate([np.stack([a, a + 1, a + n + 2], axis=1),
+                        np.stack([a, a + n + 2, a + n + 1], axis=1)])
+    sides = np.flatnonzero((V[:, 0] == 0) | (V[:, 0] == 1))
+    for depth in (5, 6):
+        u = rl.solve_poisson(V, F, 0.0, depth=depth, constraints=(sides, 1000 * V[sides, 0]))
+        assert abs(u - 1000 * V[:, 0]).max() <= 1e-3
+
+
 def test_screening_by_functions(sphere):
     V, F = sphere
     f = V[:, 2]

@@ -12,7 +12,10 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <random>
 #include <vector>
 
 namespace {
@@ -180,6 +183,154 @@ TEST_CASE("values_at_vertices_are_held", "[constraints]") {
   CHECK_THROWS_AS(constraints.add(RL::Surface_location(), 1, -1), RL::Parameter_error);
   CHECK_THROWS_AS(constraints.add(RL::Surface_location(), std::nan(""), 1), RL::Parameter_error);
   CHECK(constraints.size() == 0);
+}
+
+TEST_CASE("a_value_at_one_vertex_fixes_the_constant_only", "[constraints]") {
+  const Triangles sphere = shapes::sphere(3);
+  const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
+  for(const int depth : {3, 4}) {
+    const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(depth));
+    std::vector<double> expected;
+    for(const double g : {0., 1., 100., 1e4, 1e8}) {
+      RL::Poisson_problem problem(f);
+      problem.vertex_values.assign(sphere.points.size(), std::nan(""));
+      problem.vertex_values[7] = g;
+      const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
+      CHECK(solution.converged);
+      CHECK(solution.constraint_error <= 1e-7);
+      const std::vector<double> u =
+          RL::Spline_function_3(space, solution.coefficients).values_at_vertices();
+      CHECK(std::abs(u[7] - g) <= 1e-7);
+      if(g == 0)
+        expected = u;
+      CAPTURE(depth, g);
+      double change = 0, error = 0;
+      for(std::size_t v = 0; v < u.size(); ++v) {
+        change = (std::max)(change, std::abs(u[v] - g - expected[v]));
+        error = (std::max)(error,
+                           std::abs(u[v] - g + (sphere.points[v].z() - sphere.points[7].z()) / 2));
+      }
+      CHECK(change <= (g <= 1e4 ? 1e-6 : 2e-4));
+      CHECK(error <= 0.02); // of the polyhedron
+    }
+  }
+}
+
+TEST_CASE("boundary_values_may_have_an_offset", "[constraints]") {
+  const Triangles square =
+      shapes::grid(16, [](double x, double y) { return RL::Point_3(x, y, 0); });
+  const auto zero = [](const RL::Surface_point&) { return 0.; };
+  for(const double offset : {0., -1., 1e6}) {
+    const auto g = [&](const RL::Surface_point& p) { return p.point.x() * p.point.y() + offset; };
+    std::vector<double> u(square.points.size());
+    const RL::Solve_report report =
+        RL::solve_poisson(square.points, square.faces, zero, CGAL::make_property_map(u),
+                          params::octree_depth(5).boundary_values(g));
+    CHECK(report.converged);
+    CHECK(report.constraint_error == 0);
+    for(std::size_t v = 0; v < u.size(); ++v) {
+      const RL::Point_3& p = square.points[v];
+      REQUIRE(std::abs(u[v] - offset - p.x() * p.y()) <= 1e-4);
+    }
+  }
+}
+
+TEST_CASE("values_at_vertices_hold_along_the_boundary", "[constraints]") {
+  constexpr int n = 16;
+  const Triangles square =
+      shapes::joined(shapes::grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); }),
+                     shapes::moved(shapes::sphere(3), {3, 0, 0}));
+  constexpr std::size_t on_square = (n + 1) * (n + 1);
+  const auto f = [](const RL::Surface_point& p) { return p.point.x() > 1.5 ? p.point.z() : 0.; };
+  for(const int depth : {4, 5, 6}) {
+    const RL::Spline_space_3 space(square.points, square.faces, params::octree_depth(depth));
+    RL::Poisson_problem problem(f);
+    problem.vertex_values.assign(square.points.size(), std::nan(""));
+    for(std::size_t j = 0; j <= n; ++j) {
+      problem.vertex_values[j * (n + 1)] = 0;
+      problem.vertex_values[j * (n + 1) + n] = 1000;
+    }
+    const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
+    CAPTURE(depth);
+    CHECK(solution.converged);
+    CHECK(solution.constraint_error <= 1e-3);
+    CHECK(solution.kernel_dimension == 1);
+    const std::vector<double> u =
+        RL::Spline_function_3(space, solution.coefficients).values_at_vertices();
+    double error = 0, error_on_sphere = 0;
+    for(std::size_t v = 0; v < u.size(); ++v)
+      if(v < on_square)
+        error = (std::max)(error, std::abs(u[v] - 1000 * square.points[v].x()));
+      else
+        error_on_sphere = (std::max)(error_on_sphere, std::abs(u[v] + square.points[v].z() / 2));
+    CHECK(error <= 1e-3);
+    CHECK(error_on_sphere <= 0.02); // mean 0 there, as without the square
+  }
+}
+
+TEST_CASE("values_may_be_prescribed_on_a_part_of_the_boundary", "[constraints]") {
+  const Tilted_square square(8);
+  const RL::Spline_space_3 space(square.triangles.points, square.triangles.faces,
+                                 params::octree_depth(4));
+  const auto is_left = [&](const RL::Surface_point& p) {
+    return square.coordinates(p.point)[0] < 1e-9;
+  };
+  const RL::Dirichlet_boundary left(space, is_left);
+  CHECK(left.length() == Approx(1).epsilon(1e-12));
+  CHECK(left.mean([&](const RL::Surface_point& p) { return square.coordinates(p.point)[1]; }) ==
+        Approx(0.5).epsilon(1e-12));
+  const RL::Dirichlet_boundary none(space, [](const RL::Surface_point&) { return false; });
+  CHECK(none.length() == 0);
+  CHECK(none.mean([](const RL::Surface_point&) { return 1.; }) == 0);
+}
+
+TEST_CASE("values_at_vertices_are_exact_where_functions_have_them", "[constraints]") {
+  const Triangles sphere = shapes::sphere(3);
+  const auto f = [](const RL::Surface_point& p) { return p.point.x(); };
+  std::mt19937 generator(1);
+  for(const int depth : {3, 4, 5})
+    for(const double scale : {1e-6, 1., 1e6})
+      for(const double alpha : {0., 3.}) {
+        const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(depth));
+        RL::Poisson_problem problem(f);
+        problem.alpha = alpha;
+        problem.vertex_values.assign(sphere.points.size(), std::nan(""));
+        for(std::size_t v = 0; v < sphere.points.size(); v += 30)
+          problem.vertex_values[v] = scale * (5 + std::ldexp(double(generator()), -32));
+        const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
+        const std::vector<double> u =
+            RL::Spline_function_3(space, solution.coefficients).values_at_vertices();
+        double missed = 0;
+        for(std::size_t v = 0; v < u.size(); v += 30)
+          missed = (std::max)(missed, std::abs(u[v] - problem.vertex_values[v]));
+        CAPTURE(depth, scale, alpha, solution.iterations);
+        CHECK(solution.converged);
+        CHECK(missed == Approx(solution.constraint_error).margin(1e-15 * scale));
+        CHECK(missed <= 1e-6 * (std::max)(scale, 1.)); // or of the solution for f
+        CHECK(solution.iterations <= 60);
+      }
+}
+
+TEST_CASE("values_at_vertices_that_no_function_has_are_told_of", "[constraints]") {
+  const Triangles sphere = shapes::sphere(4);
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(2));
+  const auto f = [](const RL::Surface_point&) { return 0.; };
+  RL::Poisson_problem problem(f);
+  for(std::size_t v = 0; v < sphere.points.size(); ++v)
+    problem.vertex_values.push_back(double(v % 2));
+  const RL::Poisson_solution noise = RL::solve_poisson_problem(space, problem);
+  CHECK_FALSE(noise.converged);
+  CHECK(noise.status == RL::Solve_status::stalled);
+  CHECK(noise.constraint_error > 0.3);
+  CHECK(noise.constraint_error < 2);
+  // denser than the functions, and one of them has the values
+  for(std::size_t v = 0; v < sphere.points.size(); ++v)
+    problem.vertex_values[v] = 1e3 * sphere.points[v].x();
+  const RL::Poisson_solution linear = RL::solve_poisson_problem(space, problem);
+  CHECK(linear.converged);
+  CHECK(linear.constraint_error <= 2e-3);
+  problem.vertex_values.pop_back();
+  CHECK_THROWS_AS(RL::solve_poisson_problem(space, problem), RL::Parameter_error);
 }
 
 TEST_CASE("weights_pull_the_solution", "[constraints]") {

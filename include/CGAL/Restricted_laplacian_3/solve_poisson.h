@@ -19,7 +19,9 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -30,26 +32,24 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-/// the constraints at the vertices that `vertex_is_constrained_map` marks
+/// the values at the vertices that `vertex_is_constrained_map` marks, NaN at others
 template <class Source, class NamedParameters>
-Point_constraints vertex_constraints(const Source& source, const Spline_space_3& space,
-                                     const NamedParameters& np) {
+std::vector<double> vertex_values(const Source& source, const Spline_space_3& space,
+                                  const NamedParameters& np) {
   static_assert(is_given_v<NamedParameters, internal_np::constraint_values_t>,
                 "vertex_is_constrained_map needs constraint_values");
   const auto is_constrained = parameters::get_parameter(np, internal_np::vertex_is_constrained);
   const auto values = parameters::get_parameter(np, internal_np::constraint_values);
-  double weight = 1e4;
-  read_parameter(np, internal_np::constraint_weight, weight);
-  const std::vector<Surface_location> locations = locations_of_vertices(space.surface());
-  Point_constraints constraints(space);
+  std::vector<double> result(space.surface().number_of_vertices(),
+                             std::numeric_limits<double>::quiet_NaN());
   source.for_each_vertex([&](std::size_t i, const auto& v) {
     if(!value_at(is_constrained, v))
       return;
-    if(locations[i].barycentric[0] < 0)
-      throw Invalid_vertex_error(i, "is constrained, but has no face of positive area");
-    constraints.add(locations[i], static_cast<double>(value_at(values, v)), weight);
+    result[i] = static_cast<double>(value_at(values, v));
+    if(!std::isfinite(result[i]))
+      throw Parameter_error("constraint_values", "has a value that is not a finite number");
   });
-  return constraints;
+  return result;
 }
 
 /// \param alpha a number, or a function on the surface, to which the problem refers
@@ -67,6 +67,7 @@ Poisson_problem poisson_problem(const Surface_function_view& f, const Alpha& alp
   if constexpr(has_boundary_values)
     problem.boundary_values = boundary_values;
   read_parameter(np, internal_np::normal_stabilization, problem.normal_stabilization);
+  read_parameter(np, internal_np::constraint_weight, problem.vertex_weight);
   problem.solver = Poisson_solver_options(np);
   problem.callback = progress.callback();
   return problem;
@@ -109,7 +110,7 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   Poisson_problem problem = poisson_problem(right_hand_side, weight, boundary_values, np,
                                             progress.part(part_of_space, 1));
   if constexpr(is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>)
-    problem.constraints = vertex_constraints(source, space, np);
+    problem.vertex_values = vertex_values(source, space, np);
   Poisson_solution solution = solve_poisson_problem(space, problem);
   solution.space_seconds = space_seconds;
   const std::vector<double> values =

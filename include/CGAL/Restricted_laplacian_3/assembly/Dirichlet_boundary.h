@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -70,7 +71,16 @@ public:
   /// \throws Numerical_error if a part of the boundary lies on no sheet; names the face
   explicit Dirichlet_boundary(const Spline_space_3& space);
 
-  /// length of the boundary
+  /// Prescribes values on a part of the boundary. The rest has the natural condition
+  /// \f$\partial_\nu u = 0\f$.
+  /// \param space is copied, which costs nothing
+  /// \param is_prescribed is called with the middle of each side of a face that is at the boundary,
+  /// and says whether values are prescribed on the side. All or none of them may be.
+  /// \throws Numerical_error as above
+  Dirichlet_boundary(const Spline_space_3& space,
+                     const std::function<bool(const Surface_point&)>& is_prescribed);
+
+  /// length of the boundary on which values are prescribed
   double length() const { return m_length; }
 
   /// adds \f$A\f$ to a matrix of the finest level that has the pattern of the stiffness matrix
@@ -84,6 +94,9 @@ public:
   /// \f$ \int_{\partial \mathcal M} \nu\, b_i \f$ with the outward conormal \f$\nu\f$: a row for
   /// each element, a column for each coordinate of \f$\nu\f$
   Eigen::MatrixXd conormal_loads() const;
+
+  /// \f$\int_{\partial \mathcal M} g / \mathrm{length}\f$, 0 if the length is
+  double mean(const Surface_function_view& g) const;
 
   /// \f$(\int_{\partial \mathcal M} (u - g)^2 / \mathrm{length})^{1/2}\f$
   double root_mean_square_error(const Eigen::VectorXd& coefficients,
@@ -100,6 +113,8 @@ private:
     double flux; // factor of the conormal derivative
   };
 
+  void add_sides(const std::function<bool(const Surface_point&)>& is_prescribed);
+  Surface_point middle(std::size_t face, int side) const;
   void add_side(std::size_t face, int side);
   void move_to_patch(std::size_t piece, int side, Node& node) const;
   std::size_t sheet_of_piece(const Surface_location& begin, const Surface_location& end) const;

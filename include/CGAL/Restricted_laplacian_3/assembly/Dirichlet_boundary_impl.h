@@ -68,10 +68,23 @@ as_vector(const Tensor_basis_3::Values& values) {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Dirichlet_boundary::Dirichlet_boundary(const Spline_space_3& space) : m_space(space) {
-  for(const internal::Face_side& side : internal::boundary_sides(space))
-    add_side(side.face, side.number);
+  add_sides([](const Surface_point&) { return true; });
   if(m_nodes.empty())
     throw Parameter_error("boundary_values", "are given, but the surface has no boundary");
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE
+Dirichlet_boundary::Dirichlet_boundary(
+    const Spline_space_3& space, const std::function<bool(const Surface_point&)>& is_prescribed)
+  : m_space(space) {
+  add_sides(is_prescribed);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Dirichlet_boundary::add_sides(const std::function<bool(const Surface_point&)>& is_prescribed) {
+  for(const internal::Face_side& side : internal::boundary_sides(m_space))
+    if(is_prescribed(middle(side.face, side.number)))
+      add_side(side.face, side.number);
   std::stable_sort(m_nodes.begin(), m_nodes.end(),
                    [](const Node& a, const Node& b) { return a.sheet < b.sheet; });
   for_each_sheet([&](std::size_t first, std::size_t last) { set_beta(first, last); });
@@ -119,6 +132,25 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd Dirichlet_boundary::conormal_
     });
   }
   return loads;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double
+Dirichlet_boundary::mean(const Surface_function_view& g) const {
+  double sum = 0;
+  for(const Node& node : m_nodes)
+    sum += node.weight * value(g, node);
+  return m_length > 0 ? sum / m_length : 0;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_point Dirichlet_boundary::middle(std::size_t face,
+                                                                            int side) const {
+  Surface_location location;
+  location.face = face;
+  location.barycentric.fill(0);
+  location.barycentric[side] = location.barycentric[(side + 1) % 3] = 0.5;
+  if(const internal::Divided_surface* const division = m_space.octree().division())
+    location = division->location(face, location.barycentric);
+  return m_space.surface().surface_point(location);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double

@@ -16,7 +16,8 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_location& location,
-                                                               double value, double weight) {
+                                                               double value, double weight,
+                                                               bool is_exact) {
   const Triangulated_surface_3& surface = m_space.surface();
   if(location.face >= surface.number_of_faces())
     throw Location_error("there is no face " + std::to_string(location.face));
@@ -29,7 +30,31 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_loc
   if(sheet == m_space.octree().number_of_sheets(depth))
     throw Location_error("a constraint with face " + std::to_string(location.face) +
                          " is not on the surface");
-  m_constraints.push_back({sheet, t, value, weight});
+  m_constraints.push_back({sheet, t, value, weight, is_exact});
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_location& location,
+                                                               double value) {
+  add(location, value, weight_of_exact, true);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_location& location,
+                                                               double value, double weight) {
+  add(location, value, weight, false);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd Point_constraints::values() const {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(size()));
+  for(std::size_t k = 0; k < size(); ++k)
+    values[static_cast<Eigen::Index>(k)] = m_constraints[k].value;
+  return values;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd Point_constraints::weights() const {
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(size()));
+  for(std::size_t k = 0; k < size(); ++k)
+    weights[static_cast<Eigen::Index>(k)] = m_constraints[k].weight;
+  return weights;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add_to_matrix(Sparse_matrix& a) const {
@@ -44,15 +69,31 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add_to_matrix(Sparse_
   }
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd Point_constraints::load() const {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(m_space.dimension());
-  for(const Constraint& c : m_constraints) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+Point_constraints::load(const Eigen::VectorXd& fluxes) const {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(m_space.dimension()));
+  for(std::size_t k = 0; k < size(); ++k) {
+    const Constraint& c = m_constraints[k];
+    const double flux = fluxes[static_cast<Eigen::Index>(k)];
     const Tensor_basis_3::Values b = Tensor_basis_3::values(c.t);
-    for_each_element(m_space.elements(m_space.depth(), c.sheet), [&](int i, std::uint32_t element) {
-      load[element] += c.weight * c.value * b[i];
-    });
+    for_each_element(m_space.elements(m_space.depth(), c.sheet),
+                     [&](int i, std::uint32_t element) { load[element] += flux * b[i]; });
   }
   return load;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
+Point_constraints::values_of(const Eigen::VectorXd& coefficients) const {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(size()));
+  for(std::size_t k = 0; k < size(); ++k) {
+    const Constraint& c = m_constraints[k];
+    const Tensor_basis_3::Values b = Tensor_basis_3::values(c.t);
+    double value = 0;
+    for_each_element(m_space.elements(m_space.depth(), c.sheet),
+                     [&](int i, std::uint32_t element) { value += coefficients[element] * b[i]; });
+    values[static_cast<Eigen::Index>(k)] = value;
+  }
+  return values;
 }
 
 } // namespace Restricted_laplacian_3

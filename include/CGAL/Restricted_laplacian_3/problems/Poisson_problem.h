@@ -43,11 +43,17 @@ struct Poisson_problem {
   std::optional<Surface_function_view> alpha_function;
   /// what the solution is on the boundary; the natural condition without a value
   std::optional<Surface_function_view> boundary_values;
-  /// what the solution is at points
+  /// what the solution is at vertices, a number for each, NaN where it is free; empty: free
+  /// everywhere. The values are met exactly, and without `boundary_values` they hold along each side
+  /// of a face at the boundary, too, both ends of which have one, linear between them.
+  std::vector<double> vertex_values;
+  /// if it has a value, those at vertices only pull with this weight, and do not hold along sides
+  std::optional<double> vertex_weight;
+  /// what the solution is at points, besides
   std::optional<Point_constraints> constraints;
   /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
   std::optional<double> normal_stabilization;
-  /// of the linear system; without a value its tolerance is 1e-3, and 1e-7 with prescribed values
+  /// of the linear system; without a value its tolerance is 1e-3, and 1e-8 with prescribed values
   Poisson_solver_options solver;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with an exception
@@ -69,7 +75,7 @@ Poisson_solution solve_poisson_problem(const Spline_space_3& space, const Poisso
 namespace internal {
 
 /// the tolerance of problems with prescribed values
-constexpr double tolerance_with_constraints = 1e-7;
+constexpr double tolerance_with_constraints = 1e-8;
 
 std::vector<Surface_location> locations_of_vertices(const Triangulated_surface_3& surface);
 

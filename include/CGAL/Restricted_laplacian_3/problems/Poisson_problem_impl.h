@@ -4,11 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/solve_prescribed.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 
 #include <CGAL/Real_timer.h>
@@ -17,12 +19,99 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+/// Values at vertices as a function along sides, linear between the two ends.
+struct Side_values {
+  const std::vector<double>& values;
+
+  double operator()(const Surface_point& p) const {
+    constexpr double rounding = 1e-9;
+    double result = 0;
+    for(int i = 0; i < 3; ++i)
+      if(p.barycentric[i] > rounding) // what is opposite to a side may be free, and NaN
+        result += p.barycentric[i] * values[p.vertices[i]];
+    return result;
+  }
+};
+
+/// What is prescribed in a problem, as the matrices take it.
+class Prescribed_values {
+public:
+  Prescribed_values(const Spline_space_3& space, const Poisson_problem& problem)
+    : m_points(problem.constraints), m_side_values{problem.vertex_values},
+      m_on_sides(m_side_values) {
+    if(!problem.vertex_values.empty())
+      add_vertices(space, problem);
+    if(problem.boundary_values) {
+      m_values = &*problem.boundary_values;
+      m_boundary.emplace(space);
+    } else if(!problem.vertex_values.empty() && !problem.vertex_weight) {
+      m_values = &m_on_sides;
+      m_boundary.emplace(space,
+                         [&](const Surface_point& p) { return std::isfinite(m_side_values(p)); });
+      if(m_boundary->length() == 0)
+        m_boundary.reset();
+    }
+  }
+  Prescribed_values(const Prescribed_values&) = delete;
+  Prescribed_values& operator=(const Prescribed_values&) = delete;
+
+  const Dirichlet_boundary* boundary() const { return m_boundary ? &*m_boundary : nullptr; }
+  const Point_constraints* points() const { return m_points ? &*m_points : nullptr; }
+
+  /// adds what values on the boundary add to the right-hand side
+  void add_load(Eigen::VectorXd& load) const {
+    if(m_boundary)
+      load += m_boundary->load(*m_values);
+  }
+
+  /// a number around which the values are
+  double mean() const {
+    if(m_points && m_points->size() > 0)
+      return m_points->values().mean();
+    return m_boundary ? m_boundary->mean(*m_values) : 0;
+  }
+
+private:
+  void add_vertices(const Spline_space_3& space, const Poisson_problem& problem) {
+    const std::vector<double>& values = problem.vertex_values;
+    const Triangulated_surface_3& surface = space.surface();
+    if(values.size() != surface.number_of_vertices())
+      throw Parameter_error("vertex_values",
+                            "are " + std::to_string(values.size()) + ", but the surface has " +
+                                std::to_string(surface.number_of_vertices()) + " vertices");
+    if(!m_points)
+      m_points.emplace(space);
+    const std::vector<Surface_location> locations = locations_of_vertices(surface);
+    for(std::size_t v = 0; v < values.size(); ++v) {
+      if(std::isnan(values[v]))
+        continue;
+      if(locations[v].barycentric[0] < 0)
+        throw Invalid_vertex_error(v, "has a prescribed value, but no face of positive area");
+      if(problem.vertex_weight)
+        m_points->add(locations[v], values[v], *problem.vertex_weight);
+      else
+        m_points->add(locations[v], values[v]);
+    }
+  }
+
+  std::optional<Point_constraints> m_points;
+  std::optional<Dirichlet_boundary> m_boundary;
+  Side_values m_side_values;
+  Surface_function_view m_on_sides;
+  const Surface_function_view* m_values = nullptr; // on the boundary
+};
+
+} // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solution
 solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem) {
@@ -38,20 +127,28 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
   Eigen::VectorXd load = assemble_load(space, problem.f);
   if(elliptic.reaction == 0 && !elliptic.reaction_function)
     load = -load;
-  const internal::Progress of_setup = progress.part(0.1, 0.7);
-  const bool has_prescribed_values = problem.boundary_values || problem.constraints;
+  const internal::Progress of_setup = progress.part(0.1, 0.7), of_solve = progress.part(0.7, 1);
+  const internal::Prescribed_values prescribed(space, problem);
+  prescribed.add_load(load);
+  const bool has_prescribed_values = prescribed.boundary() || prescribed.points();
   const Poisson_solver solver =
       has_prescribed_values
-          ? internal::constrained_solver(space, elliptic, problem.boundary_values,
-                                         problem.constraints, problem.solver, of_setup, load)
+          ? internal::constrained_solver(space, elliptic, prescribed.boundary(),
+                                         prescribed.points(), problem.solver, of_setup)
           : internal::elliptic_solver(space, elliptic, problem.solver, of_setup);
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Poisson_solution solution;
-  const double tolerance = problem.solver.relative_tolerance.value_or(
-      has_prescribed_values ? internal::tolerance_with_constraints
-                            : Poisson_solver_options::default_tolerance);
-  static_cast<Solve_report&>(solution) =
-      solver.solve(load, solution.coefficients, {tolerance, progress.part(0.7, 1).callback()});
+  Solve_report& report = solution;
+  if(has_prescribed_values) {
+    internal::Prescribed_iteration iteration(solver, load, prescribed.points(), prescribed.mean());
+    report = iteration.solve(
+        problem.solver.relative_tolerance.value_or(internal::tolerance_with_constraints), of_solve);
+    solution.coefficients = iteration.coefficients();
+  } else {
+    Solve_options options;
+    options.callback = of_solve.callback();
+    report = solver.solve(load, solution.coefficients, options);
+  }
   solution.assembly_seconds = assembly_seconds;
   solution.kernel_dimension = solver.kernel_dimension();
   return solution;

@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MAKE_POISSON_SOLVER_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MAKE_POISSON_SOLVER_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
@@ -47,12 +48,10 @@ Poisson_solver elliptic_solver(const Spline_space_3& space, const Elliptic_opera
                                Sparse_matrix* mass = nullptr);
 
 /// The same with prescribed values: their matrices are known for the finest level only.
-/// \param load what they add to the right-hand side is added to it
 Poisson_solver constrained_solver(const Spline_space_3& space, const Elliptic_operator& elliptic,
-                                  const std::optional<Surface_function_view>& boundary_values,
-                                  const std::optional<Point_constraints>& constraints,
-                                  const Poisson_solver_options& options, const Progress& progress,
-                                  Eigen::VectorXd& load);
+                                  const Dirichlet_boundary* boundary,
+                                  const Point_constraints* constraints,
+                                  const Poisson_solver_options& options, const Progress& progress);
 
 /// the levels from the coarsest of a hierarchy to depth
 std::vector<Operators> multigrid_operators(const Spline_space_3& space,

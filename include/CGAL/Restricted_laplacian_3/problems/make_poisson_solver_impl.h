@@ -67,25 +67,19 @@ elliptic_solver(const Spline_space_3& space, const Elliptic_operator& elliptic,
   return solver;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver constrained_solver(
-    const Spline_space_3& space, const Elliptic_operator& elliptic,
-    const std::optional<Surface_function_view>& boundary_values,
-    const std::optional<Point_constraints>& constraints, const Poisson_solver_options& options,
-    const Progress& progress, Eigen::VectorXd& load) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver
+constrained_solver(const Spline_space_3& space, const Elliptic_operator& elliptic,
+                   const Dirichlet_boundary* boundary, const Point_constraints* constraints,
+                   const Poisson_solver_options& options, const Progress& progress) {
   check_alpha(elliptic.reaction);
   System_matrices system = assemble_system(space, space.depth(), elliptic, Stored_entries::all,
                                            progress.part(0, part_of_assembly));
   Sparse_matrix a;
   a.swap(system.matrices.front());
-  if(boundary_values) {
-    const Dirichlet_boundary boundary(space);
-    boundary.add_to_matrix(a);
-    load += boundary.load(*boundary_values);
-  }
-  if(constraints) {
+  if(boundary)
+    boundary->add_to_matrix(a);
+  if(constraints)
     constraints->add_to_matrix(a);
-    load += constraints->load();
-  }
   progress(part_of_assembly);
   Poisson_solver solver =
       poisson_solver(space, std::move(a), {}, system.integrals, system.constant_loads, options);

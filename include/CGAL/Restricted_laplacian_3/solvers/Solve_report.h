@@ -63,6 +63,10 @@ struct [[nodiscard]] Solve_report {
   /// error four steps before the end. The largest one, if there are several right-hand sides; 0 for
   /// a solution that is 0; NaN where there was no step, as with `stand_alone_multigrid`.
   double relative_energy_error = std::numeric_limits<double>::quiet_NaN();
+  /// Largest difference to a value that is prescribed exactly at a point: at most 1e-6 of the range
+  /// of those values, or of the root of the energy, if the space has functions that meet them. One
+  /// that is more than 1e-3 does not count as converged. 0 if there are none.
+  double constraint_error = 0;
   /// wall-clock seconds: reading the surface, octree and numbering
   double space_seconds = 0;
   /// wall-clock seconds: matrices and right-hand sides
