@@ -216,6 +216,25 @@ TEST_CASE("a_value_at_one_vertex_fixes_the_constant_only", "[constraints]") {
   }
 }
 
+TEST_CASE("equal_values_at_vertices_give_a_constant", "[constraints]") {
+  const Triangles sphere = shapes::sphere(3);
+  const auto f = [](const RL::Surface_point&) { return 0.; };
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4));
+  for(const double g : {0., 1. / 3, -1e6})
+    for(const std::size_t step : {1, 7, 1000}) {
+      RL::Poisson_problem problem(f);
+      problem.vertex_values.assign(sphere.points.size(), std::nan(""));
+      for(std::size_t v = 0; v < sphere.points.size(); v += step)
+        problem.vertex_values[v] = g;
+      const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
+      CAPTURE(g, step);
+      CHECK(solution.converged);
+      CHECK(solution.constraint_error <= 1e-12 * std::abs(g));
+      for(const double u : RL::Spline_function_3(space, solution.coefficients).values_at_vertices())
+        REQUIRE(std::abs(u - g) <= 1e-10 * std::abs(g));
+    }
+}
+
 TEST_CASE("boundary_values_may_have_an_offset", "[constraints]") {
   const Triangles square =
       shapes::grid(16, [](double x, double y) { return RL::Point_3(x, y, 0); });

@@ -31,8 +31,9 @@ namespace internal {
 /// those with \f$K\f$ are relative to \f$w_k g_k\f$, which says nothing of the solution.
 class Prescribed_iteration {
 public:
-  /// largest difference to a value that is to be met, over the size of the solution: the range of
-  /// these values, or the root of the energy
+  /// largest difference to a value that is to be met, over the size of the solution: the largest of
+  /// the range of these values, the root of the energy, and 1e-6 of the values, below which there
+  /// is rounding
   static constexpr double largest_miss = 1e-7;
   /// What is more contradicts itself, or is denser than the functions are; then values are met as
   /// well as they can be.
@@ -94,7 +95,7 @@ public:
       const bool is_solved =
           m_residual <= (std::max)(tolerance * m_scale, rounding()) ||
           (energy_tolerance > 0 && report.relative_energy_error <= energy_tolerance);
-      const double relative_miss = m_miss > 0 ? m_miss / (std::max)(range(), size) : 0;
+      const double relative_miss = m_miss > 0 ? m_miss / (std::max)(size_of_values(), size) : 0;
       if(is_solved &&
          (relative_miss <= largest_miss || (step > 0 && m_miss > least_gain * miss_before))) {
         report.set_status(relative_miss <= largest_miss_of_converged ? Solve_status::converged
@@ -127,15 +128,16 @@ private:
     return (std::min)(largest, (std::max)(smallest, tolerance * m_scale / norm));
   }
 
-  /// largest less smallest of the values to be met
-  double range() const {
+  /// of those to be met: their range, or 1e-6 of the largest
+  double size_of_values() const {
+    constexpr double smallest_range = 1e-6;
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for(Eigen::Index k = 0; k < m_values.size(); ++k)
       if(m_exact[k] != 0) {
         low = (std::min)(low, m_values[k]);
         high = (std::max)(high, m_values[k]);
       }
-    return (std::max)(0., high - low);
+    return (std::max)(high - low, smallest_range * (std::max)(std::abs(low), std::abs(high)));
   }
 
   /// of a residual
