@@ -330,6 +330,39 @@ TEST_CASE("values_at_vertices_are_exact_where_functions_have_them", "[constraint
       }
 }
 
+TEST_CASE("values_with_a_weight_pull_beside_exact_ones", "[constraints]") {
+  const Triangles sphere = shapes::sphere(3);
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(3));
+  const std::vector<RL::Surface_location> locations =
+      RL::internal::locations_of_vertices(space.surface());
+  RL::Point_constraints constraints(space);
+  constraints.add(locations[4], 3);
+  constraints.add(locations[5], -1, 10);
+  CHECK(constraints.is_exact(0));
+  CHECK_FALSE(constraints.is_exact(1));
+  CHECK(constraints.weights() == Eigen::Vector2d(RL::Point_constraints::weight_of_exact, 10));
+  CHECK(constraints.values() == Eigen::Vector2d(3, -1));
+  const auto f = [](const RL::Surface_point&) { return 0.; };
+  RL::Poisson_problem problem(f);
+  problem.constraints = constraints;
+  const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
+  CHECK(solution.converged);
+  const Eigen::VectorXd u = constraints.values_of(solution.coefficients);
+  CHECK(std::abs(u[0] - 3) <= 1e-6);
+  CHECK(u[1] > -1);
+  // the fluxes are opposite, with weights all values pull: the same problem but for what is exact
+  problem.constraints.reset();
+  problem.vertex_values.assign(sphere.points.size(), std::nan(""));
+  problem.vertex_values[4] = 3;
+  problem.vertex_values[5] = -1;
+  problem.vertex_weight = 10;
+  const Eigen::VectorXd pulled =
+      constraints.values_of(RL::solve_poisson_problem(space, problem).coefficients);
+  CHECK(3 - pulled[0] == Approx(pulled[1] + 1).epsilon(1e-5));
+  const double flux = 10 * (u[1] + 1), flux_of_pulled = 10 * (pulled[1] + 1);
+  CHECK((u[0] - u[1]) / flux == Approx((pulled[0] - pulled[1]) / flux_of_pulled).epsilon(1e-5));
+}
+
 TEST_CASE("values_at_vertices_that_no_function_has_are_told_of", "[constraints]") {
   const Triangles sphere = shapes::sphere(4);
   const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(2));

@@ -43,9 +43,9 @@ struct Poisson_problem {
   std::optional<Surface_function_view> alpha_function;
   /// what the solution is on the boundary; the natural condition without a value
   std::optional<Surface_function_view> boundary_values;
-  /// what the solution is at vertices, a number for each, NaN where it is free; empty: free
-  /// everywhere. The values are met exactly, and without `boundary_values` they hold along each side
-  /// of a face at the boundary, too, both ends of which have one, linear between them.
+  /// What the solution is at vertices, a number for each, NaN where it is free; empty: free
+  /// everywhere. The values are met exactly. Without `boundary_values` they hold along each side of
+  /// a face at the boundary, too, both ends of which have one, linear between them.
   std::vector<double> vertex_values;
   /// if it has a value, those at vertices only pull with this weight, and do not hold along sides
   std::optional<double> vertex_weight;
