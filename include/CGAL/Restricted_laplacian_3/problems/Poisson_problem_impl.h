@@ -54,7 +54,8 @@ public:
     if(problem.boundary_values) {
       m_values = &*problem.boundary_values;
       m_boundary.emplace(space);
-    } else if(!problem.vertex_values.empty() && !problem.vertex_weight) {
+    } else if(!problem.vertex_values.empty() && !problem.vertex_weight &&
+              !space.surface().is_point_set()) {
       m_values = &m_on_sides;
       m_boundary.emplace(space,
                          [&](const Surface_point& p) { return std::isfinite(m_side_values(p)); });
