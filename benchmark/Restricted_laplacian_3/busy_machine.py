@@ -23,7 +23,7 @@ import restricted_laplacian as rl
 from restricted_laplacian import learning
 from support.peers import arguments, print_header
 
-PROCESSES = 5
+PROCESSES = 3
 SECONDS = 1.0  # for which a function is repeated, at least
 
 
@@ -49,14 +49,14 @@ def functions(folder, name):
         "curvature": lambda: rl.curvature(V, F),
         "integrate_gradient": lambda: rl.integrate_gradient(V, F, lambda p: p),
         "stitch_colors": lambda: rl.stitch_colors(V, F, scans),
-        "laplace_spectrum, 20 pairs": lambda: rl.laplace_spectrum(V, F, 20),
-        "laplace_spectrum, 64 pairs": lambda: rl.laplace_spectrum(V, F, 64, depth=4),
-        "laplace_spectrum, factorization":
+        "laplace_spectrum(k=20)": lambda: rl.laplace_spectrum(V, F, 20),
+        "laplace_spectrum(k=64,depth=4)": lambda: rl.laplace_spectrum(V, F, 64, depth=4),
+        "laplace_spectrum(eigensolver=shift-invert)":
             lambda: rl.laplace_spectrum(V, F, 20, depth=5, eigensolver="shift-invert"),
         "geodesic_distance": lambda: rl.geodesic_distance(V, F, 0),
-        "geodesic_distance, exact": lambda: rl.geodesic_distance(V, F, 0, exact=True),
+        "geodesic_distance(exact=True)": lambda: rl.geodesic_distance(V, F, 0, exact=True),
         "precompute": lambda: learning.precompute(V, F, 64),
-        "precompute_folder, 4 meshes": precompute_folder,
+        "precompute_folder": precompute_folder,
     }
 
 
@@ -94,7 +94,7 @@ def main():
         return
     o = arguments(__doc__, ["anchor_8k"])
     print_header("busy_machine", o.mesh, ["numpy"])
-    print(f"# {'function':34} {'alone_s':>8} {'busy':>6} {'two':>6}", flush=True)
+    print(f"# {'function':42} {'alone_s':>8} {'busy':>6} {'two':>6}", flush=True)
     for mesh in o.mesh:
         for name in functions(o.folder, mesh):
             def median(**options):
@@ -109,7 +109,7 @@ def main():
                 for process in others:
                     process.kill()
                     process.wait()
-            print(f"{name.replace(' ', '_'):36} {alone:8.3f} {busy / alone:6.2f} "
+            print(f"{name:44} {alone:8.3f} {busy / alone:6.2f} "
                   f"{two / (2 * alone):6.2f}", flush=True)
 
 

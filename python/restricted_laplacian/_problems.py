@@ -43,8 +43,9 @@ def _constraints(constraints: Any) -> Optional[np.ndarray]:
 
 
 def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints: Any,
-           constraint_weight: Optional[float], options: dict, space_options: dict, threads: Optional[int],
-           progress: Progress, check: bool, return_report: bool, as_spline: bool) -> Any:
+           constraint_weight: Optional[float], options: dict, space_options: dict,
+           threads: Optional[int], progress: Progress, check: bool, return_report: bool,
+           as_spline: bool) -> Any:
     space = space_of(V, F, threads, **space_options)
     n = number_of_threads(threads)
     right = space._function(f, "f")

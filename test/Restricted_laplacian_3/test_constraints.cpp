@@ -235,6 +235,22 @@ TEST_CASE("equal_values_at_vertices_give_a_constant", "[constraints]") {
     }
 }
 
+TEST_CASE("iterations_with_prescribed_values_are_limited", "[constraints]") {
+  const Triangles sphere = shapes::sphere(3);
+  const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4));
+  RL::Poisson_problem problem(f);
+  problem.vertex_values.assign(sphere.points.size(), std::nan(""));
+  problem.vertex_values[7] = 1;
+  for(const int limit : {0, 1, 2}) {
+    problem.solver.maximum_iterations = limit;
+    const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
+    CAPTURE(limit);
+    CHECK(solution.status == RL::Solve_status::iteration_limit);
+    CHECK(solution.iterations < 2 * limit + 1); // the last step may begin below the limit
+  }
+}
+
 TEST_CASE("boundary_values_may_have_an_offset", "[constraints]") {
   const Triangles square =
       shapes::grid(16, [](double x, double y) { return RL::Point_3(x, y, 0); });

@@ -10,7 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
-#include <CGAL/Restricted_laplacian_3/problems/internal/solve_prescribed.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/Prescribed_iteration.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 
 #include <CGAL/Real_timer.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_SOLVE_PRESCRIBED_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_SOLVE_PRESCRIBED_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_PRESCRIBED_ITERATION_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_PRESCRIBED_ITERATION_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
@@ -100,6 +100,10 @@ public:
          (relative_miss <= largest_miss || (step > 0 && m_miss > least_gain * miss_before))) {
         report.set_status(relative_miss <= largest_miss_of_converged ? Solve_status::converged
                                                                      : Solve_status::stalled);
+        break;
+      }
+      if(report.iterations >= m_solver.options().maximum_iterations) {
+        report.set_status(Solve_status::iteration_limit);
         break;
       }
       if(!is_solved && !of_step.converged && !(m_residual <= least_gain * residual_before)) {
@@ -206,4 +210,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_SOLVE_PRESCRIBED_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTERNAL_PRESCRIBED_ITERATION_H
