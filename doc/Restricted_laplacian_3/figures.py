@@ -817,6 +817,16 @@ for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent)
               value, text, 1, list(PYTHON_DISTANCES.values()))
 
 
+# ---- busy machines
+
+
+BUSY = ["function", "alone_s", "busy", "two"]
+for name, value, title in [("alone", "alone_s", "alone"), ("beside", "busy", "beside three processes"),
+                           ("two", "two", "two at once")]:
+    add_table("busy_" + name, "busy_machine", BUSY, {"Function": lambda r: f"`{r['function']}`"},
+              lambda r, title=title: title, value, short)
+
+
 # ---- thin features and tessellations
 
 
