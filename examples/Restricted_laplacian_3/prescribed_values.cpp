@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Three ways to tell a Poisson problem which values to take: along the boundary, at some vertices,
-// and softly, by a weight for each vertex. The surface is the square [-1, 1] x [-1, 1], on which
-// x^2 - y^2 and x y are harmonic.
+// Four ways to tell a Poisson problem which values to take: along the boundary, along a part of it
+// with a flux through the rest, at some vertices, and softly, by a weight for each vertex. The
+// surface is the square [-1, 1] x [-1, 1], on which x, x^2 - y^2 and x y are harmonic.
 
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
@@ -48,6 +48,20 @@ int main() try {
             << largest_difference(mesh, u,
                                   [](const Point& p) { return p.x() * p.x() - p.y() * p.y(); })
             << '\n';
+
+  // Laplacian u = 0 with u = -1 on the left side, a derivative of 1 across the right one, and of 0
+  // across the others
+  const auto is_left = [](const RL::Surface_point& p) { return p.point.x() < -0.999; };
+  const auto flux = [](const RL::Surface_point& p) { return p.point.x() > 0.999 ? 1. : 0.; };
+  converged =
+      RL::solve_poisson(
+          mesh, zero, u,
+          params::octree_depth(4).boundary_values(-1).has_boundary_value(is_left).boundary_flux(
+              flux))
+          .converged &&
+      converged;
+  std::cout << "a value and a flux, largest error: "
+            << largest_difference(mesh, u, [](const Point& p) { return p.x(); }) << '\n';
 
   // Laplacian u = 0 with u = 1 in one corner and -1 in the opposite one
   auto value = mesh.add_property_map<Vertex, double>("v:value", 0).first;

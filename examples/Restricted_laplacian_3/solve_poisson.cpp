@@ -12,8 +12,9 @@
 #include "support/table.h"
 #include "support/vertex_data.h"
 
-#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
 
 #include <cmath>
 #include <cstddef>
@@ -33,9 +34,10 @@ Solves Laplacian u = f on a surface, or with --alpha A the screened problem
 
 The Laplacian is the divergence of the gradient: it is negative, and on the unit sphere
 f = z gives u = -z / 2. On each connected component of the surface the mean of f is
-subtracted, and u has mean 0. With --alpha the mean of f on the whole surface is subtracted.
-Boundaries of the surface have the natural condition: u does not change across them. u is
-NaN at vertices that have no face, or only faces without area.
+subtracted, and u has mean 0, unless u is prescribed there. With --alpha the mean of f on the
+whole surface is subtracted, unless something is prescribed on the boundary. Boundaries of the surface have the natural condition: u does not change across them, unless
+--boundary-property prescribes u there, and --flux-property how fast it changes. u is NaN at
+vertices that have no face, or only faces without area.
 )") + about_meshes + about_points,
                    R"(  solve_poisson elephant.off --rhs x --output u.ply --csv u.csv
       the solution for f = x, as a colored mesh and a table
@@ -48,13 +50,20 @@ NaN at vertices that have no face, or only faces without area.
 struct Options : Common_options, Point_options, Solver_options, Poisson_options {
   Options() : Solver_options(RL::Poisson_solver::default_tolerance) {}
 
-  std::string cycle = "v", smoother = "patch";
+  std::string boundary_property, flux_property, cycle = "v", smoother = "patch";
 };
 
 // returns false if there is nothing more to do
 bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
   add_poisson_options(problem, o);
+  auto add_condition = problem.add_options();
+  add_condition("boundary-property", po::value(&o.boundary_property)->value_name("NAME"),
+                "u on the boundary: a vertex property of MESH, a PLY file; NaN where u is free. It "
+                "counts on edges of the boundary both ends of which have a value");
+  add_condition("flux-property", po::value(&o.flux_property)->value_name("NAME"),
+                "the derivative of u across the rest of the boundary, outward: a vertex property, "
+                "likewise");
   add_vertex_data_option(problem, o);
   po::options_description solver = solver_options(o, "default 0.001, or 0 with --paper");
   auto add = solver.add_options();
@@ -74,19 +83,25 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
     return false;
   check_poisson_options(o, given);
   check_solver_options(o, given);
+  if(given["tolerance"].defaulted() && !o.boundary_property.empty())
+    o.tolerance = RL::internal::tolerance_with_constraints;
   require_choice("cycle", o.cycle, {"v", "w"});
   require_choice("smoother", o.smoother, {"point", "patch"});
   return true;
 }
 
+std::vector<double> property(const RL::Triangulated_surface_3& surface, const Options& o,
+                             const std::string& name) {
+  std::vector<double> values = read_ply_property(o.mesh, name);
+  require(values.size() == surface.number_of_vertices(), "not every vertex has a value");
+  return values;
+}
+
 // f at the vertices
 std::vector<double> right_hand_side(const RL::Triangulated_surface_3& surface, const Options& o) {
   const std::size_t number = surface.number_of_vertices();
-  if(!o.rhs_property.empty()) {
-    const std::vector<double> f = read_ply_property(o.mesh, o.rhs_property);
-    require(f.size() == number, "not every vertex has a value");
-    return f;
-  }
+  if(!o.rhs_property.empty())
+    return property(surface, o, o.rhs_property);
   if(o.rhs == "random")
     return random_values(0, number, o.seed);
   std::vector<double> f;
@@ -126,18 +141,33 @@ Outcome solve(Job& job, const Options& o) {
   const auto np =
       solver_parameters(o)
           .cycle(o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W)
-          .smoother(o.smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point)
-          .callback(job.step("solving for", space));
+          .smoother(o.smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point);
+  const bool has_conditions = !o.boundary_property.empty() || !o.flux_property.empty();
   // Without screening it is a matter of the solver that f has mean 0.
-  if(o.alpha > 0) {
+  if(o.alpha > 0 && !has_conditions) {
     const double mean = surface_mean(surface, f);
     for(double& value : f)
       value -= mean;
   }
   const auto right_hand_side = vertex_function(surface, std::move(f), o);
-  const RL::Poisson_solution solution =
-      o.alpha > 0 ? RL::solve_screened_poisson(space, right_hand_side, o.alpha / surface.area(), np)
-                  : RL::solve_poisson(space, right_hand_side, np);
+  RL::Poisson_problem problem(right_hand_side);
+  problem.alpha = o.alpha / surface.area();
+  problem.solver = np;
+  problem.normal_stabilization = given_number(o.stabilization);
+  problem.callback = job.step("solving for", space);
+  std::optional<RL::Cubic_surface_function<double>> values, flux;
+  if(!o.boundary_property.empty()) {
+    values = vertex_function(surface, property(surface, o, o.boundary_property), o);
+    problem.boundary_values = *values;
+    problem.has_boundary_value = [&](const RL::Surface_point& p) {
+      return !std::isnan((*values)(p));
+    };
+  }
+  if(!o.flux_property.empty()) {
+    flux = vertex_function(surface, property(surface, o, o.flux_property), o);
+    problem.boundary_flux = *flux;
+  }
+  const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
 
   if(o.alpha == 0 && !space.is_paper_space())
     job.summary.add_detail("kernel_dimension", solution.kernel_dimension);

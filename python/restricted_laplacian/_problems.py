@@ -42,8 +42,8 @@ def _constraints(constraints: Any) -> Optional[np.ndarray]:
     return np.ascontiguousarray(np.stack([vertices, values], axis=1).ravel())
 
 
-def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints: Any,
-           constraint_weight: Optional[float], options: dict, space_options: dict,
+def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, boundary_flux: Any,
+           constraints: Any, constraint_weight: Optional[float], options: dict, space_options: dict,
            threads: Optional[int], progress: Progress, check: bool, return_report: bool,
            as_spline: bool) -> Any:
     space = space_of(V, F, threads, **space_options)
@@ -54,18 +54,17 @@ def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints
         weight = float(alpha)
     else:
         weight_function = space._function(alpha, "alpha")
-    boundary = None
-    if boundary_values is not None:
-        boundary = space._function(boundary_values, "boundary_values")
+    boundary, flux = (None if g is None else space._function(g, name) for g, name in
+                      ((boundary_values, "boundary_values"), (boundary_flux, "boundary_flux")))
     constrained = _constraints(constraints)
     is_vector = callable(f) and right.components == 1 or np.ndim(f) < 2
     if right.components == 1:
         x, report = _core.solve_poisson(space._space, right, weight, weight_function, boundary,
-                                        constrained, constraint_weight, options, n,
+                                        flux, constrained, constraint_weight, options, n,
                                         listener(progress))
         if not is_vector:
             x = x[:, np.newaxis]
-    elif weight_function is None and boundary is None and constrained is None:
+    elif all(x is None for x in (weight_function, boundary, flux, constrained)):
         # one setup for all columns
         loads = space._space.loads(right, n)
         solver = _core.make_solver(space._space, weight, options, n, None)
@@ -73,12 +72,13 @@ def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, constraints
                                  options["tolerance"], n, listener(progress))
     else:
         raise argument_error("f", "has several columns, which is possible only with a number as "
-                             "alpha and without prescribed values")
+                             "alpha and with nothing prescribed")
     u = SplineFunction(space, x)
     return checked(u if as_spline else u.at_vertices(), report, check, return_report)
 
 
-def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constraints: Any = None,
+def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None,
+                  boundary_flux: Any = None, constraints: Any = None,
                   constraint_weight: Optional[float] = None, tolerance: Optional[float] = None,
                   energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
                   cycle: str = "v", smoother: str = "patch", max_iterations: Optional[int] = None,
@@ -89,8 +89,9 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constr
                   as_spline: bool = False) -> Any:
     """Solve Laplacian u = f. The Laplacian is negative: on the unit sphere f = z gives u = -z / 2.
 
-    On each component of the surface the mean of f is subtracted, and u has mean 0, unless values are
-    prescribed there. Boundaries have the natural condition, unless values are.
+    On each component of the surface without prescribed values u has mean 0, and f is changed by the
+    number with which there is a solution: without fluxes, its mean is subtracted. Boundaries have
+    the natural condition, u does not change across them, unless something else is prescribed.
 
     Parameters
     ----------
@@ -100,7 +101,11 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constr
         (n,) at vertices, (m,) on faces, a number, `Corners`, or a callable on points (N, 3). (n, K)
         gives K solutions.
     boundary_values : array_like, callable or float, optional
-        What u is on the boundary, given as f is.
+        What u is on the boundary, given as f is; NaN where u is free. For each edge of the boundary
+        its middle decides, so at vertices both ends need a value.
+    boundary_flux : array_like, callable or float, optional
+        How fast u changes across the boundary, outward, where `boundary_values` are free or not
+        given.
     constraints : (array_like, array_like), optional
         Vertices, and what u is there. Without `boundary_values` it holds along each edge of the
         boundary, too, both ends of which have a value, linear between them.
@@ -141,14 +146,16 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None, constr
     """
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
                              max_iterations)
-    return _solve(V, F, f, 0, boundary_values, constraints, constraint_weight, options,
+    return _solve(V, F, f, 0, boundary_values, boundary_flux, constraints, constraint_weight,
+                  options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
                        geometry=geometry, vertex_data=vertex_data),
                   threads, progress, check, return_report, as_spline)
 
 
 def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_values: Any = None,
-                           constraints: Any = None, constraint_weight: Optional[float] = None,
+                           boundary_flux: Any = None, constraints: Any = None,
+                           constraint_weight: Optional[float] = None,
                            tolerance: Optional[float] = None,
                            energy_tolerance: Optional[float] = None,
                            stabilization: Optional[float] = None, cycle: str = "v",
@@ -164,11 +171,11 @@ def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_value
     ----------
     alpha : float, array_like or callable
         A positive number in units of 1 / area; or weights that are not negative, given as f is.
-    V, F, f, boundary_values, constraints, constraint_weight, tolerance, energy_tolerance
+    V, F, f, boundary_values, boundary_flux, constraints, constraint_weight, tolerance
         See `solve_poisson`.
-    stabilization, cycle, smoother, max_iterations, normals, depth, joining_tolerance
+    energy_tolerance, stabilization, cycle, smoother, max_iterations, normals, depth
         See `solve_poisson`.
-    geometry, vertex_data
+    joining_tolerance, geometry, vertex_data
         See `solve_poisson`.
     threads, progress, check, return_report, as_spline
         See `solve_poisson`.
@@ -190,7 +197,8 @@ def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_value
         raise argument_error("alpha", f"must be positive, and is {alpha}")
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
                              max_iterations)
-    return _solve(V, F, f, alpha, boundary_values, constraints, constraint_weight, options,
+    return _solve(V, F, f, alpha, boundary_values, boundary_flux, constraints, constraint_weight,
+                  options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
                        geometry=geometry, vertex_data=vertex_data),
                   threads, progress, check, return_report, as_spline)

@@ -6,6 +6,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
+#include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <algorithm>
 #include <array>
@@ -129,7 +130,7 @@ void Array_function::operator()(const RL::Surface_point* points, std::size_t num
     };
     const double *const a = corner(0), *const b = corner(1), *const c = corner(2);
     for(std::size_t k = 0; k < n; ++k)
-      *values++ = a[k] * p.barycentric[0] + b[k] * p.barycentric[1] + c[k] * p.barycentric[2];
+      *values++ = RL::internal::barycentric_mean(a[k], b[k], c[k], p.barycentric);
   }
 }
 

@@ -31,7 +31,7 @@ using Space = RL::Spline_space_3;
 
 nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
                         const Function* alpha_function, const Function* boundary_values,
-                        const std::optional<Numbers>& constrained,
+                        const Function* boundary_flux, const std::optional<Numbers>& constrained,
                         std::optional<double> constraint_weight, const nb::dict& options,
                         int threads, const nb::object& progress) {
   const RL::Triangulated_surface_3& surface = space.surface();
@@ -40,12 +40,22 @@ nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
     check_function(*alpha_function, surface, "alpha", 1);
   if(boundary_values)
     check_function(*boundary_values, surface, "boundary_values", 1);
+  if(boundary_flux)
+    check_function(*boundary_flux, surface, "boundary_flux", 1);
   RL::Poisson_problem problem(f);
   problem.alpha = alpha;
   if(alpha_function)
     problem.alpha_function = *alpha_function;
-  if(boundary_values)
+  if(boundary_values) {
     problem.boundary_values = *boundary_values;
+    problem.has_boundary_value = [boundary_values](const RL::Surface_point& p) {
+      double value;
+      (*boundary_values)(&p, 1, &value);
+      return !std::isnan(value);
+    };
+  }
+  if(boundary_flux)
+    problem.boundary_flux = *boundary_flux;
   problem.solver = solver_options(options, threads);
   problem.normal_stabilization = number_of(options, "stabilization");
   if(constrained) {
@@ -220,8 +230,8 @@ nb::tuple solve(const RL::Poisson_solver& solver, const Rows& b, const std::opti
 
 void add_problems(nb::module_& m) {
   m.def("solve_poisson", &solve_poisson, "space"_a, "f"_a, "alpha"_a, "alpha_function"_a.none(),
-        "boundary_values"_a.none(), "constrained"_a.none(), "constraint_weight"_a.none(),
-        "options"_a, "threads"_a, "progress"_a.none());
+        "boundary_values"_a.none(), "boundary_flux"_a.none(), "constrained"_a.none(),
+        "constraint_weight"_a.none(), "options"_a, "threads"_a, "progress"_a.none());
   m.def("fit_function", &fit_function, "space"_a, "f"_a, "options"_a, "threads"_a,
         "progress"_a.none());
   m.def("curvature", &curvature, "space"_a, "method"_a, "options"_a, "threads"_a,

@@ -151,6 +151,39 @@ def test_prescribed_values(sphere):
     assert abs(u).max() < 1.001
 
 
+def test_conditions_on_parts_of_a_boundary():
+    n = 8
+    x, y = np.meshgrid(np.arange(n + 1) / n, np.arange(n + 1) / n)
+    V = np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
+    i = np.arange((n + 1) * n).reshape(n, n + 1)[:, :-1].ravel()
+    F = np.concatenate([np.stack([i, i + 1, i + n + 2], 1), np.stack([i, i + n + 2, i + n + 1], 1)])
+    x = V[:, 0]
+
+    def error(**conditions):
+        return abs(rl.solve_poisson(V, F, 0.0, depth=4, **conditions) - 1000 * x).max()
+
+    left, sides = np.where(x == 0, 0, np.nan), np.where((x == 0) | (x == 1), 1000 * x, np.nan)
+    assert error(boundary_values=sides) < 1e-3
+    assert error(boundary_values=sides, vertex_data="smooth") < 1e-3
+    assert error(boundary_values=rl.Corners(sides[F])) < 1e-3
+    assert error(boundary_values=lambda p: np.select([p[:, 0] == 0, p[:, 0] == 1], [0, 1000],
+                                                     np.nan)) < 1e-3
+    assert error(boundary_values=left,
+                 boundary_flux=lambda p: np.where(p[:, 0] > 1 - 1e-9, 1000.0, 0.0)) < 1e-3
+    # as much flux as comes from f
+    u = rl.solve_poisson(V, F, 4.0, boundary_flux=1.0, depth=4)
+    expected = ((V[:, :2] - 0.5) ** 2).sum(axis=1) - 1 / 6
+    assert abs(u - expected).max() < 1e-3
+    with pytest.raises(rl.InputError, match="no part of a boundary"):
+        rl.solve_poisson(V, F, 0.0, boundary_values=np.full(len(V), np.nan))
+    with pytest.raises(rl.InputError, match="boundary_flux"):
+        rl.solve_poisson(V, F, 0.0, boundary_values=0.0, boundary_flux=1.0)
+    with pytest.raises(rl.InputError, match="boundary_flux"):
+        rl.solve_poisson(V, F, 0.0, boundary_flux=np.full(len(V), np.nan))
+    with pytest.raises(rl.InputError, match="several columns"):
+        rl.solve_poisson(V, F, np.zeros((len(V), 2)), boundary_flux=1.0)
+
+
 def test_values_at_vertices_are_met():
     V, F = rl.icosphere(3)
     free, report = rl.solve_poisson(V, F, V[:, 2], constraints=([7], [0]), return_report=True)

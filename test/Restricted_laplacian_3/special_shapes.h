@@ -6,6 +6,9 @@
 
 #include "shapes.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 
 /// \file
@@ -60,6 +63,51 @@ Triangles grid(int n, Map&& map, Diagonals diagonals = Diagonals::alternating) {
         t.faces.push_back({b, c, d});
       }
     }
+  return t;
+}
+
+/// A part of a plane in polar coordinates, from a radius to 1 and from the direction of x to an angle:
+/// `n` rings of `m` sectors. An angle of a full turn closes the rings.
+inline Triangles sector(int n, int m, double inner_radius, double angle) {
+  const double full_turn = 2 * std::acos(-1.);
+  const bool is_closed = angle > full_turn - 1e-9;
+  const auto columns = static_cast<std::uint32_t>(is_closed ? m : m + 1);
+  Triangles t;
+  const auto index = [&](int i, int j) -> std::uint32_t {
+    if(inner_radius == 0 && i == 0)
+      return 0;
+    const auto ring = static_cast<std::uint32_t>(inner_radius == 0 ? i - 1 : i);
+    return (inner_radius == 0 ? 1 : 0) + ring * columns + static_cast<std::uint32_t>(j) % columns;
+  };
+  for(int i = 0; i <= n; ++i)
+    for(std::uint32_t j = 0; j < columns; ++j)
+      if(i > 0 || inner_radius > 0 || j == 0) {
+        const double r = inner_radius + (1 - inner_radius) * i / n, phi = angle * j / m;
+        t.points.push_back({r * std::cos(phi), r * std::sin(phi), 0});
+      }
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < m; ++j) {
+      t.faces.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
+      if(i > 0 || inner_radius > 0)
+        t.faces.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
+    }
+  return t;
+}
+
+/// the square [-1, 1]^2 without the quarter in which x > 0 and y < 0, of 2n x 2n squares
+inline Triangles l_shape(int n) {
+  Triangles t =
+      grid(2 * n, [](double x, double y) { return RL::Point_3(2 * x - 1, 2 * y - 1, 0); });
+  t.faces.erase(std::remove_if(t.faces.begin(), t.faces.end(),
+                               [&](const auto& f) {
+                                 double x = 0, y = 0;
+                                 for(const std::uint32_t v : f) {
+                                   x += t.points[v].x();
+                                   y += t.points[v].y();
+                                 }
+                                 return x > 0 && y < 0;
+                               }),
+                t.faces.end());
   return t;
 }
 

@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
@@ -310,11 +311,12 @@ TEST_CASE("values_may_be_prescribed_on_a_part_of_the_boundary", "[constraints]")
   const auto is_left = [&](const RL::Surface_point& p) {
     return square.coordinates(p.point)[0] < 1e-9;
   };
-  const RL::Dirichlet_boundary left(space, is_left);
+  const RL::Dirichlet_boundary left(RL::Boundary_integration(space, is_left));
   CHECK(left.length() == Approx(1).epsilon(1e-12));
   CHECK(left.mean([&](const RL::Surface_point& p) { return square.coordinates(p.point)[1]; }) ==
         Approx(0.5).epsilon(1e-12));
-  const RL::Dirichlet_boundary none(space, [](const RL::Surface_point&) { return false; });
+  const auto nowhere = [](const RL::Surface_point&) { return false; };
+  const RL::Dirichlet_boundary none(RL::Boundary_integration(space, nowhere));
   CHECK(none.length() == 0);
   CHECK(none.mean([](const RL::Surface_point&) { return 1.; }) == 0);
 }

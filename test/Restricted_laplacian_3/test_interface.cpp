@@ -392,7 +392,7 @@ TEST_CASE("conormals_have_the_divergence_of_the_coordinates", "[interface]") {
   const Mesh mesh = shapes::mesh(shapes::rectangle(1, 0.6));
   const RL::Spline_space_3 space(mesh, params::octree_depth(3));
   const Eigen::MatrixXd x = RL::Function_fitter(space).fit(coordinates).coefficients,
-                        of_conormals = RL::Dirichlet_boundary(space).conormal_loads();
+                        of_conormals = RL::Boundary_integration(space).conormal_loads();
   REQUIRE(of_conormals.cols() == 3);
   const Eigen::Matrix3d integrals = x.transpose() * of_conormals,
                         expected = Eigen::Vector3d(0.6, 0.6, 0).asDiagonal();

@@ -51,12 +51,16 @@ inline void check_solver_options(const Solver_options& o, const po::variables_ma
   require_not_negative(given, "stabilization");
 }
 
+// what is given for an option, negative if it is not
+inline std::optional<double> given_number(double x) {
+  return x < 0 ? std::nullopt : std::optional<double>(x);
+}
+
 // the named parameters that they stand for
 inline auto solver_parameters(const Solver_options& o) {
-  const auto given = [](double x) { return x < 0 ? std::nullopt : std::optional<double>(x); };
   return RL::parameters::relative_tolerance(o.tolerance)
-      .energy_tolerance(given(o.energy_tolerance))
-      .normal_stabilization(given(o.stabilization))
+      .energy_tolerance(given_number(o.energy_tolerance))
+      .normal_stabilization(given_number(o.stabilization))
       .concurrency_tag(CGAL::Parallel_if_available_tag());
 }
 

@@ -13,16 +13,19 @@
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/function_on_surface.h>
 
 #include <CGAL/Real_timer.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
-#include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -52,20 +55,56 @@ std::vector<double> vertex_values(const Source& source, const Spline_space_3& sp
   return result;
 }
 
+/// where the `boundary_values` among named parameters hold; empty: everywhere
+template <class Source, class NamedParameters>
+std::function<bool(const Surface_point&)>
+has_boundary_value([[maybe_unused]] const Source& source,
+                   [[maybe_unused]] const NamedParameters& np) {
+  constexpr bool by_place = is_given_v<NamedParameters, internal_np::has_boundary_value_t>,
+                 by_edge = is_given_v<NamedParameters, internal_np::edge_is_constrained_t>;
+  static_assert(!(by_place && by_edge),
+                "has_boundary_value and edge_is_constrained_map say the same");
+  static_assert(!(by_place || by_edge) ||
+                    is_given_v<NamedParameters, internal_np::boundary_values_t>,
+                "has_boundary_value and edge_is_constrained_map need boundary_values");
+  if constexpr(by_place)
+    return parameters::get_parameter(np, internal_np::has_boundary_value);
+  else if constexpr(by_edge) {
+    const auto is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
+    std::vector<bool> of_sides;
+    source.for_each_side([&](std::size_t i, const auto& e, bool is_at_boundary) {
+      of_sides.push_back(value_at(is_constrained, e));
+      if(of_sides.back() && !is_at_boundary)
+        throw Parameter_error("edge_is_constrained_map", "marks an edge of face " +
+                                                             std::to_string(i / 3) +
+                                                             " that is not at the boundary");
+    });
+    return [of_sides = std::move(of_sides)](const Surface_point& p) {
+      const auto opposite = std::min_element(p.barycentric.begin(), p.barycentric.end());
+      return of_sides[3 * p.face +
+                      static_cast<std::size_t>(opposite - p.barycentric.begin() + 1) % 3];
+    };
+  } else
+    return {};
+}
+
 /// \param alpha a number, or a function on the surface, to which the problem refers
 /// \param boundary_values a function, which counts only if it is among the named parameters
-template <class Alpha, class BoundaryValues, class NamedParameters>
+/// \param boundary_flux likewise
+template <class Alpha, class BoundaryValues, class BoundaryFlux, class NamedParameters>
 Poisson_problem poisson_problem(const Surface_function_view& f, const Alpha& alpha,
-                                const BoundaryValues& boundary_values, const NamedParameters& np,
+                                const BoundaryValues& boundary_values,
+                                const BoundaryFlux& boundary_flux, const NamedParameters& np,
                                 const Progress& progress) {
-  constexpr bool has_boundary_values = is_given_v<NamedParameters, internal_np::boundary_values_t>;
   Poisson_problem problem(f);
   if constexpr(std::is_arithmetic_v<Alpha>)
     problem.alpha = static_cast<double>(alpha);
   else
     problem.alpha_function = alpha;
-  if constexpr(has_boundary_values)
+  if constexpr(is_given_v<NamedParameters, internal_np::boundary_values_t>)
     problem.boundary_values = boundary_values;
+  if constexpr(is_given_v<NamedParameters, internal_np::boundary_flux_t>)
+    problem.boundary_flux = boundary_flux;
   read_parameter(np, internal_np::normal_stabilization, problem.normal_stabilization);
   read_parameter(np, internal_np::constraint_weight, problem.vertex_weight);
   problem.solver = Poisson_solver_options(np);
@@ -81,10 +120,10 @@ struct Constant_function {
   static constexpr int degree() { return 0; }
 };
 
-/// the `boundary_values` among named parameters, a number as a function; 0 if there are none
-template <class NamedParameters> auto boundary_values_of(const NamedParameters& np) {
-  const auto values =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::boundary_values), 0);
+/// what is given for the boundary among named parameters, a number as a function; 0 if it is not
+/// \param tag `boundary_values` or `boundary_flux`
+template <class NamedParameters, class Tag> auto on_boundary(const NamedParameters& np, Tag tag) {
+  const auto values = parameters::choose_parameter(parameters::get_parameter(np, tag), 0);
   if constexpr(std::is_arithmetic_v<std::decay_t<decltype(values)>>)
     return Constant_function{static_cast<double>(values)};
   else
@@ -106,9 +145,13 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
   const auto right_hand_side = numbers_on_surface(source, f, interpolation);
   const auto weight = numbers_on_surface(source, alpha, interpolation);
-  const auto boundary_values = numbers_on_surface(source, boundary_values_of(np), interpolation);
-  Poisson_problem problem = poisson_problem(right_hand_side, weight, boundary_values, np,
+  const auto values_on_boundary =
+      numbers_on_surface(source, on_boundary(np, internal_np::boundary_values), interpolation);
+  const auto flux =
+      numbers_on_surface(source, on_boundary(np, internal_np::boundary_flux), interpolation);
+  Poisson_problem problem = poisson_problem(right_hand_side, weight, values_on_boundary, flux, np,
                                             progress.part(part_of_space, 1));
+  problem.has_boundary_value = has_boundary_value(source, np);
   if constexpr(is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>)
     problem.vertex_values = vertex_values(source, space, np);
   Poisson_solution solution = solve_poisson_problem(space, problem);
@@ -126,10 +169,15 @@ Poisson_solution solve_poisson_in_space(const Spline_space_3& space, const Surfa
                                         const Alpha& alpha, const NamedParameters& np) {
   static_assert(!is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>,
                 "vertex_is_constrained_map needs a mesh; for a space there is Point_constraints");
+  static_assert(!is_given_v<NamedParameters, internal_np::edge_is_constrained_t>,
+                "edge_is_constrained_map needs a mesh; for a space there is has_boundary_value");
   const Progress progress = progress_of(np);
   progress(0);
-  const auto boundary_values = boundary_values_of(np);
-  return solve_poisson_problem(space, poisson_problem(f, alpha, boundary_values, np, progress));
+  const auto values = on_boundary(np, internal_np::boundary_values);
+  const auto flux = on_boundary(np, internal_np::boundary_flux);
+  Poisson_problem problem = poisson_problem(f, alpha, values, flux, np, progress);
+  problem.has_boundary_value = has_boundary_value(0, np);
+  return solve_poisson_problem(space, problem);
 }
 
 /// refuses a weight that is a number and not positive

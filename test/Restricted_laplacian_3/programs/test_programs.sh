@@ -174,7 +174,7 @@ explains() {
 test_help() {
   local program
   explains solve_poisson $common_options $integration_options $point_options refine \
-    rhs rhs-property alpha tolerance stabilization cycle smoother
+    rhs rhs-property boundary-property flux-property alpha tolerance stabilization cycle smoother
   explains laplace_spectrum $common_options $integration_options $point_options refine \
     count operator mass eigenfunction eigensolver tolerance stabilization
   explains spectral_descriptors $common_options $integration_options refine \
@@ -523,6 +523,8 @@ test_mesh_output() {
   succeeds solve_poisson u.ply --depth 3 --rhs-property red --csv red.csv
   check "a property of type uchar" eval "[ $(numbers red.csv | sort -u | wc -l) -gt 50 ]"
   fails "height" solve_poisson u.ply --depth 3 --rhs-property height
+  fails "height" solve_poisson u.ply --depth 3 --boundary-property height
+  fails "no part of a boundary" solve_poisson u.ply --depth 3 --boundary-property value
 
   succeeds solve_poisson sphere.off --depth 3 --output u.obj
   check "an obj file has colors" [ "$(grep -Ec '^v( [^ ]+){6}$' u.obj)" -eq 1026 ]
@@ -534,6 +536,41 @@ test_mesh_output() {
 # What is written between the vertices is the spline, not what is linear between them.
 # A program that is killed while it writes, and a disk that is full: a limit of the length of files
 # does both.
+# a square with values of 0 and 2 on the sides x = 0 and x = 1, free between them, and with a flux of
+# 2 through the second one
+make_square_with_conditions() {
+  printf '%s\n' ply "format binary_little_endian 1.0" "element vertex 6"
+  printf 'property float %s\n' x y z value flux
+  printf '%s\n' "element face 4" "property list uchar int vertex_indices" end_header
+  local zero='\0\0\0\0' half='\0\0\0\077' one='\0\0\200\077' two='\0\0\0\100' nan='\0\0\300\177' y
+  for y in "$zero" "$one"; do
+    # shellcheck disable=SC2059
+    printf "$zero$y$zero$zero$zero$half$y$zero$nan$zero$one$y$zero$two$two"
+  done
+  printf '\003\0\0\0\0\001\0\0\0\004\0\0\0\003\0\0\0\0\004\0\0\0\003\0\0\0'
+  printf '\003\001\0\0\0\002\0\0\0\005\0\0\0\003\001\0\0\0\005\0\0\0\004\0\0\0'
+}
+
+test_boundary_conditions() {
+  make_square_with_conditions > square.ply
+  for data in linear smooth; do
+    succeeds solve_poisson square.ply --depth 4 --rhs z --boundary-property value \
+      --vertex-data $data --csv u.csv
+    check "the solution between values on two sides, $data" \
+      is_below "$(numbers u.csv | awk '{ d = $1 - (NR - 1) % 3; if(d * d > e) e = d * d }
+        END { print sqrt(e) }')" 1e-5
+  done
+  # what is prescribed is of the order of 1, and with a screening weight it decays inward
+  succeeds solve_poisson square.ply --depth 4 --rhs z --boundary-property value --alpha 3 \
+    --csv u.csv
+  check "a screened solution lies below" is_below "$(numbers u.csv | sed -n 2p)" 0.75
+  check "and keeps the values" is_below "$(numbers u.csv | sed -n 3p |
+    awk '{ print ($1 - 2) * ($1 - 2) }')" 1e-3
+  succeeds solve_poisson square.ply --depth 4 --rhs z --flux-property flux --csv u.csv
+  check "a flux moves the solution" is_below "$(numbers u.csv | awk '{ print -$1 }' | sed -n 3p)" -0.3
+  fails "flux" solve_poisson small.off --flux-property flux
+}
+
 test_whole_files() {
   make_sphere 12 > ball.off # with tables of more than 20 kB
   local file

@@ -4,39 +4,28 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_DIRICHLET_BOUNDARY_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_DIRICHLET_BOUNDARY_H
 
-#include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
+#include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
-#include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
-#include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
-#include <array>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-namespace internal {
-
-/// the sides of faces that are joined to no other face, see `Surface_seams`
-std::vector<Face_side> boundary_sides(const Spline_space_3& space);
-
-} // namespace internal
-
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Prescribes the values \f$u = g\f$ on the boundary of an open surface, by the symmetric method of
-/// Nitsche. With the outward conormal \f$\nu\f$ (unit, tangential to the surface) it adds
-/// \f[ A_{ij} = \int_{\partial \mathcal M} -\partial_\nu b_i\, b_j - b_i\, \partial_\nu b_j
+/// Prescribes the values \f$u = g\f$ on the boundary of an open surface, or a part \f$\Gamma\f$ of
+/// it, by the symmetric method of Nitsche. The rest has the natural condition, or a flux, see
+/// `Boundary_integration::load()`. With the outward conormal \f$\nu\f$ (unit, tangential to the surface) it adds
+/// \f[ A_{ij} = \int_\Gamma -\partial_\nu b_i\, b_j - b_i\, \partial_\nu b_j
 ///     + \beta\, b_i b_j, \qquad
-///     \phi_i = \int_{\partial \mathcal M} g\, (\beta\, b_i - \partial_\nu b_i) \f]
+///     \phi_i = \int_\Gamma g\, (\beta\, b_i - \partial_\nu b_i) \f]
 /// to the stiffness matrix and to the right-hand side of \f$S \eta = \dots\f$. The solution of the
 /// differential equation satisfies the discrete equations exactly (the method is consistent), so
 /// the order of convergence is that of the space; values on the boundary are met up to the
@@ -44,7 +33,7 @@ std::vector<Face_side> boundary_sides(const Spline_space_3& space);
 ///
 /// \f$\beta\f$ is \f$2 \lambda\f$, one for each sheet of the finest level, with the largest
 /// \f$\lambda\f$ for which
-/// \f$ \int_{\partial \mathcal M} (\partial_\nu u)^2 = \lambda \int \lvert \nabla u \rvert^2 \f$
+/// \f$ \int_\Gamma (\partial_\nu u)^2 = \lambda \int \lvert \nabla u \rvert^2 \f$
 /// on the sheet for some \f$u\f$: this makes \f$S + A\f$ positive semi-definite however the
 /// boundary cuts the cells, and needs no parameter.
 ///
@@ -52,9 +41,6 @@ std::vector<Face_side> boundary_sides(const Spline_space_3& space);
 /// dominate all norms. There \f$\beta\f$ is at most `largest_penalty` over the cell width, and the
 /// terms with \f$\partial_\nu\f$ are multiplied by \f$\sqrt{\beta / 2 \lambda}\f$, which keeps
 /// the matrix positive semi-definite.
-///
-/// The boundary consists of all sides of faces that are joined to no other face, see
-/// `Surface_seams`.
 ///
 /// See J. Nitsche, "Ueber ein Variationsprinzip zur Loesung von Dirichlet-Problemen", 1971; the
 /// choice of \f$\beta\f$: M. Griebel and M. A. Schweitzer, "A particle-partition of unity method,
@@ -71,17 +57,14 @@ public:
   /// \throws Numerical_error if a part of the boundary lies on no sheet; names the face
   explicit Dirichlet_boundary(const Spline_space_3& space);
 
-  /// Prescribes values on a part of the boundary. The rest has the natural condition
-  /// \f$\partial_\nu u = 0\f$.
-  /// \param space is copied, which costs nothing
-  /// \param is_prescribed is called with the middle of each side of a face that is at the boundary,
-  /// and says whether values are prescribed on the side. All or none of them may be.
-  /// \throws Numerical_error as above
-  Dirichlet_boundary(const Spline_space_3& space,
-                     const std::function<bool(const Surface_point&)>& is_prescribed);
+  /// Prescribes values on a part of the boundary.
+  /// \param boundary all of it or none of it, too
+  explicit Dirichlet_boundary(Boundary_integration boundary);
 
-  /// length of the boundary on which values are prescribed
-  double length() const { return m_length; }
+  /// the boundary on which values are prescribed
+  const Boundary_integration& boundary() const { return m_boundary; }
+  /// its length
+  double length() const { return m_boundary.length(); }
 
   /// adds \f$A\f$ to a matrix of the finest level that has the pattern of the stiffness matrix
   void add_to_matrix(Sparse_matrix& a) const;
@@ -91,44 +74,28 @@ public:
   /// \throws Parameter_error if a value is not finite; names the face
   Eigen::VectorXd load(const Surface_function_view& g) const;
 
-  /// \f$ \int_{\partial \mathcal M} \nu\, b_i \f$ with the outward conormal \f$\nu\f$: a row for
-  /// each element, a column for each coordinate of \f$\nu\f$
-  Eigen::MatrixXd conormal_loads() const;
-
-  /// \f$\int_{\partial \mathcal M} g / \mathrm{length}\f$, 0 if the length is
+  /// \f$\int_\Gamma g / \mathrm{length}\f$, 0 if the length is
   double mean(const Surface_function_view& g) const;
 
-  /// \f$(\int_{\partial \mathcal M} (u - g)^2 / \mathrm{length})^{1/2}\f$
+  /// \f$(\int_\Gamma (u - g)^2 / \mathrm{length})^{1/2}\f$
   double root_mean_square_error(const Eigen::VectorXd& coefficients,
                                 const Surface_function_view& g) const;
 
 private:
-  struct Node {
-    std::size_t sheet;
-    std::array<double, 3> t; // local coordinate in the cell
-    Surface_location location;
-    Vector_3 conormal;
-    double weight; // length
+  /// of the nodes of a sheet
+  struct Penalty {
     double beta;
     double flux; // factor of the conormal derivative
   };
 
-  void add_sides(const std::function<bool(const Surface_point&)>& is_prescribed);
-  Surface_point middle(std::size_t face, int side) const;
-  void add_side(std::size_t face, int side);
-  void move_to_patch(std::size_t piece, int side, Node& node) const;
-  std::size_t sheet_of_piece(const Surface_location& begin, const Surface_location& end) const;
-  Tensor_basis_3::Values conormal_derivatives(const Node& node) const;
-  double value(const Surface_function_view& g, const Node& node) const;
-  void set_beta(std::size_t first, std::size_t last);
-  const Cell_elements& elements(const Node& node) const {
-    return m_space.elements(m_space.depth(), node.sheet);
+  Penalty penalty(std::size_t first, std::size_t last) const;
+  Eigen::VectorXd values(const Surface_function_view& g) const {
+    return m_boundary.values(g, "boundary_values");
   }
   void for_each_sheet(internal::Function_view<void(std::size_t, std::size_t)> visit) const;
 
-  Spline_space_3 m_space;
-  std::vector<Node> m_nodes; // sorted by sheet
-  double m_length = 0;
+  Boundary_integration m_boundary;
+  std::vector<Penalty> m_penalties; // one for each node
 };
 
 } // namespace Restricted_laplacian_3

@@ -43,6 +43,8 @@
   PARAMETER(eigenvalues_only)                                                                      \
   PARAMETER(lumped_mass)                                                                           \
   PARAMETER(boundary_values)                                                                       \
+  PARAMETER(has_boundary_value)                                                                    \
+  PARAMETER(boundary_flux)                                                                         \
   PARAMETER(constraint_values)                                                                     \
   PARAMETER(constraint_weight)                                                                     \
   PARAMETER(area_map)                                                                              \
@@ -80,6 +82,7 @@
   PARAMETER(geom_traits_t, geom_traits, geom_traits)                                               \
   PARAMETER(vertex_normal_map_t, vertex_normal_map, vertex_normal_map)                             \
   PARAMETER(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)             \
+  PARAMETER(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                   \
   PARAMETER(point_t, point_map, point_map)                                                         \
   PARAMETER(normal_t, normal_map, normal_map)                                                      \
   PARAMETER(number_of_iterations_t, number_of_iterations, number_of_iterations)                    \

@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
@@ -122,7 +122,7 @@ inline Eigen::MatrixXd coordinate_laplacian_loads(const Spline_space_3& space) {
     loads.col(k) = -assemble_gradient_load(space, gradient, space.depth());
   }
   if(!space.surface().is_point_set() && !boundary_sides(space).empty())
-    loads += Dirichlet_boundary(space).conormal_loads();
+    loads += Boundary_integration(space).conormal_loads();
   return loads;
 }
 

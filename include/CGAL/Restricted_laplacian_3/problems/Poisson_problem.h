@@ -10,6 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
 #include <Eigen/Core>
 
@@ -41,8 +42,14 @@ struct Poisson_problem {
   double alpha = 0;
   /// the screening weight as a function whose values are not negative, in place of the number
   std::optional<Surface_function_view> alpha_function;
-  /// what the solution is on the boundary; the natural condition without a value
+  /// what the solution is on the boundary, where it is prescribed
   std::optional<Surface_function_view> boundary_values;
+  /// Where `boundary_values` hold: called with the middle of each side of a face that is at the
+  /// boundary, for which it decides. Everywhere if it is empty.
+  std::function<bool(const Surface_point&)> has_boundary_value;
+  /// \f$\partial_\nu u\f$ with the outward conormal \f$\nu\f$, where no values hold along the
+  /// boundary; without a value it is 0, the natural condition
+  std::optional<Surface_function_view> boundary_flux;
   /// What the solution is at vertices, a number for each, NaN where it is free; empty: free
   /// everywhere. The values are met exactly. Without `boundary_values` they hold along each side of
   /// a face at the boundary, too, both ends of which have one, linear between them.
@@ -67,8 +74,8 @@ struct Poisson_problem {
 /// What `solve_poisson()` and `solve_screened_poisson()` do in a space.
 /// \param space the space that the solution is in
 /// \param problem what is solved, and how
-/// \throws Parameter_error if something is outside its domain, or if a value of a function is not
-/// finite
+/// \throws Parameter_error if something is outside its domain, if a value of a function is not
+/// finite, or if values or fluxes are given for a boundary of length 0
 /// \throws Canceled if the callback returned `false`
 Poisson_solution solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem);
 

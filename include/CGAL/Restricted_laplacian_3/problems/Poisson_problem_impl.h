@@ -4,6 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
@@ -12,6 +13,7 @@
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/Prescribed_iteration.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -29,39 +31,24 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-/// Values at vertices as a function along sides, linear between the two ends.
-struct Side_values {
-  const std::vector<double>& values;
-
-  double operator()(const Surface_point& p) const {
-    constexpr double rounding = 1e-9;
-    double result = 0;
-    for(int i = 0; i < 3; ++i)
-      if(p.barycentric[i] > rounding) // what is opposite to a side may be free, and NaN
-        result += p.barycentric[i] * values[p.vertices[i]];
-    return result;
-  }
-};
-
 /// What is prescribed in a problem, as the matrices take it.
 class Prescribed_values {
 public:
   Prescribed_values(const Spline_space_3& space, const Poisson_problem& problem)
-    : m_points(problem.constraints), m_side_values{problem.vertex_values},
-      m_on_sides(m_side_values) {
+    : m_points(problem.constraints), m_on_sides(problem.vertex_values),
+      m_values(problem.boundary_values.value_or(m_on_sides)) {
     if(!problem.vertex_values.empty())
       add_vertices(space, problem);
-    if(problem.boundary_values) {
-      m_values = &*problem.boundary_values;
-      m_boundary.emplace(space);
-    } else if(!problem.vertex_values.empty() && !problem.vertex_weight &&
-              !space.surface().is_point_set()) {
-      m_values = &m_on_sides;
-      m_boundary.emplace(space,
-                         [&](const Surface_point& p) { return std::isfinite(m_side_values(p)); });
+    if(has_values_along_boundary(space, problem)) {
+      m_boundary.emplace(Boundary_integration(
+          space, [&](const Surface_point& p) { return holds_values(problem, p); }));
       if(m_boundary->length() == 0)
         m_boundary.reset();
     }
+    if(problem.boundary_values && !m_boundary)
+      throw Parameter_error("boundary_values", "are given, but hold on no part of a boundary");
+    if(problem.boundary_flux)
+      add_flux(space, problem);
   }
   Prescribed_values(const Prescribed_values&) = delete;
   Prescribed_values& operator=(const Prescribed_values&) = delete;
@@ -69,20 +56,45 @@ public:
   const Dirichlet_boundary* boundary() const { return m_boundary ? &*m_boundary : nullptr; }
   const Point_constraints* points() const { return m_points ? &*m_points : nullptr; }
 
-  /// adds what values on the boundary add to the right-hand side
+  /// adds what values and fluxes on the boundary add to the right-hand side
   void add_load(Eigen::VectorXd& load) const {
     if(m_boundary)
-      load += m_boundary->load(*m_values);
+      load += m_boundary->load(m_values);
+    if(m_flux_load.size() > 0)
+      load += m_flux_load;
   }
 
   /// a number around which the values are
   double mean() const {
     if(m_points && m_points->size() > 0)
       return m_points->values().mean();
-    return m_boundary ? m_boundary->mean(*m_values) : 0;
+    return m_boundary ? m_boundary->mean(m_values) : 0;
   }
 
 private:
+  static bool has_values_along_boundary(const Spline_space_3& space,
+                                        const Poisson_problem& problem) {
+    return problem.boundary_values || (!problem.vertex_values.empty() && !problem.vertex_weight &&
+                                       !space.surface().is_point_set());
+  }
+
+  /// whether values hold on a side of a face whose middle this is
+  bool holds_values(const Poisson_problem& problem, const Surface_point& p) const {
+    if(problem.boundary_values)
+      return !problem.has_boundary_value || problem.has_boundary_value(p);
+    return std::isfinite(m_on_sides(p)); // at both ends
+  }
+
+  void add_flux(const Spline_space_3& space, const Poisson_problem& problem) {
+    const bool has_values = m_boundary.has_value();
+    const Boundary_integration rest(
+        space, [&](const Surface_point& p) { return !has_values || !holds_values(problem, p); });
+    if(rest.length() == 0)
+      throw Parameter_error("boundary_flux",
+                            "is given, but there is no boundary without prescribed values");
+    m_flux_load = rest.load(*problem.boundary_flux);
+  }
+
   void add_vertices(const Spline_space_3& space, const Poisson_problem& problem) {
     const std::vector<double>& values = problem.vertex_values;
     const Triangulated_surface_3& surface = space.surface();
@@ -107,9 +119,9 @@ private:
 
   std::optional<Point_constraints> m_points;
   std::optional<Dirichlet_boundary> m_boundary;
-  Side_values m_side_values;
-  Surface_function_view m_on_sides;
-  const Surface_function_view* m_values = nullptr; // on the boundary
+  Linear_surface_function<double> m_on_sides; // values at vertices, NaN where one is
+  Surface_function_view m_values;             // on the boundary
+  Eigen::VectorXd m_flux_load;
 };
 
 } // namespace internal

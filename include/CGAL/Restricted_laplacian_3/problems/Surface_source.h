@@ -10,6 +10,8 @@
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <cstddef>
 #include <iterator>
 
@@ -55,6 +57,14 @@ public:
       auto h = prev(halfedge(f, m_mesh), m_mesh);
       for(std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner, h = next(h, m_mesh))
         visit(corner, h);
+    });
+  }
+  /// calls `visit(i, e, is_at_boundary)` for the sides of the faces; side `k` of face `f`, from
+  /// corner `k` to the next one, has the number `3 * f + k`
+  template <class Visitor> void for_each_side(Visitor&& visit) const {
+    for_each_corner([&](std::size_t i, const auto& h) {
+      const auto e = edge(next(h, m_mesh), m_mesh);
+      visit(i, e, CGAL::is_border(e, m_mesh));
     });
   }
 

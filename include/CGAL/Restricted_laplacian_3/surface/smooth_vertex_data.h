@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <CGAL/assertions.h>
 
@@ -67,6 +68,8 @@ inline std::array<double, 7> cubic_weights(const std::array<double, 3>& barycent
 /// less than \f$3\, \varepsilon\f$. Noise that is independent at each vertex becomes no larger, in
 /// the root mean square over the surface.
 ///
+/// Where a gradient takes a value that is NaN, the function is linear.
+///
 /// Takes \f$O(F \log F)\f$ time for \f$F\f$ faces.
 ///
 /// \tparam T `double`, or a vector or matrix of Eigen of a fixed size
@@ -102,14 +105,13 @@ public:
   /// the value at a location
   T operator()(const Surface_point& p) const {
     CGAL_precondition((std::max)({p.vertices[0], p.vertices[1], p.vertices[2]}) < m_values.size());
-    const auto& l = p.barycentric;
-    T sum = m_values[p.vertices[0]] * l[0] + m_values[p.vertices[1]] * l[1] +
-            m_values[p.vertices[2]] * l[2];
+    T sum = internal::barycentric_mean(m_values[p.vertices[0]], m_values[p.vertices[1]],
+                                       m_values[p.vertices[2]], p.barycentric);
     if(m_deviations.empty())
       return sum;
     CGAL_precondition(7 * p.face + 7 <= m_deviations.size());
     const T* const c = m_deviations.data() + 7 * p.face;
-    const std::array<double, 7> weights = internal::cubic_weights(l);
+    const std::array<double, 7> weights = internal::cubic_weights(p.barycentric);
     for(int i = 0; i < 7; ++i)
       sum += c[i] * weights[i];
     return sum;

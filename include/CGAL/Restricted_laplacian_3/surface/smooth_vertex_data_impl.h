@@ -246,6 +246,9 @@ cubic_deviations(const Triangulated_surface_3& surface, const Smooth_geometry& g
     for(std::size_t control = 0; control < 6; ++control)
       for(std::size_t k = 0; k < components; ++k)
         at_control(face, 6)[k] += at_control(face, control)[k] / 4;
+  for(double& x : result)
+    if(!std::isfinite(x))
+      x = 0;
   return result;
 }
 

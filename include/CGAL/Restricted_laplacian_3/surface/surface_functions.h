@@ -12,6 +12,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -25,6 +26,22 @@
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+
+namespace internal {
+
+/// The mean of values at the corners of a triangle with barycentric coordinates as weights. On a
+/// side the value at the corner opposite to it does not count, even if it is NaN.
+template <class T>
+T barycentric_mean(const T& a, const T& b, const T& c, const std::array<double, 3>& barycentric) {
+  const auto& [x, y, z] = barycentric;
+  if(x != 0 && y != 0 && z != 0)
+    return a * x + b * y + c * z;
+  if(x == 0)
+    return y == 0 ? T(c * z) : z == 0 ? T(b * y) : T(b * y + c * z);
+  return y != 0 ? T(a * x + b * y) : z != 0 ? T(a * x + c * z) : T(a * x);
+}
+
+} // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` together with the degree that `function_of_degree()` says.
@@ -75,8 +92,8 @@ public:
   /// \pre there is a value for each of the three vertices
   T operator()(const Surface_point& p) const {
     CGAL_precondition((std::max)({p.vertices[0], p.vertices[1], p.vertices[2]}) < m_values.size());
-    return m_values[p.vertices[0]] * p.barycentric[0] + m_values[p.vertices[1]] * p.barycentric[1] +
-           m_values[p.vertices[2]] * p.barycentric[2];
+    return internal::barycentric_mean(m_values[p.vertices[0]], m_values[p.vertices[1]],
+                                      m_values[p.vertices[2]], p.barycentric);
   }
   /// linear in each triangle
   int degree() const { return 1; }
@@ -130,8 +147,7 @@ public:
   T operator()(const Surface_point& p) const {
     CGAL_precondition(3 * p.face + 3 <= m_values.size());
     const T* const corners = m_values.data() + 3 * p.face;
-    return corners[0] * p.barycentric[0] + corners[1] * p.barycentric[1] +
-           corners[2] * p.barycentric[2];
+    return internal::barycentric_mean(corners[0], corners[1], corners[2], p.barycentric);
   }
   /// linear in each triangle
   int degree() const { return 1; }
