@@ -3,20 +3,20 @@
 
 // How accurate are solutions with prescribed values and fluxes?
 //
-// --part boundary: Laplacian u = 0 on parts of the plane whose solution is known, with its values on
-// a part of the boundary and its flux through the rest:
+// --part boundary: Laplacian u = 0 on parts of the plane where the solution is known, with its
+// values on a part of the boundary and its flux through the rest:
 //   annulus_mixed, annulus_values, annulus_fluxes  the logarithm of the radius, from 0.4 to 1
-//   sector      r^3 cos(3 phi) on a sixth of a disc, values on the arc
-//   half_disc   r^(1/2) sin(phi/2): the value 0 for phi = 0, no flux for phi = pi, values on the arc
-//   l_values    r^(2/3) sin(2 phi/3) on an L, whose angle is 3 pi/2, values everywhere
-//   l_fluxes    the same, values at the two sides of the corner alone
-//   l_mixed     r^(1/3) sin(phi/3): the value 0 at one side of the corner, fluxes elsewhere
-// Circles are polygons, and conditions are those of the function on them, so that the discretization
-// alone errs. The order is the one that the theory of quadratic functions gives.
+//   sector     r^3 cos(3 phi) on a sixth of a disc, values on the arc
+//   half_disc  r^(1/2) sin(phi/2): 0 for phi = 0, no flux for phi = pi, values on the arc
+//   l_values   r^(2/3) sin(2 phi/3) on an L, whose angle is 3 pi/2, values everywhere
+//   l_fluxes   the same, values at the two sides of the corner alone
+//   l_mixed    r^(1/3) sin(phi/3): the value 0 at one side of the corner, fluxes elsewhere
+// Circles are polygons, and conditions are those of the function on them: the discretization alone
+// errs. The order is the one that the theory of quadratic functions gives.
 //
-// --part points: values at vertices. On a sphere, Laplacian u = z and one value of 0, 1, ... 1e8: by
-// how much u differs, beyond the constant, from that with the value 0. On a unit square, 0 and 1000
-// on two opposite sides, at the vertices and along the sides: the solution is 1000 x.
+// --part points: values at vertices. On a sphere, Laplacian u = z and one value of 0, 1, ... 1e8:
+// by how much u differs, beyond the constant, from that with the value 0. On a unit square, 0 and
+// 1000 on two opposite sides, at the vertices and along the sides: the solution is 1000 x.
 //
 // Errors are the root mean square over the vertices, for points the largest; options are the
 // defaults but for the tolerance in the first part, 1e-10.

@@ -817,6 +817,29 @@ for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent)
               value, text, 1, list(PYTHON_DISTANCES.values()))
 
 
+# ---- prescribed values
+
+
+BOUNDARY_CASES = {
+    "annulus_mixed": ("annulus", "values inside, a flux outside"), "annulus_values": ("annulus", "values"),
+    "annulus_fluxes": ("annulus", "fluxes"), "sector": ("sixth of a disc", "values on the arc, no flux on its sides"),
+    "half_disc": ("half of a disc", "they change on its diameter"), "l_values": ("L", "values"),
+    "l_fluxes": ("L", "values at the two sides of its corner, fluxes"),
+    "l_mixed": ("L", "the value 0 at one side of its corner, fluxes")}
+BOUNDARY = ["boundary", "depth", "unknowns", "error", "order"]
+BOUNDARY_KEYS = {"Surface": lambda r: BOUNDARY_CASES[r["boundary"]][0],
+                 "Conditions": lambda r: BOUNDARY_CASES[r["boundary"]][1]}
+ORDERS = {3: "3", 1: "1", 1.333: "4/3", 0.667: "2/3"}
+add_table("boundary_errors", "boundary_conditions", BOUNDARY,
+          {**BOUNDARY_KEYS, "Order in theory": lambda r: ORDERS[r["order"]]}, by_depth, "error", error, 3)
+add_table("boundary_iterations", "boundary_conditions", BOUNDARY, BOUNDARY_KEYS, by_depth, "iterations", whole, 2)
+POINTS = ["points", "depth", "value", "miss"]
+add_table("one_value", "boundary_conditions", POINTS, {"Value": lambda r: short(r["value"])}, by_depth, "error", error,
+          where=lambda r: r["points"] == "sphere" and r["value"] > 0)
+add_table("two_sides", "boundary_conditions", POINTS, {"": lambda r: "largest error"}, by_depth, "error", error,
+          where=lambda r: r["points"] == "square")
+
+
 # ---- busy machines
 
 

@@ -51,8 +51,8 @@ int main() try {
 
   // Laplacian u = 0 with u = -1 on the left side, a derivative of 1 across the right one, and of 0
   // across the others
-  const auto is_left = [](const RL::Surface_point& p) { return p.point.x() < -0.999; };
-  const auto flux = [](const RL::Surface_point& p) { return p.point.x() > 0.999 ? 1. : 0.; };
+  const auto is_left = [](const RL::Surface_point& p) { return p.point.x() < 1e-9 - 1; };
+  const auto flux = [](const RL::Surface_point& p) { return p.point.x() > 1 - 1e-9 ? 1. : 0.; };
   converged =
       RL::solve_poisson(
           mesh, zero, u,

@@ -34,9 +34,10 @@ Solves Laplacian u = f on a surface, or with --alpha A the screened problem
 
 The Laplacian is the divergence of the gradient: it is negative, and on the unit sphere
 f = z gives u = -z / 2. On each connected component of the surface the mean of f is
-subtracted, and u has mean 0, unless u is prescribed there. With --alpha the mean of f on the
-whole surface is subtracted, unless something is prescribed on the boundary. Boundaries of the surface have the natural condition: u does not change across them, unless
---boundary-property prescribes u there, and --flux-property how fast it changes. u is NaN at
+subtracted, and u has mean 0, unless u is prescribed there. With --alpha the mean of f on
+the whole surface is subtracted, unless something is prescribed on the boundary. Boundaries
+of the surface have the natural condition: u does not change across them, unless
+--boundary-property prescribes u there, or --flux-property how fast it changes. u is NaN at
 vertices that have no face, or only faces without area.
 )") + about_meshes + about_points,
                    R"(  solve_poisson elephant.off --rhs x --output u.ply --csv u.csv
@@ -53,17 +54,20 @@ struct Options : Common_options, Point_options, Solver_options, Poisson_options 
   std::string boundary_property, flux_property, cycle = "v", smoother = "patch";
 };
 
+void add_condition_options(po::options_description& problem, Options& o) {
+  auto add = problem.add_options();
+  add("boundary-property", po::value(&o.boundary_property)->value_name("NAME"),
+      "u on the boundary: a vertex property of MESH, a PLY file; NaN where u is free. It counts on "
+      "edges of the boundary both ends of which have a value");
+  add("flux-property", po::value(&o.flux_property)->value_name("NAME"),
+      "the derivative of u across the rest of the boundary, outward: a vertex property, too");
+}
+
 // returns false if there is nothing more to do
 bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
   po::options_description problem("Problem", help_width);
   add_poisson_options(problem, o);
-  auto add_condition = problem.add_options();
-  add_condition("boundary-property", po::value(&o.boundary_property)->value_name("NAME"),
-                "u on the boundary: a vertex property of MESH, a PLY file; NaN where u is free. It "
-                "counts on edges of the boundary both ends of which have a value");
-  add_condition("flux-property", po::value(&o.flux_property)->value_name("NAME"),
-                "the derivative of u across the rest of the boundary, outward: a vertex property, "
-                "likewise");
+  add_condition_options(problem, o);
   add_vertex_data_option(problem, o);
   po::options_description solver = solver_options(o, "default 0.001, or 0 with --paper");
   auto add = solver.add_options();

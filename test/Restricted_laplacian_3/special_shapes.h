@@ -66,8 +66,8 @@ Triangles grid(int n, Map&& map, Diagonals diagonals = Diagonals::alternating) {
   return t;
 }
 
-/// A part of a plane in polar coordinates, from a radius to 1 and from the direction of x to an angle:
-/// `n` rings of `m` sectors. An angle of a full turn closes the rings.
+/// A part of a plane in polar coordinates, from a radius to 1 and from the direction of x to an
+/// angle: `n` rings of `m` sectors. An angle of a full turn closes the rings.
 inline Triangles sector(int n, int m, double inner_radius, double angle) {
   const double full_turn = 2 * std::acos(-1.);
   const bool is_closed = angle > full_turn - 1e-9;

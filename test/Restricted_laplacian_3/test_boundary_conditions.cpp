@@ -120,7 +120,7 @@ TEST_CASE("values_on_two_sides_of_a_square", "[boundary_conditions]") {
   for(const int depth : {4, 5, 6})
     for(const RL::Vertex_data data : {RL::Vertex_data::linear, RL::Vertex_data::smooth}) {
       const auto np = params::octree_depth(depth).vertex_data(data);
-      // at depth 6 the corners reach 0.09 cells into theirs, where all of the gradient is stabilized
+      // at depth 6 corners reach 0.09 cells into theirs, where all of the gradient is stabilized
       const double tolerance = depth == 6 ? 1e-2 : 1e-3;
       CAPTURE(depth);
       CHECK(RL::solve_poisson(mesh, zero, u,
@@ -188,6 +188,13 @@ TEST_CASE("conditions_on_a_smooth_boundary", "[boundary_conditions]") {
       REQUIRE(std::abs(node.conormal.z() + 1) <= (is_smooth ? 1e-3 : 0.05));
       REQUIRE(*std::min_element(node.location.barycentric.begin(),
                                 node.location.barycentric.end()) == 0);
+      REQUIRE(node.sheet < space.number_of_sheets(space.depth()));
+      for(const double t : node.t)
+        REQUIRE(std::abs(t - 0.5) <= 0.55); // smooth pieces of a curve leave their cells a little
+      double sum = 0;                       // of all elements, which sum to 1
+      for(const double derivative : equator.conormal_derivatives(node))
+        sum += derivative;
+      REQUIRE(std::abs(sum) <= 1e-9);
     }
     const double tolerance = is_smooth ? 1e-3 : 0.05;
     for(const bool with_value : {false, true}) {

@@ -180,11 +180,11 @@ TEST_CASE("multigrid_eigenpairs_say_when_they_have_not_converged", "[eigensolver
             .cwiseAbs()
             .maxCoeff() <= 1e-9);
   // a tolerance that cannot be reached ends the iteration, too
-  options.maximum_iterations = 100;
+  options.maximum_iterations = 200;
   options.relative_tolerance = 1e-18;
   const RL::Eigenpairs best = multigrid_pairs(m, 20, options);
-  CHECK_FALSE(best.converged);
-  CHECK(best.iterations < 50);
+  CHECK(best.status == RL::Solve_status::stalled);
+  CHECK(best.iterations < 100); // how many depends on rounding, which processors differ in
   CHECK(best.residuals.maxCoeff() <= 1e-9);
 }
 

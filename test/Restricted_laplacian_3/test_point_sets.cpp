@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
@@ -581,4 +582,49 @@ TEST_CASE("fits_and_curvature_of_points", "[points]") {
     CHECK(errors[errors.size() / 2] <= 0.02);
     CHECK(errors[errors.size() * 95 / 100] <= 0.08);
   }
+}
+
+TEST_CASE("points_that_do_not_determine_functions_are_refused", "[point_sets]") {
+  const auto zero = [](const RL::Surface_point& p) { return p.point.z(); };
+  for(const int n : {5, 20, 60})
+    for(const int depth : {1, 3}) {
+      const Oriented_points points = shapes::sphere_points(n);
+      const auto np = maps_of_pairs(params::octree_depth(depth));
+      const RL::Spline_space_3 space(points, np);
+      REQUIRE(space.dimension() > points.size());
+      std::vector<double> u(points.size());
+      std::vector<RL::Surface_curvature> curvatures(points.size());
+      CAPTURE(n, depth);
+      CHECK_THROWS_WITH(RL::laplace_spectrum(points, 3, np), Catch::Contains("do not determine"));
+      CHECK_THROWS_AS(RL::laplace_eigenpairs(space, 3), RL::Input_error);
+      CHECK_THROWS_AS(RL::solve_poisson(points, zero, CGAL::make_property_map(u), np),
+                      RL::Input_error);
+      CHECK_THROWS_AS(RL::solve_screened_poisson(points, zero, 1, CGAL::make_property_map(u), np),
+                      RL::Input_error);
+      CHECK_THROWS_AS(RL::estimate_curvature(points, CGAL::make_property_map(curvatures), np),
+                      RL::Input_error);
+      const auto field = [](const RL::Surface_point&) { return RL::Vector_3(0, 0, 1); };
+      CHECK_THROWS_AS(RL::integrate_gradient_field(points, field, CGAL::make_property_map(u), np),
+                      RL::Input_error);
+    }
+  // a depth for which there are enough is named
+  CHECK_THROWS_WITH(
+      RL::laplace_spectrum(shapes::sphere_points(300), 3, maps_of_pairs(params::octree_depth(4))),
+      Catch::Contains("depth 2 is possible"));
+}
+
+TEST_CASE("few_points_have_constants_in_the_kernel", "[point_sets]") {
+  // with fewer functions than 100 and more, which are solved by other methods
+  for(const int n : {70, 100, 250, 400})
+    for(const int depth : {1, 2}) {
+      const Oriented_points points = shapes::sphere_points(n);
+      const RL::Spline_space_3 space(points, maps_of_pairs(params::octree_depth(depth)));
+      if(space.dimension() > points.size())
+        continue;
+      const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 4);
+      CAPTURE(n, depth, spectrum.eigenvalues);
+      CHECK(std::abs(spectrum.eigenvalues[0]) <= 1e-9);
+      for(int i = 1; i < 4; ++i)
+        CHECK(spectrum.eigenvalues[i] == Approx(2).epsilon(0.1));
+    }
 }

@@ -32,16 +32,17 @@ std::vector<Face_side> boundary_sides(const Spline_space_3& space);
 /// Integrals over the boundary of a surface, or over a part \f$\Gamma\f$ of it.
 ///
 /// The boundary consists of all sides of faces that are joined to no other face, see
-/// `Surface_seams`. They are cut at the walls of the finest cells; each piece has seven nodes, which
-/// integrate polynomials of degree 13 exactly: products of two elements along a line have degree
-/// 12. On a smooth surface the nodes lie on the curve over the side.
+/// `Surface_seams`. They are cut at the walls of the finest cells, and each piece has seven nodes.
+/// These integrate polynomials of degree 13 exactly: products of two elements along a line have
+/// degree 12. On a smooth surface the nodes lie on the curve over the side.
 class Boundary_integration {
 public:
+  /// \ingroup PkgRestrictedLaplacian3Operators
   /// where a value of the function that is integrated counts
   struct Node {
     /// the sheet of the finest level
     std::size_t sheet;
-    /// local coordinate in the cell, from 0 to 1
+    /// local coordinate in the cell, from 0 to 1, or on a smooth surface a little beyond
     std::array<double, 3> t;
     /// on the surface; the coordinate of the corner opposite to the side is 0
     Surface_location location;

@@ -38,8 +38,8 @@ boundary_sides(const Spline_space_3& space) {
   return sides;
 }
 
-/// a location on a side of a face up to rounding, which may have left something of the coordinate of
-/// the corner opposite to it
+/// a location on a side of a face up to rounding, which may have left something of the coordinate
+/// of the corner opposite to it
 inline Surface_location on_side(Surface_location location) {
   *std::min_element(location.barycentric.begin(), location.barycentric.end()) = 0;
   return location;

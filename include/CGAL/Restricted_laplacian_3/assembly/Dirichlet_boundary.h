@@ -20,9 +20,10 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// Prescribes the values \f$u = g\f$ on the boundary of an open surface, or a part \f$\Gamma\f$ of
-/// it, by the symmetric method of Nitsche. The rest has the natural condition, or a flux, see
-/// `Boundary_integration::load()`. With the outward conormal \f$\nu\f$ (unit, tangential to the surface) it adds
+/// Prescribes the values \f$u = g\f$ on the boundary of an open surface, or a part \f$\Gamma\f$
+/// of it, by the symmetric method of Nitsche. The rest has the natural condition, or a flux, see
+/// `Boundary_integration::load()`. With the outward conormal \f$\nu\f$ (unit, tangential to the
+/// surface) it adds
 /// \f[ A_{ij} = \int_\Gamma -\partial_\nu b_i\, b_j - b_i\, \partial_\nu b_j
 ///     + \beta\, b_i b_j, \qquad
 ///     \phi_i = \int_\Gamma g\, (\beta\, b_i - \partial_\nu b_i) \f]

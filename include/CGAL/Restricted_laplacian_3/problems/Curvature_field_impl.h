@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <Eigen/Eigenvalues>
@@ -149,12 +150,14 @@ inline Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
 estimate_curvature(const Spline_space_3& space, const Surface_function_view& normals,
                    const Curvature_options& options) {
+  internal::require_enough_points(space);
   Function_fitter fitter(space, internal::curvature_fit_options(space, options, true));
   return Curvature_field(space, fitter.fit(normals, options.callback));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
 estimate_curvature(const Spline_space_3& space, const Curvature_options& options) {
+  internal::require_enough_points(space);
   switch(options.method) {
   case Curvature_method::coordinates:
     return Curvature_field(space, internal::fit_coordinate_laplacian(

@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/Prescribed_iteration.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
@@ -130,6 +131,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solution
 solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem) {
   CGAL::Real_timer timer;
   timer.start();
+  internal::require_enough_points(space);
   const internal::Progress progress(problem.callback);
   progress(0);
   internal::Elliptic_operator elliptic;

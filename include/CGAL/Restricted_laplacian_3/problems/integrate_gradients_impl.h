@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
@@ -179,6 +180,7 @@ integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
                     const Gradient_options& options, const Progress& progress) {
   const Gradient_screening& screening = options.screening;
   screening.check(v.channels());
+  require_enough_points(space);
   CGAL::Real_timer timer;
   timer.start();
   progress(0);

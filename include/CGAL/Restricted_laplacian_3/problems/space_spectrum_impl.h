@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
@@ -162,6 +163,7 @@ inline void factorize(const Spline_space_3& space, int k, double stabilization,
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
 laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_options& options) {
   internal::check_number_of_pairs(space, k, false);
+  internal::require_enough_points(space);
   const double stabilization =
       options.normal_stabilization.value_or(default_spectrum_stabilization(space));
   const bool is_multigrid = internal::uses_multigrid(space, stabilization, options);

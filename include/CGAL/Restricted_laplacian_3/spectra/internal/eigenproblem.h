@@ -88,29 +88,45 @@ inline void finish_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m,
   }
 }
 
-/// For problems that are too small for an iteration: the span of the eigenvectors of the scaled
-/// mass matrix above a relative cut-off, and the dense problem on it.
-/// \throws Parameter_error if there are fewer than `k` of them
+/// For problems that are too small for an iteration: the largest eigenvalues
+/// \f$\mu = 1 / (\lambda - \sigma)\f$ of \f$M x = \mu (S - \sigma M) x\f$ with the shift
+/// \f$\sigma < 0\f$, on the span of the eigenvectors of the scaled matrix \f$S - \sigma M\f$
+/// above a relative cut-off. Functions that vanish on the surface, which \f$M\f$ maps to 0, have
+/// their part in the others.
+/// \throws Parameter_error if there are fewer than `k` functions that do not vanish on it
 inline void dense_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
                              Eigenpairs& pairs) {
-  // below, eigenvalues are rounding errors of functions that vanish on the surface
+  // below, numbers are rounding errors
   constexpr double relative_cutoff = 1e-12;
-  const Eigen::VectorXd scale =
-      m.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * Eigen::MatrixXd(m) * scale.asDiagonal();
-  const Symmetric_eigenpairs of_mass = symmetric_eigenpairs(scaled, "the mass matrix");
-  const double cutoff = relative_cutoff * of_mass.values.maxCoeff();
-  const Eigen::Index rank = (of_mass.values.array() > cutoff).count();
-  if(k > rank)
+  const auto scale_of = [](const Eigen::VectorXd& diagonal) {
+    return Eigen::VectorXd(
+        diagonal.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; }));
+  };
+  const auto scaled = [](const Eigen::MatrixXd& a, const Eigen::VectorXd& scale) {
+    return Eigen::MatrixXd(scale.asDiagonal() * a * scale.asDiagonal());
+  };
+  const auto rank_of = [](const Symmetric_eigenpairs& of) {
+    return Eigen::Index((of.values.array() > relative_cutoff * of.values.maxCoeff()).count());
+  };
+  const Eigen::Index independent =
+      rank_of(symmetric_eigenpairs(scaled(m, scale_of(m.diagonal())), "the mass matrix"));
+  if(k > independent)
     throw Parameter_error("k", "is " + std::to_string(k) + ", but the space has only " +
-                                   std::to_string(rank) + " independent functions on the surface");
-  const Eigen::MatrixXd basis = scale.asDiagonal() * of_mass.vectors.rightCols(rank) *
-                                of_mass.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd reduced = basis.transpose() * (s * basis);
+                                   std::to_string(independent) +
+                                   " independent functions on the surface");
+  const Eigen::MatrixXd shifted = Eigen::MatrixXd(s) - pairs.shift * Eigen::MatrixXd(m);
+  const Eigen::VectorXd scale = scale_of(shifted.diagonal());
+  const Symmetric_eigenpairs of_shifted =
+      symmetric_eigenpairs(scaled(shifted, scale), "the shifted stiffness matrix");
+  const Eigen::Index rank = rank_of(of_shifted);
+  const Eigen::MatrixXd basis =
+      scale.asDiagonal() * of_shifted.vectors.rightCols(rank) *
+      of_shifted.values.tail(rank).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd reduced = basis.transpose() * (m * basis);
   const Symmetric_eigenpairs found =
-      symmetric_eigenpairs((reduced + reduced.transpose()) / 2, "the reduced stiffness matrix");
+      symmetric_eigenpairs((reduced + reduced.transpose()) / 2, "the reduced mass matrix");
   pairs.set_status(Solve_status::converged);
-  finish_eigenpairs(s, m, basis * found.vectors.leftCols(k), pairs);
+  finish_eigenpairs(s, m, basis * found.vectors.rightCols(k), pairs);
 }
 
 /// Solves a problem that has passed `check_eigenproblem()`, if it is too small for an iteration,
