@@ -143,7 +143,7 @@ public:
         m_free_windows.push_back(next.number);
         if(is_useful(window))
           cross(window, all_ways);
-      } else if(next.key == m_rays[next.number].distance) {
+      } else if(next.key == m_rays[next.number].distance && !is_shortened(next.number)) {
         popped_vertices += m_is_popped[next.number] == 0;
         m_is_popped[next.number] = 1;
         propagate(next.number);
@@ -171,10 +171,13 @@ private:
                           direction_tolerance = 0.1;
   /// Shadows are wider by this angle on both sides: rays have errors, and more windows do no harm.
   static constexpr double shadow_slack = 0.2;
-  /// Windows that are made of a cubic: their number, and the part by which they overlap, because
-  /// rays diverge and would leave gaps.
+  /// Windows that are made of a cubic: their number, and the part by which they overlap, and reach
+  /// over flat ends of the side. Rays diverge, or are those of another cubic beyond the end, and
+  /// would leave gaps.
   static constexpr int windows_of_cubic = 4;
   static constexpr double overlap = 0.3;
+  /// The sum of the angles at a flat end differs from 2 pi by less than this.
+  static constexpr double largest_defect = 0.03;
   /// Distance of the source of parallel rays, over the extent of the surface: rounding, and the
   /// curvature of what should be straight, are 1e-10 and 1e-7 then.
   static constexpr double far_source = 1e6;
@@ -267,6 +270,26 @@ private:
       look(c.number, c.number + 1, 0);
       look(c.number + 2, c.number + 2, m_geometry.corner_angle(c.face, c.number));
     });
+  }
+
+  /// Windows that are made of cubics may leave a gap at a vertex, which has the length of a way
+  /// along edges then: whether the cubic at an opposite side gives a clearly shorter way, which it
+  /// has now.
+  bool is_shortened(std::uint32_t v) {
+    constexpr double least_gain = 0.1; // over the length of the side
+    if(m_is_exact || m_is_popped[v] || !std::isnan(m_rays[v].angle))
+      return false;
+    const double known = m_rays[v].distance;
+    m_geometry.for_each_corner(v, [&](const Corner& c) {
+      const Side side{c.face, (c.number + 1) % 3};
+      if(!m_is_popped[m_geometry.vertex(side.face, side.number)] ||
+         !m_is_popped[m_geometry.vertex(side.face, side.number + 1)])
+        return;
+      const Ends ends = ends_of(side);
+      if(ends.is_known && ends.is_short && !ends.first_comes_out && !ends.second_comes_out)
+        offer_to_apex(side, ends.cubic, known - least_gain * ends.cubic.length);
+    });
+    return m_rays[v].distance < known;
   }
 
   /// rays from a vertex through the opposite side, into the shadow of its own ray
@@ -540,24 +563,32 @@ private:
     });
   }
 
+  bool is_flat(std::uint32_t v) const {
+    return !m_geometry.is_on_boundary(v) &&
+           std::abs(m_geometry.total_angle(v) - 2 * CGAL_PI) < largest_defect;
+  }
+
   /// Windows that stand for a cubic, each from the source that the distances at its ends give.
   void make_windows(const Side& side, const Ray_cubic& cubic, std::uint32_t target) {
+    const double low = is_flat(m_geometry.vertex(side.face, side.number)) ? -1 : 0,
+                 high = is_flat(m_geometry.vertex(side.face, side.number + 1)) ? 2 : 1;
     for(int i = 0; i < windows_of_cubic; ++i) {
       Ray_window w;
       w.side = side;
       w.source = cubic.source(double(i) / windows_of_cubic, double(i + 1) / windows_of_cubic);
-      w.first = (std::max)(0., (i - overlap) / windows_of_cubic) * cubic.length;
-      w.last = (std::min)(1., (i + 1 + overlap) / windows_of_cubic) * cubic.length;
+      w.first = (std::max)(low, (i - overlap) / windows_of_cubic) * cubic.length;
+      w.last = (std::min)(high, (i + 1 + overlap) / windows_of_cubic) * cubic.length;
       w.origin = cubic.origin;
       cross(w, target);
     }
   }
 
-  /// the shortest way to the third corner through a side
-  void offer_to_apex(const Side& side, const Ray_cubic& cubic) {
+  /// the shortest way to the third corner through a side, if it is shorter than a bound
+  void offer_to_apex(const Side& side, const Ray_cubic& cubic, double bound = infinity) {
     const Plane_vector c = m_geometry.apex(side);
     const Ray_cubic::Way way = cubic.shortest_way(c);
-    if(way.distance < (std::min)(m_rays[m_geometry.vertex(side.face, side.number)].distance,
+    if(!(way.distance < bound) ||
+       way.distance < (std::min)(m_rays[m_geometry.vertex(side.face, side.number)].distance,
                                  m_rays[m_geometry.vertex(side.face, side.number + 1)].distance))
       return;
     Ray ray;
