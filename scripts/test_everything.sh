@@ -15,6 +15,7 @@
 #   python      pip install in a clone, with build isolation; the source archive, and the wheel where there is
 #               neither a compiler nor this repository; notebooks; needs PyPI
 #   random      many random surfaces, and every allocation failing
+#   shapes      ordinary shapes in all sizes, idle and beside other work, and the spectra of all meshes
 #   cgal_6      scripts/test_cgal_6.sh, if RESTRICTED_LAPLACIAN_3_CGAL_6_DIR in the environment is the
 #               folder of a CGALConfig.cmake of CGAL 6
 #
@@ -28,7 +29,7 @@ set -euo pipefail
 export LC_ALL=C
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-all_stages=(release headers sanitizers threads python random cgal_6)
+all_stages=(release headers sanitizers threads python random shapes cgal_6)
 for name in "$@"; do
   if [[ " ${all_stages[*]} " != *" $name "* ]]; then
     sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
@@ -136,6 +137,25 @@ random() {
   RESTRICTED_LAPLACIAN_3_FUZZ_ROUNDS=${ROUNDS:-1000} \
     "$program/test_restricted_laplacian_3" random_hostile_surfaces || status=1
   RESTRICTED_LAPLACIAN_3_FAIL_ALL_ALLOCATIONS=1 "$program/test_memory" || status=1
+  return "$status"
+}
+
+# With the package as pip installs it. Several hours, most of them for the spectra.
+shapes() {
+  local environment=$PWD/build/everything/shapes status=0 cache=$PWD/build/CMakeCache.txt
+  local study=$PWD/benchmark/Restricted_laplacian_3/shape_study.py folders=() folder
+  details="ordinary shapes, spectra"
+  for folder in SHARED_MESHES DATA_DIR; do
+    folder=$(sed -n "s/^RESTRICTED_LAPLACIAN_3_$folder:[^=]*=//p" "$cache" 2>/dev/null || true)
+    [[ -d $folder ]] && folders+=("$folder")
+  done
+  python3 -m venv "$environment" && "$environment/bin/pip" install --quiet . &&
+    "$environment/bin/python" "$study" shapes || status=1
+  if ((${#folders[@]} > 0)); then
+    "$environment/bin/python" "$study" meshes "${folders[@]}" || status=1
+  else
+    details="ordinary shapes, no meshes found"
+  fi
   return "$status"
 }
 

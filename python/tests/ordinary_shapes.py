@@ -505,7 +505,7 @@ class Trial:
         return not self.failure and self.error <= 1
 
 
-def run(shape: Shape, application: str) -> Trial:
+def run(shape: Shape, application: str, seconds: int = SECONDS) -> Trial:
     """In a process of its own. This one must not have used threads before."""
     import restricted_laplacian as rl
 
@@ -516,7 +516,7 @@ def run(shape: Shape, application: str) -> Trial:
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
         limit = GIBIBYTES << 30
         resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
-        signal.alarm(SECONDS)
+        signal.alarm(seconds)
         start = time.perf_counter()
         error, failure = float("nan"), ""
         try:
@@ -525,10 +525,10 @@ def run(shape: Shape, application: str) -> Trial:
                 failure = "NaN"
         except BaseException as e:  # noqa: B036
             failure = f"{type(e).__name__}: {e}"
-        seconds = time.perf_counter() - start
+        elapsed = time.perf_counter() - start
         memory = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
         with os.fdopen(writing, "wb") as pipe:
-            pickle.dump(Trial(seconds, memory, error, failure), pipe)
+            pickle.dump(Trial(elapsed, memory, error, failure), pipe)
         os._exit(0)
     os.close(writing)
     with os.fdopen(reading, "rb") as pipe:
@@ -537,7 +537,7 @@ def run(shape: Shape, application: str) -> Trial:
     if data:
         return pickle.loads(data)
     what = "ran out of time" if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGALRM else "crashed"
-    return Trial(SECONDS, 0, float("nan"), what)
+    return Trial(seconds, 0, float("nan"), what)
 
 
 def selection() -> List[Shape]:
