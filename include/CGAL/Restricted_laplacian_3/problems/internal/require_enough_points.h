@@ -8,7 +8,6 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -16,7 +15,14 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// Refuses a set of fewer points than there are functions: gradients are known at the points alone,
+/// The least number of points that determine the gradients of functions of a level: three for four
+/// functions. With half of that the smallest eigenvalues of a sphere are near 0 instead of 2, with
+/// as many points as functions they are less than a tenth too small.
+inline std::size_t least_number_of_points(const Spline_space_3& space, int level) {
+  return (3 * space.dimension(level) + 3) / 4;
+}
+
+/// Refuses a set of points with too many functions for it: gradients are known at the points alone,
 /// and then there are functions that change from point to point without a gradient at any of them.
 /// What is computed with gradients has no meaning.
 /// \throws Input_error says what depth there are enough for, if there is one
@@ -27,18 +33,16 @@ inline void require_enough_points(const Spline_space_3& space) {
   std::size_t points = 0;
   for(std::size_t i = 0; i < surface.number_of_faces(); ++i)
     points += surface.is_degenerate(i) ? 0 : 1;
-  if(points >= space.dimension())
+  const std::size_t least = least_number_of_points(space, space.depth());
+  if(points >= least)
     return;
   int possible = space.depth() - 1;
-  while(possible > 0 && points < space.dimension(possible))
+  while(possible > 0 && points < least_number_of_points(space, possible))
     --possible;
-  throw Input_error(
-      "the " + std::to_string(points) + " points do not determine the " +
-      std::to_string(space.dimension()) + " functions of depth " + std::to_string(space.depth()) +
-      (possible > 0
-           ? "; depth " + std::to_string(possible) + " is possible"
-           : "; at least " + std::to_string(space.dimension((std::min)(1, space.depth()))) +
-                 " are needed"));
+  throw Input_error("the " + std::to_string(points) + " points do not determine the " +
+                    std::to_string(space.dimension()) + " functions of depth " +
+                    std::to_string(space.depth()) + ", which takes " + std::to_string(least) +
+                    (possible > 0 ? "; depth " + std::to_string(possible) + " is possible" : ""));
 }
 
 } // namespace internal
