@@ -55,6 +55,11 @@ std::vector<double> vertex_values(const Source& source, const Spline_space_3& sp
   return result;
 }
 
+/// whether a source, such as `Mesh_source`, has edges
+template <class Source, class = void> struct Has_edges : std::false_type {};
+template <class Source>
+struct Has_edges<Source, std::void_t<typename Source::Halfedge>> : std::true_type {};
+
 /// where the `boundary_values` among named parameters hold; empty: everywhere
 template <class Source, class NamedParameters>
 std::function<bool(const Surface_point&)>
@@ -64,6 +69,8 @@ has_boundary_value([[maybe_unused]] const Source& source,
                  by_edge = is_given_v<NamedParameters, internal_np::edge_is_constrained_t>;
   static_assert(!(by_place && by_edge),
                 "has_boundary_value and edge_is_constrained_map say the same");
+  static_assert(!by_edge || Has_edges<Source>::value,
+                "edge_is_constrained_map needs a mesh; else there is has_boundary_value");
   static_assert(!(by_place || by_edge) ||
                     is_given_v<NamedParameters, internal_np::boundary_values_t>,
                 "has_boundary_value and edge_is_constrained_map need boundary_values");
@@ -169,8 +176,6 @@ Poisson_solution solve_poisson_in_space(const Spline_space_3& space, const Surfa
                                         const Alpha& alpha, const NamedParameters& np) {
   static_assert(!is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>,
                 "vertex_is_constrained_map needs a mesh; for a space there is Point_constraints");
-  static_assert(!is_given_v<NamedParameters, internal_np::edge_is_constrained_t>,
-                "edge_is_constrained_map needs a mesh; for a space there is has_boundary_value");
   const Progress progress = progress_of(np);
   progress(0);
   const auto values = on_boundary(np, internal_np::boundary_values);
