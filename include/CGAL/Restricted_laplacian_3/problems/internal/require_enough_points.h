@@ -16,8 +16,7 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// The least number of points that determine the gradients of functions of a level: three for four
-/// functions. With half of that the smallest eigenvalues of a sphere are near 0 instead of 2, with
-/// as many points as functions they are less than a tenth too small.
+/// functions.
 inline std::size_t least_number_of_points(const Spline_space_3& space, int level) {
   return (3 * space.dimension(level) + 3) / 4;
 }

@@ -9,6 +9,8 @@
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -161,6 +163,11 @@ public:
   /// the sum of the angles in a fan
   double total_angle(std::uint32_t v) const { return m_total_angles[v]; }
   bool is_on_boundary(std::uint32_t v) const { return m_is_on_boundary[v] != 0; }
+  /// whether the surface is flat at a vertex inside it, or nearly so
+  bool is_flat(std::uint32_t v) const {
+    constexpr double largest_defect = 0.03;
+    return !is_on_boundary(v) && std::abs(total_angle(v) - 2 * CGAL_PI) < largest_defect;
+  }
   /// The angle in the fan of a direction in a corner, `t` from the side that begins there; NaN
   /// without a fan.
   double fan_angle(std::uint32_t face, std::uint32_t k, double t) const {

@@ -176,8 +176,6 @@ private:
   /// would leave gaps.
   static constexpr int windows_of_cubic = 4;
   static constexpr double overlap = 0.3;
-  /// The sum of the angles at a flat end differs from 2 pi by less than this.
-  static constexpr double largest_defect = 0.03;
   /// Distance of the source of parallel rays, over the extent of the surface: rounding, and the
   /// curvature of what should be straight, are 1e-10 and 1e-7 then.
   static constexpr double far_source = 1e6;
@@ -395,22 +393,6 @@ private:
            !(ends[1] + (l - w.first) < w.distance(w.first) * rounding);
   }
 
-  /// Takes off the parts of a window to which the ends of the side give shorter ways. Squared, the
-  /// equation of equal ways from the source and from an end is linear.
-  static void narrow(Ray_window& w, double l, const std::array<double, 2>& ends) {
-    const double y = std::abs(w.source.y), slack = close_to_end * l + 1e-15 * y,
-                 from_first = w.source.x, from_second = l - w.source.x;
-    // how far from an end that is `along` from the foot of the source
-    const auto equal = [&](double end, double along) {
-      const double d = end - w.origin.offset;
-      return (along * along + (y - d) * (y + d)) / (2 * (along + d));
-    };
-    if(ends[0] + w.first < w.distance(w.first))
-      w.first = (std::max)(w.first, equal(ends[0], from_first) - slack);
-    if(ends[1] + (l - w.last) < w.distance(w.last))
-      w.last = (std::min)(w.last, l - equal(ends[1], from_second) + slack);
-  }
-
   /// distances of the ends of a side
   std::array<double, 2> end_distances(const Side& side) const {
     return {m_rays[m_geometry.vertex(side.face, side.number)].distance,
@@ -563,15 +545,12 @@ private:
     });
   }
 
-  bool is_flat(std::uint32_t v) const {
-    return !m_geometry.is_on_boundary(v) &&
-           std::abs(m_geometry.total_angle(v) - 2 * CGAL_PI) < largest_defect;
-  }
-
   /// Windows that stand for a cubic, each from the source that the distances at its ends give.
   void make_windows(const Side& side, const Ray_cubic& cubic, std::uint32_t target) {
-    const double low = is_flat(m_geometry.vertex(side.face, side.number)) ? -1 : 0,
-                 high = is_flat(m_geometry.vertex(side.face, side.number + 1)) ? 2 : 1;
+    const double low =
+                     m_geometry.is_flat(m_geometry.vertex(side.face, side.number)) ? -infinity : 0,
+                 high = m_geometry.is_flat(m_geometry.vertex(side.face, side.number + 1)) ? infinity
+                                                                                          : 1;
     for(int i = 0; i < windows_of_cubic; ++i) {
       Ray_window w;
       w.side = side;

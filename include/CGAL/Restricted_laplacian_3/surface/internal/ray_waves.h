@@ -63,6 +63,24 @@ struct Ray_window {
   }
 };
 
+/// Takes off the parts of a window to which the ends of its side give shorter ways. Squared, the
+/// equation of equal ways from the source and from an end is linear.
+/// \param l the length of the side
+/// \param ends the distances of its ends
+inline void narrow(Ray_window& w, double l, const std::array<double, 2>& ends) {
+  const double y = std::abs(w.source.y), slack = close_to_end * l + 1e-15 * y,
+               from_first = w.source.x, from_second = l - w.source.x;
+  // how far from an end that is `along` from the foot of the source
+  const auto equal = [&](double end, double along) {
+    const double d = end - w.origin.offset;
+    return (along * along + (y - d) * (y + d)) / (2 * (along + d));
+  };
+  if(ends[0] + w.first < w.distance(w.first))
+    w.first = (std::max)(w.first, equal(ends[0], from_first) - slack);
+  if(ends[1] + (l - w.last) < w.distance(w.last))
+    w.last = (std::min)(w.last, l - equal(ends[1], from_second) + slack);
+}
+
 /// Calls `visit(window)` for the windows in the faces beyond a side through which rays pass; none
 /// if they come along the side.
 /// \param s the point that they come from
