@@ -57,6 +57,10 @@ def to_line(sizes, values, least):
     return worst
 
 
+def unknowns(shape):
+    return rl.Space(shape.V, shape.F).dimension
+
+
 def busy_processes():
     return [subprocess.Popen([sys.executable, "-c", "while True: pass"])
             for _ in range((os.cpu_count() or 1) * 3 // 2)]
@@ -66,12 +70,15 @@ def study_shapes(families):
     makers = ordinary.all_shapes()
     shapes = [make() for make in makers]
     shapes = [s for s in shapes if not families or s.family.startswith(tuple(families))]
+    applications = list(ordinary.APPLICATIONS)
+    ordinary.APPLICATIONS["unknowns"] = unknowns
+    sizes_of = {id(s): ordinary.run(s, "unknowns").error for s in shapes}
     trials = {}
     for is_busy in (False, True):
         others = busy_processes() if is_busy else []
         try:
             for shape in shapes:
-                for application in ordinary.APPLICATIONS:
+                for application in applications:
                     if ordinary.applies(application, shape):
                         trial = ordinary.run(shape, application)
                         trials[shape.family, application, shape.placement, shape.size, is_busy] = shape, trial
@@ -85,15 +92,15 @@ def study_shapes(families):
           f"{'MiB':>6} {'time/line':>9} {'MiB/line':>8} {'busy':>6}")
     is_fine = True
     for family in dict.fromkeys(s.family for s in shapes):
-        for application in ordinary.APPLICATIONS:
+        for application in applications:
             of = {key: value for key, value in trials.items() if key[:2] == (family, application)}
             if not of:
                 continue
             idle = {key: value for key, value in of.items() if not key[4]}
             time_ratio = memory_ratio = busy = 0.0
             for placement in dict.fromkeys(key[2] for key in idle):
-                row = sorted((len(s.V), t) for key, (s, t) in idle.items() if key[2] == placement)
-                sizes = [n for n, _ in row]
+                row = [value for key, value in idle.items() if key[2] == placement]
+                sizes = [len(s.V) if "distance" in application else sizes_of[id(s)] for s, _ in row]
                 time_ratio = max(time_ratio, to_line(sizes, [t.seconds for _, t in row], LEAST_SECONDS))
                 memory_ratio = max(memory_ratio, to_line(sizes, [t.mebibytes for _, t in row],
                                                          LEAST_MEBIBYTES))
@@ -110,7 +117,7 @@ def study_shapes(families):
     return is_fine
 
 
-def spectrum_of(depth, k, rl, shape):
+def spectrum_of(depth, k, shape):
     values = rl.eigs(shape.V, shape.F, k, depth=depth)[0]
     return 0.0 if len(values) == k and np.isfinite(values).all() else float("nan")
 
@@ -158,5 +165,4 @@ def main():
 
 
 if __name__ == "__main__":
-    assert rl.__version__
     sys.exit(main())

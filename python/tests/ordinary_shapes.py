@@ -22,6 +22,8 @@ from typing import Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
+import restricted_laplacian as rl
+
 SECONDS, GIBIBYTES = 120, 4  # limits of a trial
 
 
@@ -204,21 +206,7 @@ def torus(n: int) -> Shape:
 
 
 def icosphere(n: int, family: str = "icosphere") -> Shape:
-    g = (1 + 5 ** 0.5) / 2
-    V = np.array([[-1, g, 0], [1, g, 0], [-1, -g, 0], [1, -g, 0], [0, -1, g], [0, 1, g], [0, -1, -g],
-                  [0, 1, -g], [g, 0, -1], [g, 0, 1], [-g, 0, -1], [-g, 0, 1]])
-    F = np.array([[0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11], [1, 5, 9], [5, 11, 4],
-                  [11, 10, 2], [10, 7, 6], [7, 1, 8], [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9],
-                  [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1]])
-    V = V / np.linalg.norm(V[0])
-    for _ in range(n):
-        edges = np.sort(np.concatenate([F[:, [0, 1]], F[:, [1, 2]], F[:, [2, 0]]]), axis=1)
-        edges, inverse = np.unique(edges, axis=0, return_inverse=True)
-        middles = V[edges].mean(axis=1)
-        ab, bc, ca = len(V) + inverse.ravel().reshape(3, -1)
-        V = np.concatenate([V, middles / np.linalg.norm(middles, axis=1)[:, None]])
-        a, b, c = F.T
-        F = np.concatenate([np.stack(t, 1) for t in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
+    V, F = rl.icosphere(n)
     return Shape(family, n, V, F, radius=1, mirror_axes=(0, 1, 2), sources=[0, len(V) // 2])
 
 
@@ -375,7 +363,7 @@ def symmetry(shape: Shape, u: np.ndarray, axis: int, sign: int) -> float:
     return float(np.abs(u - sign * u[image]).max() / size) if size > 0 else 0.0
 
 
-def poisson(rl, shape: Shape) -> float:
+def poisson(shape: Shape) -> float:
     if shape.rectangle and shape.to_plane:
         side = shape.rectangle[0]
         exact = lambda p: np.cos(np.pi * shape.to_plane(p)[:, 0] / side)  # noqa: E731
@@ -397,14 +385,14 @@ def poisson(rl, shape: Shape) -> float:
     return symmetry(shape, u, axis, -1) / 0.05 if shape.mirror_axes else 0.0
 
 
-def screened(rl, shape: Shape) -> float:
+def screened(shape: Shape) -> float:
     alpha = 10 / shape.extent ** 2
     u = rl.solve_screened_poisson(shape.V, shape.F, alpha, alpha)
     finite("u", u)
     return float(np.abs(u - 1).max() / 5e-3)
 
 
-def spectrum(rl, shape: Shape, k: int = 7) -> float:
+def spectrum(shape: Shape, k: int = 7) -> float:
     values = rl.eigs(shape.V, shape.F, k)[0]
     finite("eigenvalues", values)
     unit = 1 / shape.extent ** 2
@@ -423,13 +411,13 @@ def spectrum(rl, shape: Shape, k: int = 7) -> float:
     return worst
 
 
-def fit(rl, shape: Shape) -> float:
+def fit(shape: Shape) -> float:
     x = rl.fit_function(shape.V, shape.F, shape.V - shape.V.mean(axis=0))
     finite("the fit", x)
     return float(np.abs(x + shape.V.mean(axis=0) - shape.V).max() / (2e-3 * shape.extent))
 
 
-def curvature(rl, shape: Shape) -> float:
+def curvature(shape: Shape) -> float:
     c = rl.curvature(shape.V, shape.F)
     finite("mean curvature", c.mean)
     finite("Gaussian curvature", c.gaussian)
@@ -442,7 +430,7 @@ def curvature(rl, shape: Shape) -> float:
     return 0.0
 
 
-def gradient(rl, shape: Shape) -> float:
+def gradient(shape: Shape) -> float:
     direction = np.array([1.0, 2.0, 3.0])
     u = rl.integrate_gradient(shape.V, shape.F, np.tile(direction, (len(shape.F), 1)))
     finite("u", u)
@@ -451,7 +439,7 @@ def gradient(rl, shape: Shape) -> float:
     return float(np.abs(u - means_of_components(shape, u, x)).max() / (1e-2 * shape.extent))
 
 
-def distance(rl, shape: Shape, exact: bool = False) -> float:
+def distance(shape: Shape, exact: bool = False) -> float:
     worst = 0.0
     for source in shape.sources[:2]:
         d = rl.geodesic_distance(shape.V, shape.F, source, exact=exact)
@@ -475,14 +463,14 @@ def distance(rl, shape: Shape, exact: bool = False) -> float:
     return worst
 
 
-def exact_distance(rl, shape: Shape) -> float:
-    return distance(rl, shape, True)
+def exact_distance(shape: Shape) -> float:
+    return distance(shape, True)
 
 
 APPLICATIONS: Dict[str, Callable] = {
     "poisson": poisson, "screened": screened, "fit": fit, "curvature": curvature, "gradient": gradient,
     "distance": distance, "exact_distance": exact_distance,
-    **{f"spectrum_{k}": lambda rl, shape, k=k: spectrum(rl, shape, k) for k in (7, 20, 31, 64, 128)}}
+    **{f"spectrum_{k}": lambda shape, k=k: spectrum(shape, k) for k in (7, 20, 31, 64, 128)}}
 
 
 def applies(application: str, shape: Shape) -> bool:
@@ -507,8 +495,6 @@ class Trial:
 
 def run(shape: Shape, application: str, seconds: int = SECONDS) -> Trial:
     """In a process of its own. This one must not have used threads before."""
-    import restricted_laplacian as rl
-
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -520,7 +506,7 @@ def run(shape: Shape, application: str, seconds: int = SECONDS) -> Trial:
         start = time.perf_counter()
         error, failure = float("nan"), ""
         try:
-            error = APPLICATIONS[application](rl, shape)
+            error = APPLICATIONS[application](shape)
             if not error == error:
                 failure = "NaN"
         except BaseException as e:  # noqa: B036
