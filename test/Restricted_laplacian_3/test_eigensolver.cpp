@@ -459,6 +459,33 @@ TEST_CASE("eigensolver_is_chosen_by_size_or_parameter", "[eigensolver]") {
       RL::Parameter_error);
 }
 
+TEST_CASE("equal_eigenvalues_of_many_parts_take_few_iterations", "[eigensolver]") {
+  // twelve equal spheres in a row: twelve zeros, then three equal eigenvalues of each
+  const int number = 12;
+  const auto sphere = shapes::sphere(2);
+  auto row = sphere;
+  row.points.clear();
+  row.faces.clear();
+  for(int i = 0; i < number; ++i) {
+    const std::size_t first = row.points.size();
+    for(const auto& p : sphere.points)
+      row.points.emplace_back(p.x() + 3 * i, p.y(), p.z());
+    for(auto face : sphere.faces) {
+      for(auto& v : face)
+        v += static_cast<std::uint32_t>(first);
+      row.faces.push_back(face);
+    }
+  }
+  const RL::Laplace_spectrum spectrum =
+      RL::laplace_spectrum(shapes::mesh(row), 20, params::octree_depth(6));
+  CHECK(spectrum.report.converged);
+  CHECK(spectrum.pairs.vectors.rows() < 5000);
+  CHECK(spectrum.eigensolver == RL::Eigensolver::multigrid);
+  CHECK(spectrum.report.iterations < 20);
+  for(Eigen::Index i = 0; i < 20; ++i)
+    CHECK(spectrum.eigenvalues[i] == Approx(i < number ? 0 : 2).epsilon(0.2).margin(1e-6));
+}
+
 TEST_CASE("multigrid_eigenpairs_refuse_bad_input", "[eigensolver]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const RL::Spline_space_3 space(mesh, params::octree_depth(4));

@@ -10,6 +10,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -49,16 +51,38 @@ inline void take_pairs(Eigenpairs&& pairs, Eigensolver eigensolver, Laplace_spec
   }
 }
 
+/// Whether a surface has more parts than a number, which share no vertex.
+inline bool has_more_components(const Triangulated_surface_3& surface, std::size_t number) {
+  if(surface.is_point_set())
+    return false;
+  Disjoint_sets components(surface.number_of_vertices());
+  std::vector<bool> is_used(surface.number_of_vertices());
+  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(const std::uint32_t vertex : surface.triangle(f)) {
+      components.unite(surface.triangle(f)[0], vertex);
+      is_used[vertex] = true;
+    }
+  std::size_t found = 0;
+  for(std::uint32_t v = 0; v < is_used.size() && found <= number; ++v)
+    found += is_used[v] && components.find(v) == v;
+  return found > number;
+}
+
 /// Whether `multigrid_eigenpairs()` is used.
 inline bool uses_multigrid(const Spline_space_3& space, double normal_stabilization,
                            const Laplace_spectrum_options& options) {
   constexpr std::size_t smallest_dimension = 5000; // with fewer a factorization is as fast
+  // Equal parts have equal eigenvalues. One vector at a time finds those in turn, by rounding errors;
+  // a block of them at once.
+  constexpr std::size_t few_components = 4;
   if(options.eigensolver == Eigensolver::multigrid && space.is_paper_space())
     throw Parameter_error("eigensolver", "must not be multigrid in the space of the paper, whose "
                                          "levels are not nested");
   return options.eigensolver == Eigensolver::multigrid ||
          (options.eigensolver == Eigensolver::automatic && !space.is_paper_space() &&
-          normal_stabilization > 0 && space.dimension() >= smallest_dimension);
+          normal_stabilization > 0 &&
+          (space.dimension() >= smallest_dimension ||
+           has_more_components(space.surface(), few_components)));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs
