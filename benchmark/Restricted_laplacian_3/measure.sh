@@ -91,6 +91,9 @@ smooth_geometry          smooth_geometry --held-out fandisk_14k fandisk_32k wing
 smooth_geometry          smooth_geometry --curvature
 thin_features            thin_features
 thin_features            thin_features --gaps
+distance_study           distance_study --source 0 0.6 --mesh bimba_5k cow_5k8 cat_16k spot_23k bimba_46k sword_45k bunny_closed_70k mechpart_15k fandisk_14k fandisk_32k turbine_18k pulley_28k wingnut_6k anchor_8k moebius cessna_soup_14k koala_100k itokawa_197k
+distance_study_paths     distance_study --paths --source 0 --mesh bimba_5k cow_5k8 cat_16k spot_23k bimba_46k sword_45k bunny_closed_70k mechpart_15k fandisk_14k fandisk_32k turbine_18k pulley_28k wingnut_6k anchor_8k moebius cessna_soup_14k koala_100k itokawa_197k
+distance_study_points    distance_study --method points --mesh bimba_5k cow_5k8 cat_16k spot_23k bimba_46k sword_45k bunny_closed_70k mechpart_15k fandisk_14k fandisk_32k turbine_18k pulley_28k wingnut_6k anchor_8k koala_7k koala_100k
 large_surfaces           large_surfaces armadillo_mc1m 1 2 4 8 10 --depth 6 7 8 9
 large_surfaces           large_surfaces armadillo_mc1m 1 2 4 10 --depth 7 --pairs 50
 large_surfaces           large_surfaces armadillo_mc1m 10 --depth 7 --format stl

@@ -850,6 +850,35 @@ for name, value, title in [("alone", "alone_s", "alone"), ("beside", "busy", "be
               lambda r, title=title: title, value, short)
 
 
+# ---- ordinary shapes
+
+
+SHAPES = ["family", "application", "time/line", "MiB/line"]
+KINDS_OF_SHAPES = {"grid": "grids", "letter": "letters"}
+SHAPE_APPLICATIONS = {"poisson": "Poisson", "screened": "screened", "spectrum": "spectra", "fit": "fits",
+                      "curvature": "curvature", "gradient": "gradients", "distance": "distances",
+                      "exact_distance": "exact distances"}
+
+
+def shape_rows(value, combine):
+    """Families of one kind, and spectra with all numbers of pairs, together."""
+    found = {}
+    for r in rows("shape_study_shapes", *SHAPES):
+        kind, application = r["family"].split("_")[0], re.sub(r"_\d+$", "", r["application"])
+        family = KINDS_OF_SHAPES.get(kind, r["family"].replace("_", " "))
+        found.setdefault((family, SHAPE_APPLICATIONS[application]), []).append(r[value])
+    return [((family,), application, combine(v for v in values if v == v))
+            for (family, application), values in found.items()]
+
+
+for name, value, combine, text in [("trials", "trials", sum, whole),
+                                   ("seconds", "seconds", max, short), ("memory", "MiB", max, whole),
+                                   ("time_to_line", "time/line", max, short),
+                                   ("memory_to_line", "MiB/line", max, short), ("busy", "busy", max, short)]:
+    TABLES["shapes_" + name] = lambda value=value, combine=combine, text=text: pivot(
+        ["Family"], shape_rows(value, combine), 1, list(SHAPE_APPLICATIONS.values()), text)
+
+
 # ---- thin features and tessellations
 
 
@@ -1113,7 +1142,8 @@ PHRASES = [
     "to 30 % of", "by up to 30 %", "estimated areas of 100,000 points", "first 99", "all 99",
     "largest difference of 20 eigenvalues", "radii 1 and 0.4", "axes 1, 0.7 and 0.5", "by up to 0.3 of",
     "95th percentile", "units of 1 / (longest", "1024 times 1024 pixels", "Values of 100 functions",
-    "From the mesh to 100 eigenvalues", "First 30 eigenvalues",
+    "From the mesh to 100 eigenvalues", "First 30 eigenvalues", "of 2 to 120 squares", "of 7 to 128 pairs",
+    "with 7 to 128 pairs", "(times below 0.05 s", "(what is below 20 MiB",
     # counts of operations
     "takes 32 evaluations", "about 75 entries", "12 bytes an entry",
 ]
@@ -1171,6 +1201,7 @@ def facts():
                     r["total_s"] if r["ok"] == "yes" else math.inf)
         return span((min(peers) / ours[0] for ours, peers in found.values()), lambda x: f"{x:.1f}")
 
+    shapes = rows("shape_study_shapes", *SHAPES)
     by_mesh = {}
     for r in depth_rows():
         by_mesh.setdefault(r["mesh"], []).append(r)
@@ -1211,6 +1242,8 @@ def facts():
             f"{factors('Poisson, normals', 5e-3)} times for the divergence of a field, "
             f"{factors('screened, normals', 5e-3)} times for a screened problem, and "
             f"{factors('mass matrix', 5e-3)} times for a mass matrix",
+            f"Of {whole(sum(r['trials'] for r in shapes))} trials {sum(r['wrong'] for r in shapes) or 'none'} had a "
+            "wrong result",
         ],
         "doc/Restricted_laplacian_3/Comparison.txt": [
             f"with {whole(int(vertices))} vertices",
