@@ -138,7 +138,7 @@ bool read_options(int argc, char* argv[], Options& o) {
 Viewer_surface viewer_surface(const std::string& mesh, const Options& o) {
   Viewer_surface result(std::filesystem::path(mesh).filename().string(),
                         read_mesh_or_points(mesh).surface);
-  for(auto& [name, values] : read_ply_properties(mesh)) {
+  for(auto& [name, values] : read_vertex_values(mesh)) {
     const bool is_first = name == o.property;
     Viewer_field field = {name, std::move(values), false, {}};
     if(is_first && !o.range.empty())
@@ -181,7 +181,7 @@ int main(int argc, char* argv[]) {
     const std::size_t number = surface.number_of_vertices();
     std::vector<double> values(number, 0.);
     if(!o.property.empty() || o.isolines > 0)
-      values = read_ply_property(o.mesh, o.property.empty() ? "value" : o.property);
+      values = read_vertex_property(o.mesh, o.property.empty() ? "value" : o.property);
     Picture_options picture;
     picture.z_is_up = o.up == "z";
     picture.isolines = o.isolines;

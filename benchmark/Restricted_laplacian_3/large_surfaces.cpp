@@ -22,11 +22,11 @@
 #include "support/meshes.h"
 #include "support/refined_mesh.h"
 
+#include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_triangle_soup.h>
 #include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -73,12 +73,9 @@ std::vector<Record> measure(const Run& run) {
     const double now = seconds_now();
     return now - std::exchange(last, now);
   };
-  std::vector<RL::Point_3> points;
-  std::vector<RL::Triangulated_surface_3::Triangle> triangles;
-  if(!RL::read_triangle_soup(run.file, points, triangles))
-    throw std::runtime_error("cannot read '" + run.file + "'");
+  RL::Mesh_file mesh = RL::read_mesh_file(run.file);
   r.read = lap();
-  RL::Triangulated_surface_3 surface(std::move(points), std::move(triangles));
+  RL::Triangulated_surface_3 surface(std::move(mesh.points), std::move(mesh.triangles));
   r.triangles = static_cast<double>(surface.number_of_faces());
   r.estimate = 1e-9 * RL::estimate_memory(surface, run.depth).total();
   RL::Spline_space_options options;

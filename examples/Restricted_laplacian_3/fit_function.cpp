@@ -112,7 +112,7 @@ Functions properties(const RL::Triangulated_surface_3& surface, const Options& o
       for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
         result.values.back().push_back(surface.point(v)[name[0] - 'x']);
     } else
-      result.values.push_back(read_ply_property(o.mesh, name));
+      result.values.push_back(read_vertex_property(o.mesh, name));
     require(result.values.back().size() == surface.number_of_vertices(),
             "not every vertex has a value");
   }

@@ -1,25 +1,22 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A Poisson problem on a mesh of any size: binary PLY and STL files are read in pieces, no mesh is
-// built, and the depth is the largest up to 7 that a share of the memory allows.
+// A Poisson problem on a mesh of any size: files are read in pieces, no mesh is built, and the
+// depth is the largest up to 7 that a share of the memory allows.
 //
 // usage: large_surface [FILE [GB]]
 
+#include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_triangle_soup.h>
-
-#include <CGAL/IO/polygon_soup_io.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,14 +28,10 @@ int main(int argc, char* argv[]) try {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   const double memory = argc > 2 ? 1e9 * std::atof(argv[2]) : 0.5 * RL::memory_of_machine();
 
-  std::vector<RL::Point_3> points;
-  std::vector<RL::Triangulated_surface_3::Triangle> triangles;
-  if(!RL::read_triangle_soup(file, points, triangles) &&
-     !CGAL::IO::read_polygon_soup(file, points, triangles))
-    throw std::runtime_error("cannot read triangles from " + file);
+  RL::Mesh_file mesh = RL::read_mesh_file(file);
 
   // The arrays become the surface. Copies of it, as in the space, share them.
-  const RL::Triangulated_surface_3 surface(std::move(points), std::move(triangles));
+  const RL::Triangulated_surface_3 surface(std::move(mesh.points), std::move(mesh.triangles));
   constexpr int largest_depth = 7;
   int depth = 1;
   std::printf("%zu triangles\ndepth  unknowns      MB\n", surface.number_of_faces());

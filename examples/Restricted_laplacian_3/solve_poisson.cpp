@@ -96,7 +96,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
 
 std::vector<double> property(const RL::Triangulated_surface_3& surface, const Options& o,
                              const std::string& name) {
-  std::vector<double> values = read_ply_property(o.mesh, name);
+  std::vector<double> values = read_vertex_property(o.mesh, name);
   require(values.size() == surface.number_of_vertices(), "not every vertex has a value");
   return values;
 }

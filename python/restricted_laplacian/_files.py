@@ -16,15 +16,16 @@ from ._input import Progress, listener
 
 def read_mesh(file: Union[str, "os.PathLike[str]"], *, progress: Progress = None
               ) -> tuple[np.ndarray, np.ndarray]:
-    """Points and triangles of a file: off, obj, ply, stl or ts.
+    """Points and triangles of a file: off, obj, ply, stl, vtk (legacy PolyData) or ts.
 
-    Nothing is merged, cut or turned. Faces that are not triangles are divided.
+    Nothing is merged (but in stl files, which have no indices), cut or turned. Faces that are not
+    triangles are divided. What is passed over, as bytes behind the end, is a warning.
 
     Parameters
     ----------
     file : path
     progress : bool or callable, optional
-        A bar, or what is called with the part of a binary ply or stl file that is read.
+        A bar, or what is called with the part of the file that is read.
 
     Returns
     -------
@@ -34,7 +35,8 @@ def read_mesh(file: Union[str, "os.PathLike[str]"], *, progress: Progress = None
     Raises
     ------
     InputError
-        The file cannot be read, or names no surface.
+        The file cannot be read, or names no surface: with the line or byte and what is wrong there,
+        and the vertex or face as attributes.
     """
     surface = _core.Surface.of_file(os.fspath(file), listener(progress))
     return surface.points(), surface.faces()

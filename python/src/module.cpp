@@ -3,6 +3,7 @@
 
 #include "module.h"
 
+#include <CGAL/Restricted_laplacian_3/files/File_error.h>
 #include <CGAL/Restricted_laplacian_3/version.h>
 
 #include <CGAL/assertions.h>
@@ -30,6 +31,14 @@ void translate(const std::exception_ptr& p, void*) {
     raise("InputError", e, "vertex", nb::int_(e.vertex()));
   } catch(const RL::Invalid_point_error& e) {
     raise("InputError", e, "vertex", nb::int_(e.point()));
+  } catch(const RL::File_error& e) {
+    const RL::File_place& place = e.place();
+    if(place.vertex)
+      raise("InputError", e, "vertex", nb::int_(*place.vertex));
+    else if(place.face)
+      raise("InputError", e, "face", nb::int_(*place.face));
+    else
+      raise("InputError", e, "", nb::none());
   } catch(const RL::Parameter_error& e) {
     raise("InputError", e, "argument", nb::str(e.parameter().c_str()));
   } catch(const RL::Input_error& e) {

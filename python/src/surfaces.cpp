@@ -5,10 +5,10 @@
 
 #include "functions.h"
 
-#include "../../examples/Restricted_laplacian_3/support/mesh_input.h"
 #include "../../examples/Restricted_laplacian_3/support/program.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
@@ -127,15 +127,20 @@ Surface make_projected_surface(const Surface& surface, const nb::object& project
   return RL::curved_surface(surface, geometry);
 }
 
-// a file of a format that CGAL reads; faces that are not triangles are divided
+// a file; faces that are not triangles are divided
 Surface read_mesh(const std::string& file, const nb::object& progress) {
-  return run(1, progress, [&](const auto& callback) {
-    try {
-      return examples::read_mesh(file, callback).surface;
-    } catch(const examples::Error& e) {
-      throw RL::Input_error(e.what());
-    }
+  std::vector<std::string> warnings;
+  Surface surface = run(1, progress, [&](const auto& callback) {
+    RL::Mesh_file mesh = RL::read_mesh_file(file, RL::parameters::callback(callback));
+    warnings = std::move(mesh.warnings);
+    if(mesh.triangles.empty())
+      throw RL::File_error(file, {}, "holds no face");
+    return Surface(std::move(mesh.points), std::move(mesh.triangles));
   });
+  for(const std::string& warning : warnings)
+    if(PyErr_WarnEx(PyExc_UserWarning, ("'" + file + "': " + warning).c_str(), 2) < 0)
+      throw nb::python_error();
+  return surface;
 }
 
 Surface make_point_surface(const Array& v, const Array& n, const std::optional<Numbers>& areas,

@@ -8,7 +8,6 @@
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/curved_surface_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/point_areas_impl.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_triangle_soup_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data_impl.h>

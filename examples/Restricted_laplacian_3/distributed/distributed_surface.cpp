@@ -10,8 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/distributed/surface_slices.h>
 #include <CGAL/Restricted_laplacian_3/distributed/vertex_values.h>
-
-#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 
 #include <slepcsys.h>
 
@@ -21,7 +20,6 @@
 #include <exception>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,13 +32,10 @@ void solve(const RL::Communicator& ranks, const std::string& file, int depth) {
   if(!slice) {
     std::optional<RL::Triangulated_surface_3> whole;
     ranks.agree([&] { // what fails here on one rank is thrown by all
-      std::vector<RL::Point_3> points;
-      std::vector<RL::Triangulated_surface_3::Triangle> triangles;
       if(ranks.rank() != 0)
         return;
-      if(!CGAL::IO::read_polygon_soup(file, points, triangles))
-        throw std::runtime_error("cannot read triangles from " + file);
-      whole.emplace(std::move(points), std::move(triangles));
+      RL::Mesh_file mesh = RL::read_mesh_file(file);
+      whole.emplace(std::move(mesh.points), std::move(mesh.triangles));
     });
     slice = RL::slice_of_first_rank(ranks, whole ? &*whole : nullptr);
   }

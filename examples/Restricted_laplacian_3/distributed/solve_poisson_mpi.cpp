@@ -99,7 +99,7 @@ std::vector<double> right_hand_side(const RL::Distributed_surface& surface, cons
     communicator.agree([&] {
       if(rank != 0)
         return;
-      const std::vector<double> f = read_ply_property(o.mesh, o.rhs_property);
+      const std::vector<double> f = read_vertex_property(o.mesh, o.rhs_property);
       require(f.size() == surface.number_of_vertices(), "not every vertex has a value");
       for(std::size_t r = 0; r < slices.size(); ++r)
         slices[r].assign(f.begin() + static_cast<std::ptrdiff_t>(surface.first_vertices()[r]),

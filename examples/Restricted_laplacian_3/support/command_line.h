@@ -93,12 +93,12 @@ void require_positive(const po::variables_map& given, const std::string& option,
 void require_not_negative(const po::variables_map& given, const std::string& option);
 
 const char* const about_meshes = R"(
-MESH is a file of one of the formats off, obj, ply, stl and ts. The surface is taken as it
-is in the file: nothing is merged, cut or turned. It continues across an edge from each of
-its faces to each other one, any number of them, whatever their orientation. Vertices at the
-same place remain different vertices, and the edges between them different edges, unless
---join is given. Faces that are not triangles are triangulated, and faces without area are
-left out of all integrals.
+MESH is a file of one of the formats off, obj, ply, stl, vtk (legacy PolyData) and ts. The
+surface is taken as it is in the file: nothing is merged, cut or turned. It continues across
+an edge from each of its faces to each other one, any number of them, whatever their
+orientation. Vertices at the same place remain different vertices, and the edges between
+them different edges, unless --join is given. Faces that are not triangles are triangulated,
+and faces without area are left out of all integrals.
 )";
 
 // Reads a command line. Arguments without a name fill the options of `arguments`, which --help does

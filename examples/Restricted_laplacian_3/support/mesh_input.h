@@ -4,16 +4,15 @@
 #ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_MESH_INPUT_H
 #define RESTRICTED_LAPLACIAN_3_EXAMPLES_MESH_INPUT_H
 
-// Reads a surface from a file in any format that CGAL knows.
+// Reads a surface from a file.
 
 #include "program.h"
 
+#include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
-#include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace examples {
 
@@ -30,20 +29,9 @@ struct Mesh_input {
 
 namespace internal {
 
-using Polygon = std::vector<std::size_t>; // indices of points
-
-// what a file holds
-struct Polygon_soup {
-  std::vector<RL::Point_3> points;
-  // the faces: as triangles if they were read like that
-  std::vector<RL::Triangulated_surface_3::Triangle> triangles;
-  std::vector<Polygon> polygons;
-
-  bool has_faces() const { return !triangles.empty() || !polygons.empty(); }
-};
-
-Polygon_soup read_soup(const std::string& file, const Callback& callback = {});
-Mesh_input mesh_of(Polygon_soup soup, const std::string& file);
+// reads a file, and says on the standard error stream what was passed over
+RL::Mesh_file read_file(const std::string& file, const Callback& callback = {});
+Mesh_input mesh_of(RL::Mesh_file mesh, const std::string& file);
 
 } // namespace internal
 

@@ -3,14 +3,16 @@
 
 #include "point_input.h"
 
-#include "point_set.h"
 #include "program.h"
+#include "vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 
+#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <utility>
+#include <vector>
 
 namespace examples {
 
@@ -25,18 +27,22 @@ po::options_description point_options(Point_options& p, Common_options& o) {
 }
 
 Mesh_input read_mesh_or_points(const std::string& file, int neighbors, const Callback& callback) {
-  const std::string format = extension(file);
-  if(format != ".xyz") {
-    internal::Polygon_soup soup = internal::read_soup(file, callback);
-    if(format != ".ply" || soup.has_faces())
-      return internal::mesh_of(std::move(soup), file);
+  RL::Mesh_file mesh = internal::read_file(file, callback);
+  if(!mesh.triangles.empty())
+    return internal::mesh_of(std::move(mesh), file);
+  require(!mesh.points.empty(), "'" + file + "' holds no point");
+  const std::vector<RL::Vector_3> normals = internal::normals_of(RL::read_vertex_properties(file));
+  require(!normals.empty(), "'" + file + "' has neither faces nor normals");
+  const auto np = RL::parameters::normal_map(CGAL::make_property_map(normals))
+                      .number_of_neighbors(neighbors)
+                      .concurrency_tag(CGAL::Parallel_if_available_tag());
+  try {
+    return {RL::read_point_set(mesh.points, np), false};
+  } catch(const RL::Parameter_error&) {
+    throw;
+  } catch(const RL::Input_error& e) {
+    throw Error("'" + file + "': " + e.what());
   }
-  const Point_set points = read_points(file);
-  require(!points.empty(), "'" + file + "' holds no point");
-  require(points.has_normal_map(), "'" + file + "' has neither faces nor normals");
-  const auto np = RL::parameters::number_of_neighbors(neighbors).concurrency_tag(
-      CGAL::Parallel_if_available_tag());
-  return {RL::read_point_set(points, np), false};
 }
 
 Mesh_input read_mesh_or_points(const Common_options& o, const Point_options& p,

@@ -5,8 +5,8 @@
 
 #include "color_map.h"
 #include "mesh_input.h"
-#include "point_set.h"
 #include "program.h"
+#include "vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
@@ -24,39 +24,51 @@ namespace examples {
 
 namespace {
 
-RL::Triangulated_surface_3 surface_of_scan(Point_set& points, const std::string& file) {
-  if(!points.has_normal_map()) {
+using Point_with_normal = std::pair<RL::Point_3, RL::Vector_3>;
+
+RL::Triangulated_surface_3 surface_of_scan(const std::vector<RL::Point_3>& points,
+                                           const std::vector<RL::Vector_3>& normals,
+                                           const std::string& file) {
+  std::vector<Point_with_normal> scan(points.size());
+  for(std::size_t i = 0; i < scan.size(); ++i) {
+    scan[i].first = points[i];
+    if(!normals.empty())
+      scan[i].second = normals[i];
+  }
+  const auto point_map = CGAL::First_of_pair_property_map<Point_with_normal>();
+  const auto normal_map = CGAL::Second_of_pair_property_map<Point_with_normal>();
+  if(normals.empty()) {
     // from the nearest points, to either side: a scan turns normals to its viewpoint
     constexpr unsigned int neighbors = 12;
-    std::size_t i = 0;
-    for(const RL::Point_3& p : points.points()) {
-      require(std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()),
+    for(std::size_t i = 0; i < points.size(); ++i)
+      require(std::isfinite(points[i].x()) && std::isfinite(points[i].y()) &&
+                  std::isfinite(points[i].z()),
               "'" + file + "': point " + std::to_string(i) +
                   " has a coordinate that is not finite");
-      ++i;
-    }
-    points.add_normal_map();
     CGAL::pca_estimate_normals<CGAL::Parallel_if_available_tag>(
-        points, neighbors,
-        CGAL::parameters::point_map(points.point_map()).normal_map(points.normal_map()));
+        scan, neighbors, CGAL::parameters::point_map(point_map).normal_map(normal_map));
   }
   // the areas that points stand for do not matter
   return RL::read_point_set(
-      points, RL::parameters::area_map(CGAL::Constant_property_map<Point_set::Index, double>(1)));
+      scan, RL::parameters::point_map(point_map)
+                .normal_map(normal_map)
+                .area_map(CGAL::Constant_property_map<Point_with_normal, double>(1)));
 }
 
 } // namespace
 
 RL::Colored_scan read_scan(const std::string& file, const RL::Scan_pose& pose, bool is_parallel) {
-  Point_set points = read_points(file);
-  std::vector<Color> point_colors = colors(points, file);
+  const internal::Vertex_properties properties = RL::read_vertex_properties(file);
+  std::vector<Color> colors = internal::colors_of(properties, file);
   try {
-    internal::Polygon_soup soup = internal::read_soup(file);
+    RL::Mesh_file mesh = internal::read_file(file);
     const RL::Triangulated_surface_3 surface =
-        soup.has_faces() ? internal::mesh_of(std::move(soup), file).surface
-                         : surface_of_scan(points, file);
-    return RL::Colored_scan(surface, std::move(point_colors), pose, RL::Point_3(0, 0, 0),
-                            is_parallel);
+        mesh.triangles.empty()
+            ? surface_of_scan(mesh.points, internal::normals_of(properties), file)
+            : internal::mesh_of(std::move(mesh), file).surface;
+    return RL::Colored_scan(surface, std::move(colors), pose, RL::Point_3(0, 0, 0), is_parallel);
+  } catch(const RL::File_error&) {
+    throw; // it names the file
   } catch(const RL::Input_error& e) {
     throw Error("'" + file + "': " + e.what());
   }

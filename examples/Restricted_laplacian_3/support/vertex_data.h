@@ -4,11 +4,14 @@
 #ifndef RESTRICTED_LAPLACIAN_3_EXAMPLES_VERTEX_DATA_H
 #define RESTRICTED_LAPLACIAN_3_EXAMPLES_VERTEX_DATA_H
 
-// What files hold at vertices, as CGAL reads it.
+// What files hold at vertices.
 
 #include "color_map.h"
+#include "program.h"
 
-#include <map>
+#include <CGAL/Restricted_laplacian_3/files/Vertex_property.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,19 +20,22 @@ namespace examples {
 
 namespace internal {
 
-// The types of the coordinates and normals of the vertices of a PLY file, by their names; none of
-// other files. CGAL takes it for granted that they are there, and float or double.
-std::map<std::string, std::string> coordinate_types(const std::string& file);
+using Vertex_properties = std::vector<RL::Vertex_property>;
+
+// the normals among properties; empty if they are not there
+std::vector<RL::Vector_3> normals_of(const Vertex_properties& properties);
+// the colors; `file` is for messages
+std::vector<Color> colors_of(const Vertex_properties& properties, const std::string& file);
 
 } // namespace internal
 
 // What a file holds at its vertices beside coordinates, normals and colors: names and values, in
-// the order of the file; nothing, unless it is a PLY file.
+// the order of the file.
 std::vector<std::pair<std::string, std::vector<double>>>
-read_ply_properties(const std::string& file);
+read_vertex_values(const std::string& file);
 
-// The values of a vertex property of a PLY file, in its order.
-std::vector<double> read_ply_property(const std::string& file, const std::string& name);
+// The values of a vertex property of a file, in its order.
+std::vector<double> read_vertex_property(const std::string& file, const std::string& name);
 
 // The colors of the vertices of a file, and whether it has any.
 bool has_colors(const std::string& file);

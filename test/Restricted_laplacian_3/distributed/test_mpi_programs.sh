@@ -176,7 +176,7 @@ succeeds 2 distributed_surface text.ply
 check "the example prints eigenvalues" [ "$(grep -c '^[0-9]' out)" -eq 10 ]
 check "the example has one result" cmp example_of_1 example_of_3
 check "the example has one result for both kinds of files" cmp example_of_1 out
-fails "cannot read" 2 distributed_surface points.xyz
+fails "no face" 2 distributed_surface points.xyz
 
 fails "cannot open" 3 solve_poisson_mpi missing.ply
 fails "depth" 2 solve_poisson_mpi binary.ply --depth 99

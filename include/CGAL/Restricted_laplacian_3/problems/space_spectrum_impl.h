@@ -72,8 +72,8 @@ inline bool has_more_components(const Triangulated_surface_3& surface, std::size
 inline bool uses_multigrid(const Spline_space_3& space, double normal_stabilization,
                            const Laplace_spectrum_options& options) {
   constexpr std::size_t smallest_dimension = 5000; // with fewer a factorization is as fast
-  // Equal parts have equal eigenvalues. One vector at a time finds those in turn, by rounding errors;
-  // a block of them at once.
+  // Equal parts have equal eigenvalues. One vector at a time finds those in turn, by rounding
+  // errors; a block of vectors finds them at once.
   constexpr std::size_t few_components = 4;
   if(options.eigensolver == Eigensolver::multigrid && space.is_paper_space())
     throw Parameter_error("eigensolver", "must not be multigrid in the space of the paper, whose "

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_POINT_TABLE_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_POINT_TABLE_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_FILES_INTERNAL_POINT_TABLE_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_FILES_INTERNAL_POINT_TABLE_H
 
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -25,8 +24,7 @@ public:
   explicit Point_table(std::vector<Point_3>& points) : m_points(points), m_places(1024, none) {}
 
   /// the number of a point; coordinates are finite
-  std::uint32_t number_of(const std::array<float, 3>& p) {
-    const Point_3 point(p[0], p[1], p[2]);
+  std::uint32_t number_of(const Point_3& point) {
     std::size_t place = place_of(point);
     if(m_places[place] != none)
       return m_places[place];
@@ -46,8 +44,8 @@ private:
   static std::uint64_t hash(const Point_3& p) {
     std::uint64_t result = 0;
     for(int axis = 0; axis < 3; ++axis) {
-      const float x = static_cast<float>(p[axis]) + 0.f;
-      std::uint32_t bits;
+      const double x = p[axis] + 0.;
+      std::uint64_t bits;
       std::memcpy(&bits, &x, sizeof bits);
       // the end of the generator "splitmix64"
       result += bits + 0x9e3779b97f4a7c15u;
@@ -80,4 +78,4 @@ private:
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_INTERNAL_POINT_TABLE_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_FILES_INTERNAL_POINT_TABLE_H

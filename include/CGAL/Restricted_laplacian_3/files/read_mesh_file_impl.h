@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_FILES_READ_MESH_FILE_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_FILES_READ_MESH_FILE_IMPL_H
+
+#include <CGAL/Restricted_laplacian_3/files/internal/Byte_source.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/File_contents.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/Text_source.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/gocad_file.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/obj_file.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/off_file.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/ply_file.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/stl_file.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/vtk_file.h>
+#include <CGAL/Restricted_laplacian_3/files/internal/xyz_file.h>
+#include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/utility.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Restricted_laplacian_3 {
+namespace internal {
+
+/// The formats by suffix.
+struct File_format {
+  const char* suffix;
+  void (*read)(Byte_source& in, File_contents& contents);
+};
+
+inline const std::vector<File_format>& file_formats() {
+  static const std::vector<File_format> formats = {
+      {".off", [](Byte_source& in, File_contents& c) { Off_reader(in, c).read(); }},
+      {".obj", [](Byte_source& in, File_contents& c) { Obj_reader(in, c).read(); }},
+      {".ply", [](Byte_source& in, File_contents& c) { Ply_reader(in, c).read(); }},
+      {".stl", [](Byte_source& in, File_contents& c) { Stl_reader(in, c).read(); }},
+      {".vtk", [](Byte_source& in, File_contents& c) { Vtk_reader(in, c).read(); }},
+      {".ts", [](Byte_source& in, File_contents& c) { Gocad_reader(in, c).read(); }},
+      {".xyz", read_xyz}};
+  return formats;
+}
+
+/// \throws File_error the suffix is not known
+inline const File_format& file_format_of(const std::string& file) {
+  const std::string suffix = lower(std::filesystem::path(file).extension().string());
+  std::string known;
+  for(const File_format& format : file_formats()) {
+    if(suffix == format.suffix)
+      return format;
+    known += (known.empty() ? "" : ", ") + std::string(format.suffix);
+  }
+  throw File_error(
+      file, {},
+      (suffix.empty() ? "has no suffix" : "has the suffix " + suffix + ", which is not read") +
+          "; known are " + known);
+}
+
+/// Divides a polygon into triangles; it need not be plane, convex or free of self-intersections.
+inline void divide_polygon(const std::vector<Point_3>& points, std::vector<std::uint32_t> polygon,
+                           std::vector<Triangulated_surface_3::Triangle>& triangles) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  using Corners = CGAL::Triple<std::size_t, std::size_t, std::size_t>;
+  // The search for the best division takes the third power of the number of corners, or the second
+  // within a Delaunay triangulation. In a plane it takes no time.
+  constexpr std::size_t many = 100, very_many = 500;
+  std::vector<Corners> parts;
+  if(polygon.size() > 3) {
+    // a side from a vertex to itself is none
+    polygon.erase(std::unique(polygon.begin(), polygon.end()), polygon.end());
+    if(polygon.size() > 1 && polygon.front() == polygon.back())
+      polygon.pop_back();
+    std::vector<Point> corners;
+    bool is_finite = true;
+    for(const std::uint32_t vertex : polygon) {
+      const Point_3& p = points[vertex];
+      is_finite = is_finite && std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+      corners.emplace_back(p.x(), p.y(), p.z());
+    }
+    if(is_finite && polygon.size() > 3)
+      CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
+          corners, std::back_inserter(parts),
+          CGAL::parameters::use_2d_constrained_delaunay_triangulation(polygon.size() > many)
+              .threshold_distance(polygon.size() > many ? (std::numeric_limits<double>::max)() : -1)
+              .use_delaunay_triangulation(polygon.size() <= very_many)
+              .do_not_use_cubic_algorithm(polygon.size() > many));
+  }
+  // a triangle, or a polygon that cannot be divided into triangles that all have an area: a fan
+  if(parts.size() + 2 != polygon.size()) {
+    parts.clear();
+    for(std::size_t i = 2; i < polygon.size(); ++i)
+      parts.push_back({0, i - 1, i});
+  }
+  for(const Corners& part : parts)
+    triangles.push_back({polygon[part.first], polygon[part.second], polygon[part.third]});
+}
+
+inline Mesh_file mesh_of(File_contents contents) {
+  Mesh_file result;
+  for(std::vector<std::uint32_t>& polygon : contents.polygons) {
+    result.number_of_divided_faces += polygon.size() > 3;
+    divide_polygon(contents.points, std::move(polygon), contents.triangles);
+  }
+  result.points = std::move(contents.points);
+  result.triangles = std::move(contents.triangles);
+  result.warnings = std::move(contents.warnings);
+  return result;
+}
+
+inline File_contents read_contents(Byte_source& in, const File_format& format,
+                                   bool wants_properties) {
+  File_contents contents(wants_properties);
+  name_step("not enough memory to read the file", [&] { format.read(in, contents); });
+  return contents;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Mesh_file read_mesh_file(const std::string& file,
+                                                            const Progress& progress) {
+  const File_format& format = file_format_of(file);
+  Byte_source in(file, progress);
+  Mesh_file result = mesh_of(read_contents(in, format, false));
+  progress(1);
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Vertex_property>
+read_vertex_properties(const std::string& file, const Progress& progress) {
+  const File_format& format = file_format_of(file);
+  Byte_source in(file, progress);
+  std::vector<Vertex_property> result = read_contents(in, format, true).properties;
+  progress(1);
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Mesh_file read_mesh_file(const std::string& file,
+                                                            std::string_view bytes) {
+  Byte_source in(file, bytes);
+  return mesh_of(read_contents(in, file_format_of(file), false));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Vertex_property>
+read_vertex_properties(const std::string& file, std::string_view bytes) {
+  Byte_source in(file, bytes);
+  return read_contents(in, file_format_of(file), true).properties;
+}
+
+} // namespace internal
+} // namespace Restricted_laplacian_3
+} // namespace CGAL
+
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_FILES_READ_MESH_FILE_IMPL_H
