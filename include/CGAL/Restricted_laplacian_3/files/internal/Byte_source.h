@@ -72,17 +72,16 @@ public:
   /// \throws File_error the file cannot be read, or has become shorter
   const char* next(std::size_t size) {
     const char* const result = see(size);
-    m_next += size;
-    m_bytes_left -= size;
+    take(size);
     return result;
   }
 
   /// the next byte, which stays; -1 at the end
   int peek() { return m_bytes_left == 0 ? -1 : static_cast<unsigned char>(*see(1)); }
-  /// takes the byte that `peek()` has shown
-  void take() {
-    ++m_next;
-    --m_bytes_left;
+  /// takes bytes that `peek()` or `front()` have shown
+  void take(std::size_t size = 1) {
+    m_next += size;
+    m_bytes_left -= size;
   }
 
   /// up to so many bytes, which stay, until the next call
@@ -139,15 +138,18 @@ private:
 
   /// makes `size` bytes available
   void fill(std::size_t size) {
-    m_buffer.erase(0, m_next);
+    std::copy(m_buffer.begin() + static_cast<std::ptrdiff_t>(m_next),
+              m_buffer.begin() + static_cast<std::ptrdiff_t>(m_end), m_buffer.begin());
     m_end -= m_next;
     m_next = 0;
-    const auto piece = (std::max)(size, size_of_piece);
     // of the bytes that are left, `m_end` are in the buffer
-    m_buffer.resize(static_cast<std::size_t>((std::min)(m_bytes_left, std::uintmax_t(piece))));
-    if(!m_in.read(m_buffer.data() + m_end, static_cast<std::streamsize>(m_buffer.size() - m_end)))
+    const auto wanted = static_cast<std::size_t>(
+        (std::min)(m_bytes_left, std::uintmax_t((std::max)(size, size_of_piece))));
+    if(m_buffer.size() < wanted)
+      m_buffer.resize(wanted);
+    if(!m_in.read(m_buffer.data() + m_end, static_cast<std::streamsize>(wanted - m_end)))
       fail("the file ended before its end, or cannot be read");
-    m_end = m_buffer.size();
+    m_end = wanted;
     m_progress(1 - static_cast<double>(m_bytes_left) / static_cast<double>(m_size));
   }
 

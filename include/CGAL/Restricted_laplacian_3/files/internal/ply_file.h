@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -238,6 +239,10 @@ private:
   }
 
   template <class Numbers> void read_elements(Numbers numbers) {
+    // vertices may come behind the faces
+    for(const Element& element : m_elements)
+      if(element.is("vertex", "vertices"))
+        m_number_of_vertices = element.number;
     bool has_vertices = false;
     for(Element& element : m_elements) {
       check_number(numbers, element);
@@ -303,25 +308,50 @@ private:
                          "'; there are: " + names_of(element),
                      {});
     m_contents.points.reserve(element.number);
+    if constexpr(std::is_same_v<Numbers, Binary_numbers>)
+      if(!element.has_lists()) {
+        read_records(element);
+        return;
+      }
     for(std::uintmax_t i = 0; i < element.number; ++i) {
       File_place place;
       place.vertex = i;
       std::array<double, 3> coordinates;
       numbers.begin(place);
-      for(const Property& p : element.properties) {
-        if(p.type_of_length) {
+      for(const Property& p : element.properties)
+        if(p.type_of_length)
           numbers.skip(p.type, read_length(numbers, p, place), place);
-          continue;
-        }
-        const double value = numbers.number(p.type, place);
-        if(p.axis >= 0)
-          coordinates[static_cast<std::size_t>(p.axis)] = value;
-        if(p.column != no_column)
-          m_contents.properties[p.column].values.push_back(value);
-      }
+        else
+          keep(p, numbers.number(p.type, place), coordinates);
       numbers.end(place);
       m_contents.points.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
     }
+  }
+
+  /// binary vertices of one size, which are all there
+  void read_records(const Element& element) {
+    std::vector<std::pair<const Property*, std::size_t>> kept; // and where they are
+    std::size_t size = 0;
+    for(const Property& p : element.properties) {
+      if(p.axis >= 0 || p.column != no_column)
+        kept.emplace_back(&p, size);
+      size += size_of(p.type);
+    }
+    for(std::uintmax_t i = 0; i < element.number; ++i) {
+      const char* const record = m_in.next(size);
+      std::array<double, 3> coordinates;
+      for(const auto& [p, offset] : kept)
+        keep(*p, number_at(m_in, record + offset, p->type), coordinates);
+      m_contents.points.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
+    }
+  }
+
+  /// puts a number of a vertex where it belongs
+  void keep(const Property& p, double value, std::array<double, 3>& coordinates) {
+    if(p.axis >= 0)
+      coordinates[static_cast<std::size_t>(p.axis)] = value;
+    if(p.column != no_column)
+      m_contents.properties[p.column].values.push_back(value);
   }
 
   static std::string names_of(const Element& element) {
@@ -364,6 +394,9 @@ private:
     if(element.number == 0)
       return;
     const Property& corners = find_corners(element, "faces");
+    // as nearly everybody writes them
+    const bool is_usual =
+        !m_is_text && size_of(*corners.type_of_length) == 1 && size_of(corners.type) == 4;
     std::vector<std::uint32_t> polygon;
     if(m_contents.polygons.empty())
       m_contents.triangles.reserve(m_contents.triangles.size() + element.number);
@@ -376,6 +409,8 @@ private:
           numbers.skip(p.type, p.type_of_length ? read_length(numbers, p, place) : 1, place);
           continue;
         }
+        if(is_usual && read_triangle())
+          continue;
         const std::uintmax_t length = read_length(numbers, p, place);
         if(length < 3)
           numbers.fail("has " + std::to_string(length) + " corners", place);
@@ -386,6 +421,23 @@ private:
       }
       numbers.end(place);
     }
+  }
+
+  /// The next 13 bytes as a triangle; \return whether they are one, otherwise they stay.
+  bool read_triangle() {
+    constexpr std::size_t size = 1 + 3 * 4;
+    if(!m_in.holds(1, size))
+      return false;
+    const char* const from = m_in.front(size).data();
+    std::array<std::uint32_t, 3> corners;
+    for(std::size_t k = 0; k < 3; ++k)
+      corners[k] = m_in.number_at<std::uint32_t>(from + 1 + 4 * k);
+    const std::uintmax_t vertices = m_number_of_vertices;
+    if(*from != 3 || corners[0] >= vertices || corners[1] >= vertices || corners[2] >= vertices)
+      return false;
+    m_in.take(size);
+    m_contents.add_face(corners.data(), 3);
+    return true;
   }
 
   /// strips of triangles, which turn around in each; -1 ends a strip
@@ -444,26 +496,19 @@ private:
     }
   }
 
-  /// Vertices may come behind the faces.
   template <class Numbers>
   std::uint32_t corner(Numbers& numbers, std::int64_t index, const File_place& place) {
-    if(index < 0 || static_cast<std::uintmax_t>(index) >= number_of_vertices())
+    if(index < 0 || static_cast<std::uintmax_t>(index) >= m_number_of_vertices)
       numbers.fail("names vertex " + std::to_string(index) + ", of " +
-                       std::to_string(number_of_vertices()),
+                       std::to_string(m_number_of_vertices),
                    place);
     return static_cast<std::uint32_t>(index);
-  }
-
-  std::uintmax_t number_of_vertices() const {
-    for(const Element& element : m_elements)
-      if(element.is("vertex", "vertices"))
-        return element.number;
-    return 0;
   }
 
   Byte_source& m_in;
   File_contents& m_contents;
   std::vector<Element> m_elements;
+  std::uintmax_t m_number_of_vertices = 0;
   bool m_is_text = false;
 };
 
