@@ -16,20 +16,21 @@
 #               neither a compiler nor this repository; notebooks; needs PyPI
 #   random      many random surfaces, and every allocation failing
 #   shapes      ordinary shapes in all sizes, idle and beside other work, and the spectra of all meshes
+#   fuzz        scripts/fuzz.sh: ten minutes for the reader of each format
 #   cgal_6      scripts/test_cgal_6.sh, if RESTRICTED_LAPLACIAN_3_CGAL_6_DIR in the environment is the
 #               folder of a CGALConfig.cmake of CGAL 6
 #
 # Each stage builds in build/everything/STAGE/. How it ended goes to
 # test/Restricted_laplacian_3/project/everything_log.txt, in place of what the last run of the stage left
 # there. The exit status is 0 if all went well. JOBS in the environment is the number of parallel jobs, 2
-# if not set, ROUNDS the number of random surfaces, 1000 if not set, and PYTHONS the interpreters, python3 if
-# not set.
+# if not set, ROUNDS the number of random surfaces, 1000 if not set, FUZZ_SECONDS the time for a format, 600 if
+# not set, and PYTHONS the interpreters, python3 if not set.
 
 set -euo pipefail
 export LC_ALL=C
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-all_stages=(release headers sanitizers threads python random shapes cgal_6)
+all_stages=(release headers sanitizers threads python random shapes fuzz cgal_6)
 for name in "$@"; do
   if [[ " ${all_stages[*]} " != *" $name "* ]]; then
     sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
@@ -157,6 +158,11 @@ shapes() {
     details="ordinary shapes, no meshes found"
   fi
   return "$status"
+}
+
+fuzz() {
+  details="${FUZZ_SECONDS:-600} s for each format"
+  bash scripts/fuzz.sh "${FUZZ_SECONDS:-600}"
 }
 
 cgal_6() {

@@ -7,3 +7,4 @@
 
 const char folder_of_cgal_meshes[] = RESTRICTED_LAPLACIAN_3_DATA_DIR;
 const char folder_of_shared_meshes[] = RESTRICTED_LAPLACIAN_3_SHARED_MESHES;
+const char folder_of_small_meshes[] = RESTRICTED_LAPLACIAN_3_MESH_FILES;

@@ -4,6 +4,7 @@
 // Files of meshes are read as they are meant, or refused with the place that is wrong.
 
 #include "catch.h"
+#include "test_meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
@@ -515,6 +516,26 @@ TEST_CASE("files_that_are_cut_are_refused_or_read", "[files]") {
   for(const Text_file& square : squares)
     for(std::size_t size = 0; size < square.text.size(); ++size)
       refusal(square.suffix, square.text.substr(0, size));
+}
+
+TEST_CASE("small_files_of_all_formats_are_read", "[files]") {
+  // fuzzers begin with them
+  std::size_t number = 0;
+  for(const auto& entry : std::filesystem::directory_iterator(folder_of_small_meshes)) {
+    const std::string file = entry.path().string();
+    CAPTURE(file);
+    RL::Mesh_file mesh;
+    CHECK_NOTHROW(mesh = RL::read_mesh_file(file));
+    CHECK_FALSE(mesh.points.empty());
+    const bool has_faces = !says(file, "points.") && !says(file, ".xyz");
+    CHECK(mesh.triangles.empty() != has_faces);
+    std::vector<RL::Vertex_property> properties;
+    CHECK_NOTHROW(properties = RL::read_vertex_properties(file));
+    for(const RL::Vertex_property& property : properties)
+      CHECK(property.values.size() == mesh.points.size());
+    ++number;
+  }
+  CHECK(number >= 28);
 }
 
 TEST_CASE("what_is_no_file_is_refused", "[files]") {

@@ -13,6 +13,9 @@
 
 extern const char folder_of_cgal_meshes[], folder_of_shared_meshes[];
 
+/// small files of all formats, which are there
+extern const char folder_of_small_meshes[];
+
 inline std::string path_of_mesh(const std::string& folder, const std::string& file) {
   const std::string path = folder + "/" + file;
   return !folder.empty() && std::ifstream(path) ? path : std::string();

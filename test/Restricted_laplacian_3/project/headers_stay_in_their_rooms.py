@@ -2,7 +2,8 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Checks what the headers of the package reach against rooms.txt, which says what is asked of them.
+"""Checks what the headers of the package reach against rooms.txt, which says what is asked of them, and that
+the header of the whole package reaches all public ones.
 
 usage: headers_stay_in_their_rooms.py ROOMS INCLUDE_DIR
 """
@@ -108,10 +109,26 @@ def main():
                     header in reached_from(target, includes):
                 if header < target:
                     errors.append(f"{header} and {target} include each other")
+    errors += missing_in_umbrella(include_dir, includes)
     for error in errors:
         print(error)
     print(f"{len(headers)} headers, {len(errors)} errors")
     return 1 if errors else 0
+
+
+def missing_in_umbrella(include_dir, includes):
+    """Headers with documented names that the header of the whole package does not reach, where the
+    library is compiled; but those that need libraries which other ones do without."""
+    declarations = {header: [t for t in targets if not t.endswith("_impl.h")]
+                    for header, targets in includes.items()}
+    umbrella = (include_dir / (PACKAGE + ".h")).read_text()
+    declarations[""] = [target[len(PACKAGE) + 1:] for _, target in INCLUDE.findall(umbrella)]
+    reached = reached_from("", declarations)
+    optional = ("distributed/", "spectra/shift_invert_eigenpairs.h")
+    return [f"{PACKAGE}.h does not include {header}, which is public" for header in includes
+            if header not in reached and not header.startswith(optional) and
+            not re.search("(^|/)(internal|shared)/|_impl.h$", header) and
+            "\\ingroup" in (include_dir / PACKAGE / header).read_text()]
 
 
 def is_pair(a, b):

@@ -51,20 +51,22 @@ inline void take_pairs(Eigenpairs&& pairs, Eigensolver eigensolver, Laplace_spec
   }
 }
 
-/// Whether a surface has more parts than a number, which share no vertex.
-inline bool has_more_components(const Triangulated_surface_3& surface, std::size_t number) {
-  if(surface.is_point_set())
-    return false;
-  Disjoint_sets components(surface.number_of_vertices());
-  std::vector<bool> is_used(surface.number_of_vertices());
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(const std::uint32_t vertex : surface.triangle(f)) {
-      components.unite(surface.triangle(f)[0], vertex);
-      is_used[vertex] = true;
-    }
+/// Whether a space has more parts than a number, which no sheet has in common.
+inline bool has_more_components(const Spline_space_3& space, std::size_t number) {
+  const int depth = space.depth();
+  Disjoint_sets components(space.dimension());
+  for(std::size_t sheet = 0; sheet < space.number_of_sheets(depth); ++sheet) {
+    std::uint32_t first = Spline_space_3::no_element;
+    for(const std::uint32_t element : space.elements(depth, sheet))
+      if(element != Spline_space_3::no_element) {
+        if(first == Spline_space_3::no_element)
+          first = element;
+        components.unite(first, element);
+      }
+  }
   std::size_t found = 0;
-  for(std::uint32_t v = 0; v < is_used.size() && found <= number; ++v)
-    found += is_used[v] && components.find(v) == v;
+  for(std::uint32_t i = 0; i < space.dimension(); ++i)
+    found += components.find(i) == i;
   return found > number;
 }
 
@@ -81,8 +83,7 @@ inline bool uses_multigrid(const Spline_space_3& space, double normal_stabilizat
   return options.eigensolver == Eigensolver::multigrid ||
          (options.eigensolver == Eigensolver::automatic && !space.is_paper_space() &&
           normal_stabilization > 0 &&
-          (space.dimension() >= smallest_dimension ||
-           has_more_components(space.surface(), few_components)));
+          (space.dimension() >= smallest_dimension || has_more_components(space, few_components)));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs
