@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Reads any bytes as a file of a mesh: the readers answer with a mesh or a File_error, and take no
-// more memory than a multiple of the bytes. For libFuzzer, see scripts/fuzz.sh; the suffix is in the
-// environment, as FUZZED_SUFFIX.
+// more memory than a multiple of the bytes. For libFuzzer, see scripts/fuzz.sh. The suffix is in
+// the environment, as FUZZED_SUFFIX.
 
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 
