@@ -18,9 +18,9 @@ The exit status is 0 if nothing is wrong, no ratio to a line is above 10 and non
 """
 
 import functools
-import io
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 
@@ -130,14 +130,12 @@ def study_meshes(folders):
     print(f"# {'spectra':24} {'runs':>5} {'wrong':>5} {'longest_s':>9}")
     for file in files:
         reading = subprocess.run(
-            [sys.executable, "-c", "import sys, numpy, restricted_laplacian as rl\n"
-             "V, F = rl.read_mesh(sys.argv[1]); numpy.savez(sys.argv[2], V=V, F=F)", str(file), "/dev/stdout"],
-            capture_output=True)
+            [sys.executable, "-c", "import pickle, sys, restricted_laplacian as rl\n"
+             "pickle.dump(rl.read_mesh(sys.argv[1]), sys.stdout.buffer)", str(file)], capture_output=True)
         if reading.returncode:
             print(f"# {file.name} cannot be read")
             continue
-        data = np.load(io.BytesIO(reading.stdout))
-        shape = ordinary.Shape(file.name, 0, data["V"], data["F"])
+        shape = ordinary.Shape(file.name, 0, *pickle.loads(reading.stdout))
         of_mesh = wrong_of_mesh = 0
         for depth in DEPTHS:
             for k in PAIRS:
