@@ -396,6 +396,22 @@ TEST_CASE("vtk_files_of_all_versions_are_read", "[files]") {
         "blue:float32=0 thickness:float64=4.5 v_0:int32=7 v_1:int32=8 ");
 }
 
+TEST_CASE("numbers_that_no_double_holds_are_0_or_infinite", "[files]") {
+  const auto x = [](const std::string& word) {
+    return read(".xyz", word + " 0 0\n").points[0].x();
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(x("1e400") == infinity);
+  CHECK(x("-1e+400") == -infinity);
+  CHECK(x("1" + std::string(400, '0')) == infinity);
+  CHECK(x("1e-400") == 0);
+  CHECK(x("-0." + std::string(400, '0') + '1') == 0);
+  CHECK(std::isnan(x("nan")));
+  CHECK(x("+.5") == 0.5);
+  for(const char* word : {"+-1", "1e", "0x10", "1.5.", "--1", "1f"})
+    CHECK(says(refusal(".xyz", std::string(word) + " 0 0\n"), "is no number"));
+}
+
 TEST_CASE("points_are_read_from_lines_of_numbers", "[files]") {
   CHECK(read(".xyz", "# points\n0 0 0\n\n1 0 0\n").points.size() == 2);
   CHECK(properties_of(".xyz", "0 0 0 0 0 1\r\n1 0 0 0 0.6 0.8") ==

@@ -8,7 +8,6 @@
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -57,13 +56,6 @@ public:
       std::vector<Triangle>().swap(triangles);
     }
     polygons.emplace_back(corners, corners + number);
-  }
-
-  /// a new property, whose values are to be appended; nothing else is remembered of it if
-  /// properties are not wanted
-  Vertex_property& add_property(const std::string& name, const std::string& type) {
-    properties.push_back({name, type, {}});
-    return properties.back();
   }
 
 private:

@@ -6,9 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/files/internal/Byte_source.h>
 
-#include <array>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
