@@ -4,7 +4,8 @@
 
 # Usage: scripts/install_dependencies.sh [--programs | --plots]
 #
-# Installs the Debian 12 packages that the library, its examples, benchmarks, manual and tests need.
+# Installs the Debian packages, 12 or later, that the library, its examples, benchmarks, manual and tests
+# need.
 # With --programs only those of the library and the examples, with --plots also those that draw what
 # benchmarks have measured. Needs root or sudo, and only where a package is missing.
 
@@ -17,7 +18,7 @@ packages=(
   libopenmesh-dev libpng-dev zlib1g-dev
 )
 others=(
-  pkg-config ccache clang libclang-rt-14-dev llvm clang-format catch2
+  pkg-config ccache clang llvm catch2
   libbenchmark-dev libhypre-dev libpetsc-real-dev libslepc-real-dev
   doxygen libjs-mathjax python3 python3-dev python3-venv hunspell hunspell-en-us
   chromium
@@ -36,24 +37,21 @@ case "$*" in
     ;;
 esac
 
-missing=()
-for package in "${packages[@]}"; do
-  state=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null || true)
-  if [[ $state != installed ]]; then
-    missing+=("$package")
+# install PACKAGE...: those of them that are missing
+install() {
+  local package state missing=() as_root=()
+  for package; do
+    state=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null || true)
+    [[ $state == installed ]] || missing+=("$package")
+  done
+  # Small container images leave out /usr/share/doc, where CGAL's data lies.
+  local data=/usr/share/doc/libcgal-dev/data.tar.gz
+  local options=(-o 'Dpkg::Options::=--path-include=/usr/share/doc/libcgal-dev/*')
+  if [[ ! -e $data && " ${missing[*]} " != *" libcgal-demo "* ]]; then
+    missing+=(libcgal-demo)
+    options+=(--reinstall)
   fi
-done
-
-# Small container images leave out /usr/share/doc, where CGAL's data lies.
-data=/usr/share/doc/libcgal-dev/data.tar.gz
-install_options=(-o 'Dpkg::Options::=--path-include=/usr/share/doc/libcgal-dev/*')
-if [[ ! -e $data && " ${missing[*]} " != *" libcgal-demo "* ]]; then
-  missing+=(libcgal-demo)
-  install_options+=(--reinstall)
-fi
-
-if ((${#missing[@]} > 0)); then
-  as_root=()
+  ((${#missing[@]} > 0)) || return 0
   if ((EUID != 0)); then
     if ! command -v sudo >/dev/null; then
       echo "Neither root nor sudo; please install: ${missing[*]}" >&2
@@ -63,7 +61,14 @@ if ((${#missing[@]} > 0)); then
   fi
   "${as_root[@]}" apt-get update
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install --yes --no-install-recommends "${install_options[@]}" "${missing[@]}"
+    apt-get install --yes --no-install-recommends "${options[@]}" "${missing[@]}"
+}
+
+install "${packages[@]}"
+# The sanitizers of clang are a package with its version in the name.
+if [[ $* != --programs ]]; then
+  version=$(clang++ -dumpversion)
+  install "libclang-rt-${version%%.*}-dev"
 fi
 
 # CHOLMOD is several times slower with the reference BLAS. Debian prefers OpenBLAS as soon as it is

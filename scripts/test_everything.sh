@@ -17,8 +17,8 @@
 #   random      many random surfaces, and every allocation failing
 #   shapes      ordinary shapes in all sizes, idle and beside other work, and the spectra of all meshes
 #   fuzz        scripts/fuzz.sh: ten minutes for the reader of each format
-#   cgal_6      scripts/test_cgal_6.sh, if RESTRICTED_LAPLACIAN_3_CGAL_6_DIR in the environment is the
-#               folder of a CGALConfig.cmake of CGAL 6
+#   debian      scripts/test.sh and scripts/demo.sh in a bare Debian 12 and a bare Debian 13; needs root
+#   unstable    scripts/test_versions.sh in Debian's unstable; needs root
 #
 # Each stage builds in build/everything/STAGE/. How it ended goes to
 # test/Restricted_laplacian_3/project/everything_log.txt, in place of what the last run of the stage left
@@ -30,7 +30,7 @@ set -euo pipefail
 export LC_ALL=C
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-all_stages=(release headers sanitizers threads python random shapes fuzz cgal_6)
+all_stages=(release headers sanitizers threads python random shapes fuzz debian unstable)
 for name in "$@"; do
   if [[ " ${all_stages[*]} " != *" $name "* ]]; then
     sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
@@ -165,19 +165,24 @@ fuzz() {
   bash scripts/fuzz.sh "${FUZZ_SECONDS:-600}"
 }
 
-cgal_6() {
-  details="its log is cgal_6_log.txt"
-  bash scripts/test_cgal_6.sh "$RESTRICTED_LAPLACIAN_3_CGAL_6_DIR"
+debian() {
+  local suite status=0
+  details="its log is bare_debian_log.txt"
+  for suite in bookworm trixie; do
+    bash scripts/try_bare_debian.sh "$suite" || status=1
+  done
+  return "$status"
+}
+
+unstable() {
+  details="its log is bare_debian_log.txt"
+  bash scripts/try_bare_debian.sh unstable test_versions.sh
 }
 
 touch "$log"
 failed=0
 (($# > 0)) || set -- "${all_stages[@]}"
 for name in "$@"; do
-  if [[ $name == cgal_6 && -z ${RESTRICTED_LAPLACIAN_3_CGAL_6_DIR-} ]]; then
-    echo "=== cgal_6 is left out: RESTRICTED_LAPLACIAN_3_CGAL_6_DIR is not set"
-    continue
-  fi
   echo "=== $name"
   details="not built" result=passed start=$SECONDS
   "$name" || result=FAILED failed=1

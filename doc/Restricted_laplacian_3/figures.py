@@ -1130,7 +1130,7 @@ PLAIN = re.compile(r"""
 """, re.X)
 PHRASES = [
     # programs and versions
-    "bare Debian 12", "On Debian 12", "CGAL 5.5 or later, Eigen 3.4", "returns 0 only",
+    "bare Debian 12 or 13", "On Debian 12 or 13", "CGAL 5.5 or later, Eigen 3.4", "returns 0 only",
     "and 30 commits", "and 18 commits", "and 280 commits",
     # citations
     "by Restricting 3D Functions", "> by Restricting 3D Functions", "28(5), 1475-1484",

@@ -35,5 +35,5 @@ endforeach()
 
 execute_process(COMMAND "${CLANG_FORMAT}" --dry-run -Werror ${sources} RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
-  message(FATAL_ERROR "mend with: clang-format-14 -i FILE...")
+  message(FATAL_ERROR "mend with: ${CLANG_FORMAT} -i FILE...")
 endif()
