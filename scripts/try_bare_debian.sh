@@ -40,13 +40,19 @@ folder=$PWD/build/bare_debian/$suite
 base=$folder/base
 log=$PWD/test/Restricted_laplacian_3/project/bare_debian_log.txt
 
-# enter ROOT COMMAND...: with nothing of this machine but its processes, devices and names of hosts
+# enter ROOT COMMAND...: with nothing of this machine but its processes, devices, names of hosts, and
+# the certificates that pip and npm are told to trust
 enter() {
-  local root=$1 status=0
+  local root=$1 status=0 variable certificates=()
   cp /etc/resolv.conf "$root/etc/resolv.conf"
+  for variable in PIP_CERT NODE_EXTRA_CA_CERTS; do
+    [[ -n ${!variable-} ]] || continue
+    cp "${!variable}" "$root/etc/$variable.pem"
+    certificates+=("$variable=/etc/$variable.pem")
+  done
   mount --bind /proc "$root/proc"
   mount --bind /dev "$root/dev"
-  env --ignore-environment HOME=/root LANG=C.UTF-8 JOBS="${JOBS:-2}" \
+  env --ignore-environment HOME=/root LANG=C.UTF-8 JOBS="${JOBS:-2}" "${certificates[@]}" \
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     chroot "$root" "${@:2}" </dev/null || status=$?
   umount "$root/dev" "$root/proc"

@@ -29,6 +29,7 @@
 //
 // usage: curvature_study [OPTION]...
 
+#include "support/aabb_tree.h"
 #include "support/curved_shapes.h"
 #include "support/measure.h"
 #include "support/mesh_curvature.h"
@@ -41,8 +42,6 @@
 #include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -216,7 +215,7 @@ Mesh flipped(Mesh mesh) {
 std::vector<RL::Surface_location> nearest_locations(const Mesh& original, const Mesh& mesh) {
   namespace PMP = CGAL::Polygon_mesh_processing;
   using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<CGAL::Simple_cartesian<double>, Primitive>>;
+  using Tree = Aabb_tree<CGAL::Simple_cartesian<double>, Primitive>;
   Tree tree;
   PMP::build_AABB_tree(original, tree);
   const RL::Surface_location_converter<Mesh> convert(original);

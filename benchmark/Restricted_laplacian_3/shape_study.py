@@ -141,7 +141,7 @@ def study_meshes(folders):
             for k in PAIRS:
                 name = f"eigs, depth {depth}, {k} pairs"
                 ordinary.APPLICATIONS[name] = functools.partial(spectrum_of, depth, k)
-                trial = ordinary.run(shape, name, seconds=3600)
+                trial = ordinary.run(shape, name, seconds=3600, gibibytes=16)
                 of_mesh += 1
                 longest = max(longest, trial.seconds)
                 if not trial.is_right:

@@ -2,20 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Surfaces that are known better than by a mesh of them: a sphere and a torus, whose nearest points
-// have a formula, and one that is where a function is 0. CGAL meshes each coarsely; area and first
-// eigenvalue are then those of the facets, of a smooth surface through their vertices, and of the
-// surface itself, by a projection to it and by CGAL's oracle of implicit surfaces.
+// have a formula, and a rounded cube, where a function is 0. Each is meshed coarsely; area and
+// first eigenvalue are then those of the triangles, of a smooth surface through their vertices, and
+// of the surface itself, by a projection to it.
 
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 
-#include <CGAL/IO/facets_in_complex_2_to_triangle_mesh.h>
-#include <CGAL/Implicit_surface_3.h>
-#include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_default_triangulation_3.h>
-#include <CGAL/Surface_mesh_traits_generator_3.h>
-#include <CGAL/make_surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/subdivision_method_3.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -23,32 +19,33 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = RL::parameters;
 
-using Triangulation = CGAL::Surface_mesh_default_triangulation_3;
-using Kernel = Triangulation::Geom_traits;
+using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
-using Implicit_surface = CGAL::Implicit_surface_3<Kernel>;
-using Oracle = CGAL::Surface_mesh_traits_generator_3<Implicit_surface>::type;
 using Mesh = CGAL::Surface_mesh<Point>;
-
-using Function = std::function<double(const Point&)>;
 using Projection = std::function<Point(const Point&)>;
 
-/// a function that is 0 on the surface, and its projection
+/// a mesh of a few triangles, and what takes points near the surface to it
 struct Known_surface {
-  Function function;
+  Mesh mesh;
   Projection projection;
 };
 
+Mesh icosahedron() {
+  Mesh mesh;
+  CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.0);
+  return mesh;
+}
+
 Known_surface sphere() {
-  return {[](const Point& p) { return (p - CGAL::ORIGIN).squared_length() - 1; },
-          [](const Point& p) {
+  return {icosahedron(), [](const Point& p) {
             const Vector v = p - CGAL::ORIGIN;
             return CGAL::ORIGIN + v / std::sqrt(v.squared_length());
           }};
@@ -56,63 +53,57 @@ Known_surface sphere() {
 
 /// radii 1 and 0.4, around the z axis
 Known_surface torus() {
-  const auto center = [](const Point& p) { // of the circle that p is nearest to
-    const double r = std::hypot(p.x(), p.y());
-    return Point(p.x() / r, p.y() / r, 0);
-  };
-  return {[](const Point& p) {
-            const double q = (p - CGAL::ORIGIN).squared_length() + 0.84;
-            return q * q - 4 * (p.x() * p.x() + p.y() * p.y());
-          },
-          [=](const Point& p) {
-            const Vector v = p - center(p);
-            return center(p) + 0.4 / std::sqrt(v.squared_length()) * v;
+  constexpr int around = 10, across = 5;
+  constexpr double pi = 3.14159265358979323846;
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for(int i = 0; i < around; ++i)
+    for(int j = 0; j < across; ++j) {
+      const double a = 2 * pi * i / around, b = 2 * pi * j / across, r = 1 + 0.4 * std::cos(b);
+      v.push_back(mesh.add_vertex(Point(r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b))));
+    }
+  for(int i = 0; i < around; ++i)
+    for(int j = 0; j < across; ++j) {
+      const auto at = [&](int k, int l) {
+        return v[std::size_t((i + k) % around * across + (j + l) % across)];
+      };
+      mesh.add_face(at(0, 0), at(1, 0), at(1, 1));
+      mesh.add_face(at(0, 0), at(1, 1), at(0, 1));
+    }
+  return {std::move(mesh), [](const Point& p) {
+            const double r = std::hypot(p.x(), p.y());
+            const Point center(p.x() / r, p.y() / r, 0); // of the circle that p is nearest to
+            const Vector v = p - center;
+            return center + 0.4 / std::sqrt(v.squared_length()) * v;
           }};
 }
 
-Vector gradient(const Function& f, const Point& p) {
-  constexpr double h = 1e-5;
-  const auto derivative = [&](const Vector& v) { return (f(p + v) - f(p - v)) / (2 * h); };
-  return Vector(derivative({h, 0, 0}), derivative({0, h, 0}), derivative({0, 0, h}));
-}
-
-/// a rounded cube with dimples; steps along the gradient lead to it
-Known_surface dimpled_cube() {
-  const Function f = [](const Point& p) {
-    const double x = p.x() * p.x(), y = p.y() * p.y(), z = p.z() * p.z();
-    return x * x + y * y + z * z - x - y - z + 0.4;
-  };
-  return {f, [=](Point p) {
+/// x^4 + y^4 + z^4 = 1; steps along the gradient lead to it
+Known_surface rounded_cube() {
+  return {icosahedron(), [](Point p) {
             for(int step = 0; step < 10; ++step) {
-              const Vector g = gradient(f, p);
-              p = p - f(p) / g.squared_length() * g;
+              const double x = p.x(), y = p.y(), z = p.z();
+              const double f = std::pow(x, 4) + std::pow(y, 4) + std::pow(z, 4) - 1;
+              const Vector gradient(4 * x * x * x, 4 * y * y * y, 4 * z * z * z);
+              p = p - f / gradient.squared_length() * gradient;
             }
             return p;
           }};
 }
 
-/// The same by CGAL's oracle: where a segment along the gradient meets the surface.
-class Oracle_projection {
-public:
-  explicit Oracle_projection(const Implicit_surface& surface) : m_surface(surface) {}
-
-  Point operator()(const Point& p) const {
-    Vector g = gradient(m_surface.function(), p);
-    g = g / std::sqrt(g.squared_length());
-    auto intersect = m_oracle.intersect_3_object();
-    for(double reach = 0.01; reach < 1; reach *= 2) {
-      const CGAL::Object found =
-          intersect(m_surface, Kernel::Segment_3(p - reach * g, p + reach * g));
-      if(const auto* q = CGAL::object_cast<Oracle::Point_3>(&found))
-        return *q;
+/// divides triangles into four until their edges have the length `size` or less on average
+void refine(Known_surface& s, double size) {
+  for(double mean = 2 * size; mean > size;) {
+    CGAL::Subdivision_method_3::Loop_subdivision(s.mesh, CGAL::parameters::number_of_iterations(1));
+    mean = 0;
+    for(const Mesh::Vertex_index v : vertices(s.mesh))
+      s.mesh.point(v) = s.projection(s.mesh.point(v));
+    for(const Mesh::Edge_index e : edges(s.mesh)) {
+      const Vector side = s.mesh.point(s.mesh.vertex(e, 0)) - s.mesh.point(s.mesh.vertex(e, 1));
+      mean += std::sqrt(side.squared_length()) / double(num_edges(s.mesh));
     }
-    throw std::runtime_error("no point of the surface is near a point of the mesh");
   }
-
-private:
-  const Implicit_surface& m_surface;
-  Oracle m_oracle;
-};
+}
 
 template <class NamedParameters>
 void report(const std::string& name, const Mesh& mesh, const NamedParameters& np) {
@@ -131,26 +122,15 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   try {
-    const Known_surface known = name == "sphere"  ? sphere()
-                                : name == "torus" ? torus()
-                                                  : dimpled_cube();
-    const Implicit_surface implicit(known.function, Kernel::Sphere_3(CGAL::ORIGIN, 4), 1e-10);
-
-    CGAL::get_default_random() = CGAL::Random(0); // the same mesh each time
-    Triangulation triangulation;
-    CGAL::Complex_2_in_triangulation_3<Triangulation> complex(triangulation);
-    const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(30, size, size);
-    CGAL::make_surface_mesh(complex, implicit, criteria, CGAL::Manifold_tag(), 40);
-    Mesh mesh;
-    CGAL::facets_in_complex_2_to_triangle_mesh(complex, mesh);
-    std::cout << mesh.number_of_faces() << " triangles\n"
+    Known_surface known = name == "sphere" ? sphere() : name == "torus" ? torus() : rounded_cube();
+    refine(known, size);
+    std::cout << num_faces(known.mesh) << " triangles\n"
               << "geometry            area  eigenvalue\n"
               << std::setprecision(8);
 
-    report("flat", mesh, params::surface_geometry(RL::Surface_geometry::flat));
-    report("smooth", mesh, params::surface_geometry(RL::Surface_geometry::smooth));
-    report("projection", mesh, params::surface_geometry(known.projection));
-    report("oracle", mesh, params::surface_geometry(Oracle_projection(implicit)));
+    report("flat", known.mesh, params::surface_geometry(RL::Surface_geometry::flat));
+    report("smooth", known.mesh, params::surface_geometry(RL::Surface_geometry::smooth));
+    report("projection", known.mesh, params::surface_geometry(known.projection));
     return 0;
   } catch(const std::exception& e) {
     std::cerr << "implicit_surface: " << e.what() << '\n';

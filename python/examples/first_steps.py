@@ -3,8 +3,9 @@
 
 import restricted_laplacian as rl
 
-# points (n, 3), triangles (m, 3)
-V, F = rl.read_mesh("elephant.off")
+# a sphere: points (n, 3), triangles (m, 3)
+V, F = rl.icosphere(4)
+# of a file: rl.read_mesh("bunny.ply")
 # Laplacian u = z
 u = rl.solve_poisson(V, F, V[:, 2])
 # eigenvalues, eigenfunctions

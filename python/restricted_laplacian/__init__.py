@@ -4,7 +4,7 @@
 """The Laplace-Beltrami operator of a surface, by B-splines on an octree restricted to it.
 
 Poisson problems, spectra, fits, curvature, gradient fields, stitched colors and distances of any
-triangles, or of points with normals: results that do not depend on the triangulation, by a multigrid method.
+triangles, or of points with normals: results that hardly depend on the triangulation, by a multigrid method.
 
 >>> import restricted_laplacian as rl
 >>> V, F = rl.icosphere(4)
@@ -16,13 +16,13 @@ from ._core import __version__
 from ._distances import (DistanceFunction, Distances, Geodesics, Path, farthest_points,
                          geodesic_distance, shortest_path)
 from ._errors import Canceled, ConvergenceError, InputError
-from ._files import read_mesh
+from ._files import read_mesh, read_vertex_properties
 from ._input import Corners
 from ._problems import (Curvature, curvature, fit_function, integrate_gradient, solve_poisson,
                         solve_screened_poisson)
 from ._shapes import icosphere
 from ._space import (MemoryEstimate, Operators, PoissonSolver, Report, Space, SplineFunction,
-                     estimate_memory)
+                     cotangent_operators, estimate_memory)
 from ._spectra import (Spectrum, biharmonic_embedding, diffusion_map, eigs,
                        global_point_signature, heat_kernel_signature, heat_kernel_times,
                        heat_trace, laplace_spectrum, number_of_zero_eigenvalues, shape_dna,
@@ -34,10 +34,10 @@ __all__ = [
     "Canceled", "ConvergenceError", "Corners", "Curvature", "DistanceFunction", "Distances",
     "Geodesics", "InputError", "MemoryEstimate", "Operators", "Path", "PoissonSolver", "Report",
     "Scan", "Space", "Spectrum", "SplineFunction", "View", "__version__",
-    "biharmonic_embedding", "curvature", "diffusion_map", "eigs", "estimate_memory",
+    "biharmonic_embedding", "cotangent_operators", "curvature", "diffusion_map", "eigs", "estimate_memory",
     "farthest_points", "fit_function", "geodesic_distance", "global_point_signature",
     "heat_kernel_signature", "heat_kernel_times", "heat_trace", "icosphere",
     "integrate_gradient", "laplace_spectrum", "number_of_zero_eigenvalues", "read_mesh",
-    "shape_dna", "shortest_path", "solve_poisson", "solve_screened_poisson", "stitch_colors",
+    "read_vertex_properties",     "shape_dna", "shortest_path", "solve_poisson", "solve_screened_poisson", "stitch_colors",
     "to_polyscope", "wave_kernel_signature",
 ]

@@ -11,39 +11,49 @@ import numpy as np
 
 from . import _core
 from ._errors import argument_error
-from ._input import Progress, listener, make_surface, number_of_threads, numbers, rows
+from ._input import (Progress, listener, make_surface, number_of_threads, numbers, rows, takes_surface,
+                     vertex_numbers, whole_numbers)
+from ._show import shown
 from ._space import Space
 from ._view import View, Viewable, view_of_surface
 
 
+@shown()
 class Distances(NamedTuple):
-    """What `Geodesics.distances` returns, of the vertices."""
+    """What `Geodesics.distances` returns, of the vertices.
+
+    Attributes
+    ----------
+    distances : numpy.ndarray, (n,)
+        In units of length; infinite where no source is reached.
+    directions : numpy.ndarray, (n, 3)
+        Unit vectors along which the way to the source begins; 0 where that is not known.
+    labels : numpy.ndarray, (n,)
+        Label of the nearest source, or -1.
+    """
 
     distances: np.ndarray
-    """Infinite where no source is reached."""
     directions: np.ndarray
-    """Unit vectors along which the way to the source begins, (n, 3); 0 where that is not known."""
     labels: np.ndarray
-    """Label of the nearest source, or -1."""
 
 
+@shown()
 class Path(NamedTuple):
-    """A line on a surface."""
+    """A line on a surface.
+
+    Attributes
+    ----------
+    points : numpy.ndarray, (n + 1, 3)
+        The last one is the first one again if the line is closed.
+    length : float
+        Of the line.
+    segments : tuple of numpy.ndarray
+        Faces (n,) and barycentric coordinates (n, 3) of both ends, as `Geodesics.distances` takes.
+    """
 
     points: np.ndarray
-    """(n + 1, 3); the last one is the first one again if the line is closed."""
     length: float
     segments: tuple[np.ndarray, np.ndarray, np.ndarray]
-    """Faces (n,) and barycentric coordinates (n, 3) of both ends, as `Geodesics.distances` takes."""
-
-
-def _integers(values: Any, name: str) -> np.ndarray:
-    given = numbers(values, name).ravel()
-    with np.errstate(invalid="ignore"):  # NaN
-        result = given.astype(np.int64)
-    if not np.array_equal(result, given) or (result < 0).any():
-        raise argument_error(name, "must be whole numbers from 0 on")
-    return result
 
 
 def _barycentric(values: Any, name: str) -> np.ndarray:
@@ -53,10 +63,11 @@ def _barycentric(values: Any, name: str) -> np.ndarray:
     return result
 
 
-def _sources(sources: Any, points: Any, segments: Any, boundary: bool, labels: Any
-             ) -> tuple[Any, ...]:
+def _sources(number_of_vertices: int, sources: Any, points: Any, segments: Any, boundary: bool,
+             labels: Any) -> tuple[Any, ...]:
     """Arguments of the C++ library."""
-    vertices = _integers([] if sources is None else sources, "sources")
+    vertices = vertex_numbers(np.zeros(0, np.int64) if sources is None else sources, "sources",
+                              number_of_vertices)
     faces: list[np.ndarray] = []
     starts: list[np.ndarray] = []
     ends: list[np.ndarray] = []
@@ -67,19 +78,25 @@ def _sources(sources: Any, points: Any, segments: Any, boundary: bool, labels: A
         if len(parts) != (2 if name == "points" else 3):
             raise argument_error(name, "must be faces, and barycentric coordinates"
                                  + (" of both ends" if name == "segments" else ""))
-        faces.append(_integers(parts[0], name))
+        faces.append(whole_numbers(parts[0], name))
         starts.append(_barycentric(parts[1], name))
         ends.append(_barycentric(parts[-1], name))
     none = np.zeros((0, 3))
     own_faces = np.concatenate([np.zeros(0, np.int64), *faces])
     number = len(vertices) + len(own_faces) + bool(boundary)
-    own_labels = np.arange(number) if labels is None else _integers(labels, "labels")
+    own_labels = np.arange(number) if labels is None else whole_numbers(labels, "labels")
     return (vertices, own_faces, np.concatenate([none, *starts]), np.concatenate([none, *ends]),
             bool(boundary), own_labels)
 
 
+@shown("geodesics")
 class DistanceFunction(Viewable):
     """The distance from sources anywhere on a surface, what `Geodesics.function` returns.
+
+    Attributes
+    ----------
+    geodesics : Geodesics
+        Of the surface.
 
     Examples
     --------
@@ -91,19 +108,37 @@ class DistanceFunction(Viewable):
     >>> circle, = d.isolines(1.0)
     """
 
-    def __init__(self, geodesics: "Geodesics", function: Any) -> None:
+    def __init__(self, geodesics: "Geodesics", function: Any, query: tuple) -> None:
+        self.geodesics = geodesics
+        self._query = query  # name of a method, and its arguments
         self._surface = geodesics._surface
         self._solver = geodesics._solver
         self._function = function
 
+    def __reduce__(self) -> tuple:
+        return _distance_again, (self.geodesics, *self._query)
+
     def __call__(self, faces: Any, barycentric: Any) -> np.ndarray:
         """Distances at points of faces: (N,) numbers of faces, (N, 3) barycentric coordinates."""
-        return self._function.values(_integers(faces, "faces"), _barycentric(barycentric,
+        return self._function.values(whole_numbers(faces, "faces"), _barycentric(barycentric,
                                                                              "barycentric"))
 
     def gradients(self, faces: Any, barycentric: Any) -> np.ndarray:
-        """Gradients along the surface at points of faces, (N, 3)."""
-        return self._function.gradients(_integers(faces, "faces"),
+        """Gradients along the surface at points of faces.
+
+        Parameters
+        ----------
+        faces : array_like, (N,)
+            Numbers of faces.
+        barycentric : array_like, (N, 3)
+            Coordinates with respect to their vertices.
+
+        Returns
+        -------
+        numpy.ndarray, (N, 3)
+            Unit vectors where there is a gradient.
+        """
+        return self._function.gradients(whole_numbers(faces, "faces"),
                                         _barycentric(barycentric, "barycentric"))
 
     def shortest_path(self, start: Any) -> Path:
@@ -113,13 +148,18 @@ class DistanceFunction(Viewable):
         ----------
         start : int or (face, barycentric)
             A vertex, or a point of a face.
+
+        Returns
+        -------
+        Path
+            From there to the source.
         """
         if isinstance(start, (tuple, list)):
             if len(start) != 2:
                 raise argument_error("start", "must be a vertex, or a face and its coordinates")
-            face, place = _integers(start[0], "start"), _barycentric(start[1], "start")
+            face, place = whole_numbers(start[0], "start"), _barycentric(start[1], "start")
         else:
-            vertex = _integers(start, "start")
+            vertex = whole_numbers(start, "start")
             if len(vertex) != 1:
                 raise argument_error("start", "must be one vertex")
             number, place = self._solver.location(int(vertex[0]))
@@ -134,11 +174,16 @@ class DistanceFunction(Viewable):
 
         Parameters
         ----------
-        longest_side : float
+        longest_side : float, default 0
             Divides faces until no side is longer, with distances at all vertices; 0 leaves the faces
             as they are.
-        options
-            Of `View`.
+        **options : as for View
+            What it takes.
+
+        Returns
+        -------
+        View
+            With isolines.
         """
         if not longest_side >= 0:
             raise argument_error("longest_side", "must not be negative")
@@ -148,17 +193,34 @@ class DistanceFunction(Viewable):
                                {"title": "Distance", "isolines": 20, **options})
 
     def isolines(self, value: float) -> list[Path]:
-        """The lines on which the distance has a value."""
+        """The lines on which the distance has a value.
+
+        Parameters
+        ----------
+        value : float
+            The distance.
+
+        Returns
+        -------
+        list of Path
+            Closed ones, and those that end at a boundary.
+        """
         return [Path(points, length, tuple(segments))
                 for points, length, *segments in self._function.isolines(float(value))]
 
 
+def _distance_again(geodesics: "Geodesics", method: str, arguments: dict) -> DistanceFunction:
+    """What pickle calls."""
+    return getattr(geodesics, method)(**arguments)  # type: ignore[no-any-return]
+
+
+@shown("number_of_vertices", "number_of_faces")
 class Geodesics:
     """Distances along a surface, set up once for any number of queries.
 
     Parameters
     ----------
-    V, F
+    V, F : array_like, (n, 3) and (m, 3)
         The triangles, as for `Space`; they need not form a manifold. Or a `Space`.
     normals : array_like, (n, 3), optional
         For points without faces, oriented alike: triangles are made of them.
@@ -183,6 +245,7 @@ class Geodesics:
     >>> regions = geodesics.distances(far).labels  # Voronoi regions
     """
 
+    @takes_surface
     def __init__(self, V: Any, F: Any = None, *, normals: Any = None,
                  joining_tolerance: Optional[float] = None,
                  maximum_memory: Optional[float] = None, threads: Optional[int] = None) -> None:
@@ -194,7 +257,22 @@ class Geodesics:
             V, F, normals=normals)
         self._solver = _core.GeodesicSolver.make(
             self._surface, None if joining_tolerance is None else float(joining_tolerance))
+        self._joining_tolerance = joining_tolerance
         self._fitter: Any = None
+
+    def __reduce__(self) -> tuple:
+        return _geodesics_again, (self._space or self._surface, self._joining_tolerance,
+                                  self._maximum_memory, self._threads or None)
+
+    @property
+    def number_of_vertices(self) -> int:
+        """Number of rows of V."""
+        return self._surface.number_of_vertices  # type: ignore[no-any-return,unused-ignore]
+
+    @property
+    def number_of_faces(self) -> int:
+        """Number of rows of F; of points without faces their number."""
+        return self._surface.number_of_faces  # type: ignore[no-any-return,unused-ignore]
 
     def _query(self, exact: bool, progress: Progress) -> Any:
         return _core.DistanceQuery(bool(exact), self._maximum_memory, self._threads,
@@ -208,19 +286,19 @@ class Geodesics:
         Parameters
         ----------
         sources : int or array_like of int, optional
-            Vertices.
+            Vertices, or a mask (n,) of them.
         points : (faces, barycentric), optional
             Points in faces: rows of ``F``, and three coordinates for each.
         segments : (faces, barycentric, barycentric), optional
             Segments from one point of a face to another one. A polyline consists of such.
-        boundary : bool
+        boundary : bool, default False
             Whether edges with one face only are sources, too.
         labels : array_like of int, optional
             Of the vertices, points, segments, and the boundary, in that order; by default 0, 1 and
             so on.
-        exact : bool
+        exact : bool, default False
             Exact up to rounding, in more time; by default errors are of the order of 0.01 %.
-        progress : bool or callable
+        progress : bool or callable, optional
             Is called with the part of the work that is done, and ends it if it returns False;
             ``True`` prints it.
 
@@ -229,7 +307,7 @@ class Geodesics:
         Distances
             A tuple of ``distances``, ``directions`` and ``labels``.
         """
-        own = _sources(sources, points, segments, boundary, labels)
+        own = _sources(self._surface.number_of_vertices, sources, points, segments, boundary, labels)
         return Distances(*self._solver.distances(*own, self._query(exact, progress)))
 
     def distance_matrix(self, sources: Any, *, exact: bool = False,
@@ -239,9 +317,9 @@ class Geodesics:
         Parameters
         ----------
         sources : array_like of int
-            Vertices.
-        exact, progress
-            See `distances`.
+            Vertices, or a mask (n,) of them.
+        exact, progress : as for distances
+            How the work is done.
 
         Returns
         -------
@@ -255,7 +333,8 @@ class Geodesics:
         >>> rl.Geodesics(V, F).distance_matrix([0, 5, 7]).shape
         (3, 642)
         """
-        return self._solver.distance_matrix(_integers(sources, "sources"),
+        return self._solver.distance_matrix(vertex_numbers(sources, "sources",
+                                                           self._surface.number_of_vertices),
                                             self._query(exact, progress))
 
     def function(self, sources: Any = None, *, points: Any = None, segments: Any = None,
@@ -265,11 +344,18 @@ class Geodesics:
 
         Parameters
         ----------
-        sources, points, segments, boundary, exact, progress
-            See `distances`.
+        sources, points, segments, boundary, exact, progress : as for distances
+            From where, and how the work is done.
+
+        Returns
+        -------
+        DistanceFunction
+            It can be evaluated anywhere on the surface.
         """
-        own = _sources(sources, points, segments, boundary, None)
-        return DistanceFunction(self, self._solver.function(*own, self._query(exact, progress), None))
+        own = _sources(self._surface.number_of_vertices, sources, points, segments, boundary, None)
+        query = "function", dict(sources=sources, points=points, segments=segments, boundary=boundary,
+                                 exact=exact)
+        return DistanceFunction(self, self._solver.function(*own, self._query(exact, progress), None), query)
 
     def spline(self, sources: Any = None, *, points: Any = None, segments: Any = None,
                boundary: bool = False, exact: bool = False,
@@ -281,15 +367,22 @@ class Geodesics:
 
         Parameters
         ----------
-        sources, points, segments, boundary, exact, progress
-            See `distances`.
+        sources, points, segments, boundary, exact, progress : as for distances
+            From where, and how the work is done.
+
+        Returns
+        -------
+        DistanceFunction
+            It can be evaluated anywhere on the surface.
         """
         if self._fitter is None:
             space = self._space or Space(self._surface)
             self._fitter = _core.GeodesicFitter.make(space._space, space._threads)
-        own = _sources(sources, points, segments, boundary, None)
+        own = _sources(self._surface.number_of_vertices, sources, points, segments, boundary, None)
+        query = "spline", dict(sources=sources, points=points, segments=segments, boundary=boundary,
+                               exact=exact)
         return DistanceFunction(self, self._solver.function(*own, self._query(exact, progress),
-                                                           self._fitter))
+                                                           self._fitter), query)
 
     def farthest_points(self, number: int, sources: Any = None, *,
                         progress: Progress = None) -> np.ndarray:
@@ -302,7 +395,7 @@ class Geodesics:
         sources : int or array_like of int, optional
             Vertices to begin with, which are not among the results; by default the first vertex
             with a face, which is the first of them.
-        progress
+        progress : bool or callable, optional
             See `distances`.
 
         Returns
@@ -312,57 +405,94 @@ class Geodesics:
         """
         if isinstance(number, bool) or not isinstance(number, (int, np.integer)):
             raise argument_error("number", f"must be a whole number, and is {number!r}")
-        own = _integers([] if sources is None else sources, "sources")
+        own = vertex_numbers(np.zeros(0, np.int64) if sources is None else sources, "sources",
+                             self._surface.number_of_vertices)
         return self._solver.farthest_points(int(np.clip(number, -1, 2 ** 32)), own,
                                             self._query(False, progress))
 
 
-def geodesic_distance(V: Any, F: Any = None, sources: Any = None, *, boundary: bool = False,
-                      exact: bool = False, maximum_memory: Optional[float] = None,
-                      progress: Progress = None) -> np.ndarray:
+def _geodesics_again(surface: Any, joining_tolerance: Optional[float], maximum_memory: Optional[float],
+                     threads: Optional[int]) -> Geodesics:
+    """What pickle calls."""
+    return Geodesics(surface, joining_tolerance=joining_tolerance, maximum_memory=maximum_memory,
+                     threads=threads)
+
+
+@takes_surface
+def geodesic_distance(V: Any, F: Any = None, sources: Any = None, *, normals: Any = None,
+                      boundary: bool = False, exact: bool = False,
+                      joining_tolerance: Optional[float] = None, maximum_memory: Optional[float] = None,
+                      threads: Optional[int] = None, progress: Progress = None) -> np.ndarray:
     """Distances along a surface.
 
     Parameters
     ----------
-    V, F
+    V, F : array_like, (n, 3) and (m, 3)
         The triangles, as for `Space`.
-    sources : int or array_like of int, optional
-        Vertices from which distances are measured.
-    boundary, exact, progress
-        See `Geodesics.distances`, which takes other sources, too.
-    maximum_memory
-        See `Geodesics`.
+    sources : int or array_like, optional
+        Vertices from which distances are measured, or a mask (n,) of them.
+    normals, joining_tolerance, maximum_memory, threads : as for Geodesics
+        The surface, and what a query may take.
+    boundary, exact, progress : as for Geodesics.distances
+        That takes other sources, too.
 
     Returns
     -------
     numpy.ndarray, (n,)
-        Of the vertices from the nearest source; infinite where none is reached.
+        Of the vertices from the nearest source, in units of length; infinite where none is reached.
+
+    Raises
+    ------
+    InputError
+        There is no source, it is no vertex, or the memory does not suffice.
+    Canceled
+        A callback of `progress` returned False.
 
     Examples
     --------
     >>> import restricted_laplacian as rl
     >>> V, F = rl.icosphere(4)
     >>> d = rl.geodesic_distance(V, F, [0, 7])
+    >>> bool(d[0] == d[7] == 0)
+    True
     """
-    geodesics = Geodesics(V, F, maximum_memory=maximum_memory)
+    geodesics = Geodesics(V, F, normals=normals, joining_tolerance=joining_tolerance,
+                          maximum_memory=maximum_memory, threads=threads)
     return geodesics.distances(sources, boundary=boundary, exact=exact,
                                progress=progress).distances
 
 
-def farthest_points(V: Any, F: Any = None, number: int = 1, sources: Optional[Any] = None
-                    ) -> np.ndarray:
-    """Vertices far from each other, see `Geodesics.farthest_points`.
+@takes_surface
+def farthest_points(V: Any, F: Any = None, number: int = 1, sources: Optional[Any] = None, *,
+                    normals: Any = None, joining_tolerance: Optional[float] = None,
+                    maximum_memory: Optional[float] = None, threads: Optional[int] = None,
+                    progress: Progress = None) -> np.ndarray:
+    """Vertices far from each other: each is the one farthest from those before.
 
     Parameters
     ----------
-    V, F
+    V, F : array_like, (n, 3) and (m, 3)
         The triangles, as for `Space`.
-    number, sources
-        See `Geodesics.farthest_points`.
+    number : int, default 1
+        How many.
+    sources : int or array_like, optional
+        Vertices to begin with, see `Geodesics.farthest_points`.
+    normals, joining_tolerance, maximum_memory, threads : as for Geodesics
+        The surface, and what a query may take.
+    progress : bool or callable, optional
+        See `solve_poisson`.
 
     Returns
     -------
     numpy.ndarray, (number,)
+        Vertices; fewer if there are not so many.
+
+    Raises
+    ------
+    InputError
+        A source is no vertex, or the memory does not suffice.
+    Canceled
+        A callback of `progress` returned False.
 
     Examples
     --------
@@ -371,21 +501,40 @@ def farthest_points(V: Any, F: Any = None, number: int = 1, sources: Optional[An
     >>> len(rl.farthest_points(V, F, 5))
     5
     """
-    return Geodesics(V, F).farthest_points(number, sources)
+    return Geodesics(V, F, normals=normals, joining_tolerance=joining_tolerance,
+                     maximum_memory=maximum_memory, threads=threads
+                     ).farthest_points(number, sources, progress=progress)
 
 
-def shortest_path(V: Any, F: Any = None, start: Any = 0, sources: Any = None, *,
-                  boundary: bool = False, exact: bool = False) -> Path:
+@takes_surface
+def shortest_path(V: Any, F: Any = None, start: Any = 0, sources: Any = None, *, normals: Any = None,
+                  boundary: bool = False, exact: bool = False,
+                  joining_tolerance: Optional[float] = None, maximum_memory: Optional[float] = None,
+                  threads: Optional[int] = None, progress: Progress = None) -> Path:
     """The shortest path from a point of a surface to the nearest source.
 
     Parameters
     ----------
-    V, F
+    V, F : array_like, (n, 3) and (m, 3)
         The triangles, as for `Space`.
-    start
-        See `DistanceFunction.shortest_path`.
-    sources, boundary, exact
-        See `Geodesics.distances`.
+    start : int or (int, array_like), default 0
+        A vertex; or a face and barycentric coordinates (3,).
+    sources, boundary, exact, progress : as for Geodesics.distances
+        Where paths end.
+    normals, joining_tolerance, maximum_memory, threads : as for Geodesics
+        The surface, and what a query may take.
+
+    Returns
+    -------
+    Path
+        Points (n + 1, 3), the length, and the segments.
+
+    Raises
+    ------
+    InputError
+        There is no source, none is reached, or it is no vertex.
+    Canceled
+        A callback of `progress` returned False.
 
     Examples
     --------
@@ -395,4 +544,7 @@ def shortest_path(V: Any, F: Any = None, start: Any = 0, sources: Any = None, *,
     >>> bool((path.points[0] == V[7]).all() and (path.points[-1] == V[0]).all())
     True
     """
-    return Geodesics(V, F).function(sources, boundary=boundary, exact=exact).shortest_path(start)
+    geodesics = Geodesics(V, F, normals=normals, joining_tolerance=joining_tolerance,
+                          maximum_memory=maximum_memory, threads=threads)
+    return geodesics.function(sources, boundary=boundary, exact=exact, progress=progress
+                              ).shortest_path(start)

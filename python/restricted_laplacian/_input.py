@@ -5,9 +5,11 @@
 
 from __future__ import annotations
 
+import copyreg
+import functools
 import sys
 import time
-from typing import Any, Callable, Optional, Union
+from typing import Any, Callable, Optional, TypeVar, Union
 
 import numpy as np
 
@@ -15,6 +17,7 @@ from . import _core
 from ._errors import InputError, argument_error
 
 Progress = Union[bool, None, Callable[[float], Any]]
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 
 _TYPES = {np.dtype(t) for t in (np.float64, np.float32, np.int64, np.int32, np.uint64, np.uint32,
                                 np.int16, np.uint16, np.int8, np.uint8)}
@@ -43,6 +46,27 @@ def rows(values: Any, name: str) -> np.ndarray:
     if array.ndim != 2:
         raise argument_error(name, f"has {array.ndim} dimensions, but must have one or two")
     return array
+
+
+def vertex_numbers(values: Any, name: str, number_of_vertices: int) -> np.ndarray:
+    """Vertices: one number, several, or a mask with a truth value for each."""
+    array = np.asarray(values)
+    if array.dtype.kind == "b":
+        if array.shape != (number_of_vertices,):
+            raise argument_error(name, f"is a mask of the shape {array.shape}, but must have "
+                                 f"({number_of_vertices},): a truth value for each vertex")
+        return np.flatnonzero(array)
+    return whole_numbers(values, name)
+
+
+def whole_numbers(values: Any, name: str) -> np.ndarray:
+    """Whole numbers from 0 on, in a row."""
+    given = numbers(values, name).ravel()
+    with np.errstate(invalid="ignore"):  # NaN
+        result = given.astype(np.int64)
+    if not np.array_equal(result, given) or (result < 0).any():
+        raise argument_error(name, "must be whole numbers from 0 on")
+    return result
 
 
 def number_of_threads(threads: Optional[int]) -> int:
@@ -89,16 +113,102 @@ def listener(progress: Progress) -> Optional[Callable[[float], Any]]:
     return progress
 
 
-def _mesh_arrays(mesh: Any) -> Optional[tuple[Any, Any]]:
-    """Points and faces of a mesh of trimesh, meshio, or what looks like one."""
-    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-        return mesh.vertices, mesh.faces
+def divided(V: Any, sizes: np.ndarray, corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Points and triangles of polygons: numbers of their corners, and the corners in a row."""
+    points = numbers(V, "V", np.float64)
+    if (sizes == 3).all():
+        return points, corners.reshape(-1, 3)
+    # as read_mesh() divides them, which knows them as lists
+    lists = np.insert(corners, np.concatenate([[0], np.cumsum(sizes)[:-1]]), sizes)
+    text = (f"# vtk DataFile Version 3.0\n\nBINARY\nDATASET POLYDATA\nPOINTS {len(points)} double\n").encode()
+    text += points.astype(">f8").tobytes() + f"\nPOLYGONS {len(sizes)} {len(lists)}\n".encode()
+    text += np.clip(lists, -1, 2 ** 31 - 1).astype(">i4").tobytes()
+    surface = _core.Surface.of_bytes("mesh.vtk", text)
+    return surface.points(), surface.faces()
+
+
+def _of_vtk(mesh: Any) -> tuple[Any, Any]:
+    """PolyData of VTK or PyVista: its polygons, without lines and vertices."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy  # type: ignore[import-not-found,unused-ignore]
+    if mesh.GetNumberOfStrips() > 0:
+        from vtkmodules.vtkFiltersCore import vtkTriangleFilter  # type: ignore[import-not-found,unused-ignore]
+        divide = vtkTriangleFilter()
+        divide.SetInputData(mesh)
+        divide.Update()
+        mesh = divide.GetOutput()
+    polygons = mesh.GetPolys()
+    if mesh.GetPoints() is None or polygons.GetNumberOfCells() == 0:
+        raise argument_error("V", "is a mesh without faces")
+    return divided(vtk_to_numpy(mesh.GetPoints().GetData()),
+                   np.diff(vtk_to_numpy(polygons.GetOffsetsArray())),
+                   vtk_to_numpy(polygons.GetConnectivityArray()))
+
+
+def _of_meshio(mesh: Any) -> tuple[Any, Any]:
+    """The triangles, quadrangles and polygons of a mesh of meshio, in its order."""
+    faces = [np.asarray(block.data) for block in mesh.cells if block.type in ("triangle", "quad", "polygon")]
+    if not faces:
+        raise argument_error("V", "is a mesh without triangles; it has " + (
+            ", ".join(sorted({block.type for block in mesh.cells})) or "no cells"))
+    points = np.asarray(mesh.points)
+    if points.ndim == 2 and points.shape[1] == 2:  # in a plane
+        points = np.column_stack([points, np.zeros(len(points))])
+    return divided(points, np.concatenate([np.full(len(f), f.shape[1]) for f in faces]),
+                   np.concatenate([f.ravel() for f in faces]))
+
+
+def _of_gifti(mesh: Any) -> tuple[Any, Any]:
+    V, F = mesh.agg_data(("pointset", "triangle"))
+    if len(V) == 0 or len(F) == 0:
+        raise argument_error("V", "is GIFTI without points and triangles; read_vertex_properties reads data")
+    return V, F
+
+
+def mesh_arrays(mesh: Any) -> Optional[tuple[Any, Any]]:
+    """Points and faces of a pair (V, F), or of a mesh of another library."""
+    if isinstance(mesh, (tuple, list)):
+        return (mesh[0], mesh[1]) if len(mesh) == 2 and all(np.ndim(a) == 2 for a in mesh) else None
+    if hasattr(mesh, "agg_data"):  # nibabel
+        return _of_gifti(mesh)
+    if hasattr(mesh, "GetPolys"):  # VTK, PyVista
+        return _of_vtk(mesh)
     if hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
-        faces = mesh.cells_dict.get("triangle")
-        if faces is None:
-            raise argument_error("V", "is a mesh without triangles")
-        return mesh.points, faces
+        if hasattr(mesh, "extract_surface"):  # a grid of PyVista, whose surface has other numbers
+            raise argument_error("V", "is a grid; its extract_surface() is a surface")
+        return _of_meshio(mesh)
+    for vertices, faces in (("vertices", "faces"),  # trimesh
+                            ("vertices", "triangles"),  # Open3D
+                            ("v", "t")):  # LaPy
+        if hasattr(mesh, vertices) and hasattr(mesh, faces):
+            return getattr(mesh, vertices), getattr(mesh, faces)
+    if hasattr(mesh, "vertex") and hasattr(mesh, "triangle"):  # tensors of Open3D
+        return mesh.vertex.positions.numpy(), mesh.triangle.indices.numpy()
     return None
+
+
+def is_surface(value: Any) -> bool:
+    """Whether it is a surface as a whole: a space, a pair (V, F), or a mesh of another library."""
+    if isinstance(value, np.ndarray) or isinstance(value, _core.Surface):
+        return not isinstance(value, np.ndarray)
+    if isinstance(value, (tuple, list)):
+        return len(value) == 2 and all(np.ndim(a) == 2 for a in value)
+    names = set(dir(value))
+    return "_surface" in names or any(pair <= names for pair in (
+        {"vertices", "faces"}, {"vertices", "triangles"}, {"v", "t"}, {"points", "cells_dict"},
+        {"agg_data"}, {"GetPolys"}, {"vertex", "triangle"}))
+
+
+def takes_surface(function: _Function) -> _Function:
+    """Lets a surface as a whole stand for the two arguments V and F, as the first of a function."""
+    first = 1 if function.__name__ == "__init__" else 0
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **options: Any) -> Any:
+        if ("F" not in options and len(arguments) > first + 1 and arguments[first + 1] is not None
+                and is_surface(arguments[first])):
+            arguments = (*arguments[:first + 1], None, *arguments[first + 1:])
+        return function(*arguments, **options)
+    return call  # type: ignore[return-value]
 
 
 def make_surface(V: Any, F: Any = None, *, normals: Any = None, areas: Any = None,
@@ -109,8 +219,10 @@ def make_surface(V: Any, F: Any = None, *, normals: Any = None, areas: Any = Non
         if F is not None or normals is not None:
             raise InputError("a surface needs neither F nor normals")
         return V
+    if hasattr(V, "_surface"):
+        return make_surface(V._surface, F, normals=normals)
     if F is None and normals is None:
-        mesh = _mesh_arrays(V)
+        mesh = mesh_arrays(V)
         if mesh is None:
             raise argument_error("F", "is missing: give faces, or normals for points without faces")
         V, F = mesh
@@ -129,6 +241,24 @@ def make_surface(V: Any, F: Any = None, *, normals: Any = None, areas: Any = Non
                                    number_of_threads(threads))
 
 
+def _surface_again(points: np.ndarray, faces: Any, normals: Any, areas: Any) -> _core.Surface:
+    """What pickle calls."""
+    if faces is None:
+        return _core.Surface.of_points(points, normals, areas, _core.default_neighbors, 0)
+    return _core.Surface.of_triangles(points, faces)
+
+
+def surface_state(surface: _core.Surface) -> tuple[Any, Any, Any, Any]:
+    """Points, faces, normals and areas; without faces, or without the others."""
+    if surface.is_point_set:
+        return surface.points(), None, surface.face_normals(), surface.face_areas()
+    return surface.points(), surface.faces(), None, None
+
+
+# a flat one; a smooth geometry is what a space knows
+copyreg.pickle(_core.Surface, lambda s: (_surface_again, surface_state(s)))  # type: ignore[arg-type]
+
+
 class Corners:
     """Values at the corners of the faces, which may jump from one face to the next.
 
@@ -145,14 +275,40 @@ class Corners:
             raise argument_error("values", "must have the shape (m, 3), (m, 3, 3) or (m, 3, 3, K)")
 
 
+def _check_finite(array: np.ndarray, surface: _core.Surface, name: str, at: str) -> None:
+    """Names the first vertex or face where a number is none, if that matters."""
+    is_bad = ~np.isfinite(array).all(axis=1)
+    if not is_bad.any():
+        return
+    counts = surface.face_areas() > 0
+    if at == "vertices" and not surface.is_point_set:
+        of_faces = counts
+        counts = np.zeros(surface.number_of_vertices, bool)
+        counts[surface.faces()[of_faces]] = True
+    elif at == "corners":
+        counts = np.repeat(counts, 3)
+    bad = np.flatnonzero(is_bad & counts)
+    if len(bad) == 0:
+        return
+    kind = "vertex" if at == "vertices" or surface.is_point_set else "face"
+    number = int(bad[0]) // (3 if at == "corners" else 1)
+    value = array[bad[0]][~np.isfinite(array[bad[0]])][0]
+    error = argument_error(name, f"is {value} at {kind} {number}")
+    setattr(error, kind, number)
+    raise error
+
+
 def as_function(f: Any, surface: _core.Surface, name: str, vectors: bool = False,
-                smooth: Optional[Callable[[np.ndarray], _core.Function]] = None
-                ) -> _core.Function:
+                smooth: Optional[Callable[[np.ndarray], _core.Function]] = None,
+                everywhere: bool = True) -> _core.Function:
     """A function on a surface: an array at vertices or faces, a number, or a callable.
 
     With `vectors` an array has the shape (n, 3), or (n, 3, K) with a vector for each channel.
-    `smooth` makes a function of an array at vertices that is not linear between them.
+    `smooth` makes a function of an array at vertices that is not linear between them. What is not
+    wanted `everywhere` may be NaN.
     """
+    if f is None:
+        raise argument_error(name, "is missing")
     if callable(f):
         probe = np.ascontiguousarray(surface.points()[:3])
         probe = np.nan_to_num(probe)
@@ -191,6 +347,8 @@ def as_function(f: Any, surface: _core.Surface, name: str, vectors: bool = False
     if array.ndim == 1:
         array = array[:, np.newaxis]
     array = np.ascontiguousarray(array.reshape(length, -1))
+    if everywhere:
+        _check_finite(array, surface, name, at)
     if smooth is not None and at == "vertices":
         return smooth(array)
     return _core.array_function(array, at)

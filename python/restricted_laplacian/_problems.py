@@ -26,19 +26,31 @@ import numpy as np
 
 from . import _core
 from ._errors import argument_error
-from ._input import Progress, listener, number_of_threads, numbers
+from ._input import Progress, listener, number_of_threads, numbers, takes_surface, vertex_numbers
+from ._show import shown
 from ._space import PoissonSolver, SplineFunction, checked, solver_options, space_of
 
 
-def _constraints(constraints: Any) -> Optional[np.ndarray]:
+def _constraints(constraints: Any, number_of_vertices: int) -> Optional[np.ndarray]:
+    """Vertices and values, alternating."""
     if constraints is None:
         return None
-    try:
-        vertices, values = constraints
-    except (TypeError, ValueError):
-        raise argument_error("constraints", "must be a pair: vertices, and values") from None
-    vertices = numbers(vertices, "constraints", np.float64).ravel()
-    values = np.broadcast_to(numbers(values, "constraints", np.float64), vertices.shape)
+    if hasattr(constraints, "items"):  # a mapping, or a series of pandas
+        pairs = list(constraints.items())
+        constraints = [vertex for vertex, _ in pairs], [value for _, value in pairs]
+    elif not isinstance(constraints, (tuple, list, np.ndarray)) or len(constraints) != 2:
+        raise argument_error("constraints", "must be a mapping {vertex: value}, or a pair: vertices, and "
+                             "values")
+    elif all(hasattr(x, "__len__") and len(x) == 2 for x in constraints) and not (
+            isinstance(constraints, tuple) and all(isinstance(x, (list, np.ndarray)) for x in constraints)):
+        raise argument_error("constraints", "may be two pairs, or vertices and values: give a mapping "
+                             "{vertex: value}")
+    vertices = vertex_numbers(constraints[0], "constraints", number_of_vertices).astype(np.float64)
+    given = numbers(constraints[1], "constraints", np.float64)
+    if given.ndim > 1 or given.ndim == 1 and given.shape != vertices.shape:
+        raise argument_error("constraints", f"has {len(vertices)} vertices, and values of the shape "
+                             f"{given.shape}")
+    values = np.broadcast_to(given, vertices.shape)
     return np.ascontiguousarray(np.stack([vertices, values], axis=1).ravel())
 
 
@@ -54,9 +66,9 @@ def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, boundary_fl
         weight = float(alpha)
     else:
         weight_function = space._function(alpha, "alpha")
-    boundary, flux = (None if g is None else space._function(g, name) for g, name in
+    boundary, flux = (None if g is None else space._function(g, name, everywhere=False) for g, name in
                       ((boundary_values, "boundary_values"), (boundary_flux, "boundary_flux")))
-    constrained = _constraints(constraints)
+    constrained = _constraints(constraints, space.number_of_vertices)
     is_vector = callable(f) and right.components == 1 or np.ndim(f) < 2
     if right.components == 1:
         x, report = _core.solve_poisson(space._space, right, weight, weight_function, boundary,
@@ -77,7 +89,8 @@ def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, boundary_fl
     return checked(u if as_spline else u.at_vertices(), report, check, return_report)
 
 
-def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None,
+@takes_surface
+def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any = None,
                   boundary_flux: Any = None, constraints: Any = None,
                   constraint_weight: Optional[float] = None, tolerance: Optional[float] = None,
                   energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
@@ -95,8 +108,9 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None,
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data
-        The surface, see `Space`.
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data : as for Space
+        The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
+        `Space` as `V` alone.
     f : array_like or callable
         (n,) at vertices, (m,) on faces, a number, `Corners`, or a callable on points (N, 3). (n, K)
         gives K solutions.
@@ -106,25 +120,35 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None,
     boundary_flux : array_like, callable or float, optional
         How fast u changes across the boundary, outward, where `boundary_values` are free or not
         given.
-    constraints : (array_like, array_like), optional
-        Vertices, and what u is there. Without `boundary_values` it holds along each edge of the
+    constraints : mapping, or (array_like, array_like), optional
+        What u is at vertices, as ``{vertex: value}``; or vertices, or a mask (n,) of them, and values.
+        Without `boundary_values` it holds along each edge of the
         boundary, too, both ends of which have a value, linear between them.
     constraint_weight : float, optional
         Values at vertices only pull: u minimizes the energy plus the weight times the squares of
         what is missed. By default they are met exactly.
     tolerance : float, optional
         Residual over right-hand side: 1e-3, or 1e-8 with prescribed values.
-    energy_tolerance, stabilization, cycle, smoother, max_iterations
-        See `PoissonSolver`.
-    threads, progress, check, return_report
-        See the module's documentation.
-    as_spline : bool
+    energy_tolerance, stabilization, cycle, smoother, max_iterations : as for PoissonSolver
+        When the iteration ends, and what it is.
+    threads : int, optional
+        All processors by default. Results do not depend on it.
+    progress : bool or callable, optional
+        True shows a bar on the error stream. A callable is called with the part that is done, from 0 to
+        1; if it returns False, the computation ends with `Canceled`.
+    check : bool, default True
+        Whether a solver that does not converge raises `ConvergenceError`.
+    return_report : bool, default False
+        Whether to return a `Report`, too.
+    as_spline : bool, default False
         Whether to return a `SplineFunction` in place of values at vertices.
 
     Returns
     -------
-    numpy.ndarray
-        Values at the vertices, (n,) or (n, K); NaN where no face has an area.
+    u : numpy.ndarray
+        Values at the vertices, (n,) or (n, K), in units of f times area; NaN where no face has an area.
+    report : Report
+        If `return_report`.
 
     Raises
     ------
@@ -132,6 +156,8 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None,
         A `ValueError` that names the face, the vertex or the argument.
     ConvergenceError
         A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
 
     Examples
     --------
@@ -153,7 +179,8 @@ def solve_poisson(V: Any, F: Any, f: Any, *, boundary_values: Any = None,
                   threads, progress, check, return_report, as_spline)
 
 
-def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_values: Any = None,
+@takes_surface
+def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = None, *, boundary_values: Any = None,
                            boundary_flux: Any = None, constraints: Any = None,
                            constraint_weight: Optional[float] = None,
                            tolerance: Optional[float] = None,
@@ -169,21 +196,35 @@ def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_value
 
     Parameters
     ----------
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data : as for Space
+        The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
+        `Space` as `V` alone.
+    f : array_like or callable
+        As for `solve_poisson`.
     alpha : float, array_like or callable
         A positive number in units of 1 / area; or weights that are not negative, given as f is.
-    V, F, f, boundary_values, boundary_flux, constraints, constraint_weight, tolerance
-        See `solve_poisson`.
-    energy_tolerance, stabilization, cycle, smoother, max_iterations, normals, depth
-        See `solve_poisson`.
-    joining_tolerance, geometry, vertex_data
-        See `solve_poisson`.
-    threads, progress, check, return_report, as_spline
-        See `solve_poisson`.
+    boundary_values, boundary_flux, constraints, constraint_weight : as for solve_poisson
+        What is prescribed.
+    tolerance, energy_tolerance, stabilization, cycle, smoother, max_iterations : as for PoissonSolver
+        When the iteration ends, and what it is.
+    threads, progress, check, return_report, as_spline : as for solve_poisson
+        How the work is done, and what is returned.
 
     Returns
     -------
-    numpy.ndarray
-        Values at the vertices, (n,) or (n, K).
+    u : numpy.ndarray
+        Values at the vertices, (n,) or (n, K), in units of f times area; NaN where no face has an area.
+    report : Report
+        If `return_report`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
 
     Examples
     --------
@@ -193,6 +234,8 @@ def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_value
     >>> bool(abs(u - V[:, 2] / 5).max() < 2e-3)
     True
     """
+    if alpha is None:
+        raise argument_error("alpha", "is missing")
     if np.ndim(alpha) == 0 and not callable(alpha) and not float(alpha) > 0:
         raise argument_error("alpha", f"must be positive, and is {alpha}")
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
@@ -204,7 +247,8 @@ def solve_screened_poisson(V: Any, F: Any, f: Any, alpha: Any, *, boundary_value
                   threads, progress, check, return_report, as_spline)
 
 
-def fit_function(V: Any, F: Any, f: Any, *, smoothing: float = 0, refinements: int = 0,
+@takes_surface
+def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, refinements: int = 0,
                  tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
                  stabilization: Optional[float] = None, max_iterations: Optional[int] = None,
                  normals: Any = None, depth: Optional[int] = None,
@@ -216,23 +260,35 @@ def fit_function(V: Any, F: Any, f: Any, *, smoothing: float = 0, refinements: i
 
     Parameters
     ----------
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data : as for Space
+        The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
+        `Space` as `V` alone.
     f : array_like or callable
         (n,) or (n, K) at vertices; (m,) or (m, K) on faces; `Corners`; or a callable on points.
-    smoothing : float
+    smoothing : float, default 0
         Weight of the squared gradient, in units of squared length.
-    refinements : int
+    refinements : int, default 0
         How often what the fit leaves is fitted and added.
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data
-        The surface, see `Space`.
-    tolerance, energy_tolerance, stabilization, max_iterations
+    tolerance, energy_tolerance, stabilization, max_iterations : as for PoissonSolver
         When the iteration ends, and how much is stabilized; by default what does not show.
-    threads, progress, check, return_report, as_spline
-        See `solve_poisson`. The report has ``root_mean_square_errors``.
+    threads, progress, check, return_report, as_spline : as for solve_poisson
+        How the work is done, and what is returned. The report has ``root_mean_square_errors``.
 
     Returns
     -------
-    numpy.ndarray
-        Values of the fit at the vertices, of the shape of f.
+    u : numpy.ndarray
+        Values of the fit at the vertices, (n,) or (n, K), in units of f.
+    report : Report
+        If `return_report`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
 
     Examples
     --------
@@ -257,19 +313,32 @@ def fit_function(V: Any, F: Any, f: Any, *, smoothing: float = 0, refinements: i
     return checked(u if as_spline else u.at_vertices(), report, check, return_report)
 
 
+@shown()
 class Curvature(NamedTuple):
-    """Curvature at vertices; the sign is that of a sphere whose normals point outward."""
+    """Curvature at vertices; that of a sphere whose normals point outward is positive.
+
+    Attributes
+    ----------
+    mean : numpy.ndarray, (n,)
+        In units of 1 / length.
+    gaussian : numpy.ndarray, (n,)
+        In units of 1 / area.
+    principal_values : numpy.ndarray, (n, 2)
+        The larger one first, in units of 1 / length.
+    principal_directions : numpy.ndarray, (n, 2, 3)
+        Unit vectors with either sign.
+    normals : numpy.ndarray, (n, 3)
+        Fitted.
+    """
 
     mean: np.ndarray
     gaussian: np.ndarray
-    #: (n, 2), the larger one first
     principal_values: np.ndarray
-    #: (n, 2, 3), unit vectors with either sign
     principal_directions: np.ndarray
-    #: (n, 3), fitted
     normals: np.ndarray
 
 
+@takes_surface
 def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Optional[float] = None,
               refinements: Optional[int] = None, tolerance: Optional[float] = None,
               energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
@@ -281,6 +350,9 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
 
     Parameters
     ----------
+    V, F, normals, depth, joining_tolerance, geometry : as for Space
+        The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
+        `Space` as `V` alone. Its faces must be oriented alike.
     method : {"normals", "face_normals", "coordinates"}
         The derivative of fitted vertex normals; of face normals; or the Laplacian of the
         coordinates, which gives the mean curvature only.
@@ -289,17 +361,26 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
         squared width of a cell, and 0 on surfaces with a boundary and on points.
     refinements : int, optional
         How often what the smoothed fit leaves is fitted and added; by default once.
-    V, F, normals, depth, joining_tolerance, geometry
-        The surface, see `Space`; its faces must be oriented alike.
-    tolerance, energy_tolerance, stabilization, max_iterations
+    tolerance, energy_tolerance, stabilization, max_iterations : as for PoissonSolver
         Of the fit.
-    threads, progress, check, return_report
-        See `solve_poisson`.
+    threads, progress, check, return_report : as for solve_poisson
+        How the work is done, and what is returned.
 
     Returns
     -------
-    Curvature
+    c : Curvature
         A sphere of radius r has the mean curvature 1 / r if its normals point outward.
+    report : Report
+        If `return_report`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
 
     Examples
     --------
@@ -324,7 +405,8 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
     return checked(result, report, check, return_report)
 
 
-def integrate_gradient(V: Any, F: Any, v: Any, *, target: Any = None, weight: Any = None,
+@takes_surface
+def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = None, weight: Any = None,
                        mean: Any = None, details: bool = False, tolerance: Optional[float] = None,
                        energy_tolerance: Optional[float] = None,
                        stabilization: Optional[float] = None, max_iterations: Optional[int] = None,
@@ -337,6 +419,9 @@ def integrate_gradient(V: Any, F: Any, v: Any, *, target: Any = None, weight: An
 
     Parameters
     ----------
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data : as for Space
+        The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
+        `Space` as `V` alone.
     v : array_like or callable
         (m, 3) on faces; (n, 3) at vertices, see `vertex_data`; `Corners`; with a last dimension K
         for K fields; or a callable on points. Only the part along the surface counts.
@@ -346,19 +431,28 @@ def integrate_gradient(V: Any, F: Any, v: Any, *, target: Any = None, weight: An
         How strongly, in units of 1 / area.
     mean : float or array_like, optional
         Of the result, 0 by default; for K fields (K,).
-    details : bool
+    details : bool, default False
         Whether to correct the values at the vertices by what splines do not resolve.
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data
-        The surface, see `Space`.
-    tolerance, energy_tolerance, stabilization, max_iterations
-        See `PoissonSolver`; the tolerance is 1e-5 by default.
-    threads, progress, check, return_report
-        See `solve_poisson`. The report has ``root_mean_square_residuals``.
+    tolerance, energy_tolerance, stabilization, max_iterations : as for PoissonSolver
+        When the iteration ends, and what it is; the tolerance is 1e-5 by default.
+    threads, progress, check, return_report : as for solve_poisson
+        How the work is done, and what is returned. The report has ``root_mean_square_residuals``.
 
     Returns
     -------
-    numpy.ndarray
-        Values at the vertices, (n,) or (n, K).
+    u : numpy.ndarray
+        Values at the vertices, (n,) or (n, K), in units of v times length.
+    report : Report
+        If `return_report`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
 
     Examples
     --------

@@ -7,9 +7,28 @@ from __future__ import annotations
 
 import numpy as np
 
+from ._errors import argument_error
+
 
 def icosphere(subdivisions: int = 3) -> tuple[np.ndarray, np.ndarray]:
     """The unit sphere, by an icosahedron whose triangles are divided into four again and again.
+
+    Parameters
+    ----------
+    subdivisions : int, default 3
+        How often: there are 20 * 4**subdivisions triangles.
+
+    Returns
+    -------
+    V : numpy.ndarray, (n, 3)
+        Points on the sphere.
+    F : numpy.ndarray, (m, 3)
+        Triangles, with normals outward.
+
+    Raises
+    ------
+    InputError
+        The number is none.
 
     Examples
     --------
@@ -17,6 +36,9 @@ def icosphere(subdivisions: int = 3) -> tuple[np.ndarray, np.ndarray]:
     >>> V.shape, F.shape
     ((162, 3), (320, 3))
     """
+    if isinstance(subdivisions, bool) or not isinstance(subdivisions, (int, np.integer)) or not (
+            0 <= subdivisions <= 12):
+        raise argument_error("subdivisions", f"must be a whole number from 0 to 12, and is {subdivisions!r}")
     t = (1 + 5 ** 0.5) / 2
     V = np.array([[-1, t, 0], [1, t, 0], [-1, -t, 0], [1, -t, 0], [0, -1, t], [0, 1, t],
                   [0, -1, -t], [0, 1, -t], [t, 0, -1], [t, 0, 1], [-t, 0, -1], [-t, 0, 1]])

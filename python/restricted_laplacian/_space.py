@@ -12,12 +12,14 @@ import scipy.sparse
 
 from . import _core
 from ._errors import ConvergenceError, InputError, argument_error
-from ._input import Progress, as_function, listener, make_surface, number_of_threads, numbers, rows
+from ._input import (Progress, as_function, listener, make_surface, number_of_threads, numbers, rows,
+                     surface_state, takes_surface)
+from ._show import shown, table
 from ._view import View, Viewable, view_of_surface
 
 
 class Report(dict):
-    """What a solver did: a dictionary whose entries are attributes, too.
+    """What a solver did, a dictionary whose entries are attributes, too.
 
     ``converged``, ``status``, ``iterations``, ``relative_residual``, ``relative_energy_error`` (an
     estimate), ``assembly_seconds``, ``setup_seconds``, ``solve_seconds``, and what the function
@@ -29,6 +31,9 @@ class Report(dict):
             return self[name]
         except KeyError:
             raise AttributeError(name) from None
+
+    def _repr_html_(self) -> str:
+        return table("Report", self.items())
 
 
 def checked(result: Any, report: dict, check: bool, return_report: bool, advice: str = "") -> Any:
@@ -52,16 +57,24 @@ def _csr(arrays: tuple, is_symmetric: bool) -> scipy.sparse.csr_matrix:
     return scipy.sparse.csc_matrix((values, indices, starts), shape=(m, n), copy=False).tocsr()
 
 
+@shown()
 class MemoryEstimate(NamedTuple):
-    """How large a space is, and how much memory a Poisson problem in it takes."""
+    """How large a space is, and how much memory a Poisson problem in it takes.
+
+    Attributes
+    ----------
+    dimension : float
+        Number of splines.
+    surface : float
+        Bytes of the surface, whatever the depth.
+    solver : float
+        Bytes of the space, the matrices and the multigrid solver, or of what is needed to make the space,
+        if that is more.
+    """
 
     dimension: float
-    """Number of splines."""
     surface: float
-    """Bytes of the surface, whatever the depth."""
     solver: float
-    """Bytes of the space, the matrices and the multigrid solver, or of what is needed to make the
-    space, if that is more."""
 
     @property
     def total(self) -> float:
@@ -69,6 +82,7 @@ class MemoryEstimate(NamedTuple):
         return self.surface + self.solver
 
 
+@takes_surface
 def estimate_memory(V: Any, F: Any = None, *, depth: int, cube_scale: float = 1.1,
                     normals: Any = None, areas: Any = None) -> MemoryEstimate:
     """Tells before any work how much memory a depth takes.
@@ -79,12 +93,22 @@ def estimate_memory(V: Any, F: Any = None, *, depth: int, cube_scale: float = 1.
 
     Parameters
     ----------
-    V, F, normals, areas
-        The surface, as for `Space`.
+    V, F, normals, areas : as for Space
+        The surface.
     depth : int
         Of the octree.
-    cube_scale : float
+    cube_scale : float, default 1.1
         Side of the octree over the longest side of the bounding box.
+
+    Returns
+    -------
+    MemoryEstimate
+        The dimension of the space, and bytes.
+
+    Raises
+    ------
+    InputError
+        The surface or an argument cannot be used.
 
     Examples
     --------
@@ -100,13 +124,63 @@ def estimate_memory(V: Any, F: Any = None, *, depth: int, cube_scale: float = 1.
     return MemoryEstimate(*_core.estimate_memory(surface, int(depth), float(cube_scale)))
 
 
+@shown()
 class Operators(NamedTuple):
-    """Stiffness matrix S (minus the Laplacian) and mass matrix M, of splines."""
+    """Stiffness matrix S (minus the Laplacian) and mass matrix M.
+
+    Attributes
+    ----------
+    stiffness, mass : scipy.sparse.csr_matrix
+        Symmetric; without unit, and in units of area.
+    """
 
     stiffness: scipy.sparse.csr_matrix
     mass: scipy.sparse.csr_matrix
 
 
+@takes_surface
+def cotangent_operators(V: Any, F: Any = None, *, lumped_mass: bool = False) -> Operators:
+    """Stiffness and mass matrix of the functions that are linear on each triangle.
+
+    The cotangent Laplacian, with the sign and units of `Space.operators`: for comparison, and as the
+    product of functions at vertices. The triangles need not form a manifold; those without area are
+    left out, and a vertex without another one has an empty row.
+
+    Parameters
+    ----------
+    V, F : array_like, (n, 3) and (m, 3)
+        The triangles, as for `Space`.
+    lumped_mass : bool, default False
+        Whether the mass matrix is diagonal: a third of the area of the triangles at each vertex.
+
+    Returns
+    -------
+    Operators
+        ``stiffness``, the cotangent matrix, without unit; and ``mass``, in units of area: both
+        (n, n), symmetric, scipy.sparse.csr_matrix.
+
+    Raises
+    ------
+    InputError
+        The surface consists of points.
+
+    See Also
+    --------
+    Space.operators : Those of splines, which hardly depend on the triangulation.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(3)
+    >>> S, M = rl.cotangent_operators(V, F)
+    >>> S.shape, bool(abs(M.sum() - rl.Space(V, F).area) < 1e-12), bool(abs(S.sum(axis=0)).max() < 1e-12)
+    ((642, 642), True, True)
+    """
+    stiffness, mass = make_surface(V, F).cotangent_operators(bool(lumped_mass))
+    return Operators(_csr(stiffness, True), _csr(mass, True))
+
+
+@shown("depth", "dimension", "number_of_vertices", "number_of_faces", "components", "area")
 class Space:
     """B-splines of degree 2 on an octree, restricted to a surface.
 
@@ -175,6 +249,7 @@ class Space:
     12.566
     """
 
+    @takes_surface
     def __init__(self, V: Any, F: Any = None, *, normals: Any = None, areas: Any = None,
                  neighbors: Optional[int] = None, depth: Optional[int] = None,
                  cube_scale: Optional[float] = None, joining_tolerance: Optional[float] = None,
@@ -188,7 +263,9 @@ class Space:
         if vertex_normals is not None:
             vertex_normals = numbers(vertex_normals, "vertex_normals")
         sectors = float(crease_angle), vertex_normals
+        self._flat = None  # what is projected, which does not keep its points
         if callable(geometry):
+            self._flat = self._surface
             self._surface = self._surface.projected(geometry)
         elif geometry == "smooth":
             self._surface = self._surface.curved(*sectors)
@@ -207,6 +284,15 @@ class Space:
             depth = int(np.clip(depth, -1, 1000))
         self._space = _core.Space.make(self._surface, depth, cube_scale, joining_tolerance, split,
                                        bool(paper), maximum_memory, self._threads)
+        self._options = dict(
+            depth=depth, cube_scale=cube_scale, joining_tolerance=joining_tolerance, split=split, paper=paper,
+            geometry=geometry, vertex_data=vertex_data, crease_angle=crease_angle,
+            vertex_normals=vertex_normals, maximum_memory=maximum_memory, threads=threads)
+
+    def __reduce__(self) -> tuple:
+        points, faces, normals, areas = surface_state(self._flat or self._surface)
+        of_points = dict(normals=normals, areas=areas) if faces is None else {}
+        return _made_again, (Space, (points, faces), dict(of_points, **self._options))
 
     @property
     def depth(self) -> int:
@@ -248,19 +334,16 @@ class Space:
         """Number of rows of F; of points without faces their number."""
         return self._surface.number_of_faces
 
-    def _function(self, f: Any, name: str, vectors: bool = False) -> _core.Function:
+    def _function(self, f: Any, name: str, vectors: bool = False, *, everywhere: bool = True
+                  ) -> _core.Function:
         """What a caller gives as a function or vector field on the surface."""
         if self._sectors is None:
-            return as_function(f, self._surface, name, vectors)
+            return as_function(f, self._surface, name, vectors, None, everywhere)
         crease_angle, vertex_normals = self._sectors
 
         def smooth(values: np.ndarray) -> _core.Function:
             return _core.smooth_function(self._surface, crease_angle, vertex_normals, values)
-        return as_function(f, self._surface, name, vectors, smooth)
-
-    def __repr__(self) -> str:
-        return (f"Space(depth={self.depth}, dimension={self.dimension}, "
-                f"vertices={self.number_of_vertices}, faces={self.number_of_faces})")
+        return as_function(f, self._surface, name, vectors, smooth, everywhere)
 
     def operators(self, stabilization: float = 0, level: Optional[int] = None, *,
                   stabilize_mass: bool = True, progress: Progress = None) -> Operators:
@@ -268,14 +351,19 @@ class Space:
 
         Parameters
         ----------
-        stabilization : float
+        stabilization : float, default 0
             Factor of the stabilization by derivatives along the normal.
         level : int, optional
             Of the octree, the finest one by default.
-        stabilize_mass : bool
+        stabilize_mass : bool, default True
             False for eigenvalue problems.
-        progress : bool or callable
+        progress : bool or callable, optional
             True shows a bar; a callable gets the part that is done.
+
+        Returns
+        -------
+        Operators
+            Two matrices, (dimension, dimension).
         """
         s, m = self._space.operators(float(stabilization), level, bool(stabilize_mass),
                                      self._threads, listener(progress))
@@ -283,20 +371,59 @@ class Space:
 
     def stiffness(self, stabilization: float = 0, level: Optional[int] = None
                   ) -> scipy.sparse.csr_matrix:
-        """Stiffness matrix, minus the Laplacian: positive semi-definite."""
+        """Stiffness matrix, minus the Laplacian: positive semi-definite.
+
+        Parameters
+        ----------
+        stabilization, level : as for operators
+            What is assembled.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix, (dimension, dimension)
+            Without unit.
+        """
         return self.operators(stabilization, level).stiffness
 
     def mass(self, stabilization: float = 0, level: Optional[int] = None
              ) -> scipy.sparse.csr_matrix:
-        """Mass matrix; its entries sum to the area."""
+        """Mass matrix; its entries sum to the area.
+
+        Parameters
+        ----------
+        stabilization, level : as for operators
+            What is assembled.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix, (dimension, dimension)
+            In units of area.
+        """
         return self.operators(stabilization, level).mass
 
     def prolongation(self, level: int) -> scipy.sparse.csr_matrix:
-        """The matrix from coefficients on a level to those on the next finer one."""
+        """The matrix from coefficients on a level to those on the next finer one.
+
+        Parameters
+        ----------
+        level : int
+            The coarser one.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix
+            A row for each spline of the finer level, a column for each of the coarser one.
+        """
         return _csr(self._space.prolongation(level), False)
 
     def integrals(self) -> np.ndarray:
-        """Integrals of the splines."""
+        """Integrals of the splines.
+
+        Returns
+        -------
+        numpy.ndarray, (dimension,)
+            In units of area; they sum to the area.
+        """
         return self._space.integrals(self._threads)
 
     def loads(self, f: Any) -> np.ndarray:
@@ -319,7 +446,18 @@ class Space:
         return result if result.shape[1] != 1 or is_column else result[:, 0]
 
     def gradient_loads(self, v: Any) -> np.ndarray:
-        """Integrals of a vector field times the gradient of each spline, see `integrate_gradient`."""
+        """Integrals of a vector field times the gradient of each spline.
+
+        Parameters
+        ----------
+        v : array_like or callable
+            See `integrate_gradient`.
+
+        Returns
+        -------
+        numpy.ndarray
+            (dimension,), or (dimension, K) of K fields.
+        """
         result = self._space.gradient_loads(self._function(v, "v", True),
                                             self._threads)
         return result[:, 0] if result.shape[1] == 1 else result
@@ -346,6 +484,11 @@ class Space:
             Numbers of faces.
         barycentric : array_like, (N, 3), optional
             Coordinates with respect to their vertices.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix, (N, dimension)
+            (n, dimension) for the vertices.
         """
         return _csr(self._space.evaluation(self._locations(faces, barycentric), None, None), False)
 
@@ -354,22 +497,51 @@ class Space:
         """The three matrices from coefficients to derivatives along x, y and z.
 
         The part along the surface is that of the gradient; that along the normal has no meaning.
+
+        Parameters
+        ----------
+        faces, barycentric : as for evaluation_matrix
+            Where.
+
+        Returns
+        -------
+        tuple of scipy.sparse.csr_matrix
+            Three of the shape (N, dimension), in units of 1 / length.
         """
         where = self._locations(faces, barycentric)
         return tuple(_csr(self._space.evaluation(where, axis, None), False) for axis in range(3))
 
     def function(self, coefficients: Any) -> "SplineFunction":
-        """The function, or functions, of some coefficients."""
+        """The function, or functions, of some coefficients.
+
+        Parameters
+        ----------
+        coefficients : array_like
+            (dimension,), or (dimension, K) of K functions.
+
+        Returns
+        -------
+        SplineFunction
+            It can be evaluated anywhere on the surface.
+        """
         return SplineFunction(self, coefficients)
 
 
+def _made_again(cls: type, arguments: tuple, options: dict) -> Any:
+    """What pickle calls."""
+    return cls(*arguments, **options)
+
+
+@shown("space", "coefficients")
 class SplineFunction(Viewable):
     """One function of a space, or several: it can be evaluated anywhere on the surface.
 
     Parameters
     ----------
     space : Space
+        The space.
     coefficients : array_like, (dimension,) or (dimension, K)
+        Of the splines.
 
     Examples
     --------
@@ -393,7 +565,13 @@ class SplineFunction(Viewable):
         return values[:, 0] if self.coefficients.ndim == 1 else values
 
     def at_vertices(self) -> np.ndarray:
-        """Values at the vertices; NaN where no face has an area."""
+        """Values at the vertices; NaN where no face has an area.
+
+        Returns
+        -------
+        numpy.ndarray
+            (n,), or (n, K) of K functions.
+        """
         return self._shaped(self.space._space.values(self._rows, None, self.space._threads))
 
     def __call__(self, faces: Any, barycentric: Any = None) -> np.ndarray:
@@ -412,13 +590,18 @@ class SplineFunction(Viewable):
 
         Parameters
         ----------
-        refine : int
+        refine : int, default 0
             N divides faces until no side is longer than 1/N of the width of a cell, with values of the
             spline at all vertices; 0 leaves the faces as they are.
         names : list of str, optional
             Of the functions.
-        options
-            Of `View`.
+        **options : as for View
+            What it takes.
+
+        Returns
+        -------
+        View
+            With a slider if there are several functions.
         """
         number = self._rows.shape[1]
         if names is None:
@@ -432,23 +615,44 @@ class SplineFunction(Viewable):
         return view_of_surface(self.space._surface, list(names), values, self, side, options)
 
     def gradients(self, faces: Any, barycentric: Any = None) -> np.ndarray:
-        """Gradients along the surface at points of faces: (N, 3), or (N, 3, K)."""
+        """Gradients along the surface at points of faces.
+
+        Parameters
+        ----------
+        faces : array_like, (N,)
+            Numbers of faces.
+        barycentric : array_like, (N, 3), optional
+            Coordinates with respect to their vertices; of point sets none.
+
+        Returns
+        -------
+        numpy.ndarray
+            (N, 3), or (N, 3, K) of K functions.
+        """
         where = self.space._locations(faces, barycentric)
         normals = self.space._surface.face_normals()[numbers(faces, "faces", np.int64).ravel()]
         return self._gradients(where, normals)
 
     def gradients_at_vertices(self) -> np.ndarray:
-        """Gradients along the planes that the vertex normals are orthogonal to."""
+        """Gradients along the planes that the vertex normals are orthogonal to.
+
+        Returns
+        -------
+        numpy.ndarray
+            (n, 3), or (n, 3, K) of K functions.
+        """
         return self._gradients(None, self.space._surface.vertex_normals())
 
 
+@shown("space", "alpha")
 class PoissonSolver:
     """Solves (S + alpha M) x = b by conjugate gradients with a multigrid cycle; set up once.
 
     Parameters
     ----------
     space : Space
-    alpha : float
+        The space.
+    alpha : float, default 0
         Screening weight, in units of 1 / area.
     tolerance : float, optional
         Residual over right-hand side, 1e-3 by default.
@@ -457,9 +661,13 @@ class PoissonSolver:
     stabilization : float, optional
         Factor of the stabilization, 1e-3 by default.
     cycle : {"v", "w"}
+        Of multigrid.
     smoother : {"patch", "point"}
+        Of multigrid: small systems of splines near each other, or one spline after the other.
     max_iterations : int, optional
-    progress : bool or callable
+        Of conjugate gradients, 100 by default.
+    progress : bool or callable, optional
+        See `solve_poisson`.
 
     Examples
     --------
@@ -477,12 +685,18 @@ class PoissonSolver:
                  energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
                  cycle: str = "v", smoother: str = "patch", max_iterations: Optional[int] = None,
                  progress: Progress = None) -> None:
-        self.space = space
+        self.space, self.alpha = space, float(alpha)
+        self._options = dict(tolerance=tolerance, energy_tolerance=energy_tolerance,
+                             stabilization=stabilization, cycle=cycle, smoother=smoother,
+                             max_iterations=max_iterations)
         self._solver = _core.make_solver(
             space._space, float(alpha),
             solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
                            max_iterations),
             space._threads, listener(progress))
+
+    def __reduce__(self) -> tuple:
+        return _made_again, (PoissonSolver, (self.space, self.alpha), self._options)
 
     @property
     def kernel_dimension(self) -> int:
@@ -495,16 +709,25 @@ class PoissonSolver:
 
         Parameters
         ----------
-        b : array_like
+        b : array_like, (dimension,) or (dimension, K)
             Such as `Space.loads` returns.
         guess : array_like, optional
             A first guess of the shape of `b`.
         tolerance : float, optional
             In place of that of the solver.
-        check : bool
+        progress : bool or callable, optional
+            See `solve_poisson`.
+        check : bool, default True
             Whether to raise a `ConvergenceError`.
-        return_report : bool
+        return_report : bool, default False
             Whether to return a `Report`, too.
+
+        Returns
+        -------
+        x : numpy.ndarray
+            Coefficients, of the shape of `b`.
+        report : Report
+            If `return_report`.
         """
         own = numbers(b, "b", np.float64)
         first = None if guess is None else rows(guess, "guess")
@@ -535,7 +758,7 @@ def solver_options(tolerance: Any, energy_tolerance: Any, stabilization: Any, cy
 def space_of(V: Any, F: Any, threads: Optional[int], **options: Any) -> Space:
     """A space, or the one that is given."""
     if not isinstance(V, Space):
-        return Space(V, F, threads=threads, **options)
+        return Space(V, F, threads=threads, **options)  # type: ignore[no-any-return,unused-ignore]
     if F is not None or any(v is not None and v is not False for v in options.values()):
         raise InputError("a space needs neither F nor options of spaces")
     return V

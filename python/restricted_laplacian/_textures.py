@@ -12,7 +12,8 @@ import numpy as np
 
 from . import _core
 from ._errors import argument_error
-from ._input import Progress, listener, make_surface, number_of_threads, numbers, rows
+from ._input import (Progress, listener, make_surface, number_of_threads, numbers, rows,
+                     takes_surface)
 from ._space import checked, solver_options, space_of
 
 
@@ -21,16 +22,26 @@ class Scan:
 
     Parameters
     ----------
-    V, F, normals
-        The surface, see `Space`, in coordinates of the scan.
+    V, F, normals : as for Space
+        The surface, in coordinates of the scan.
     colors : array_like, (n, 3)
         From 0 to 1, or from 0 to 255 if they are integers.
     pose : array_like, (4, 4), optional
         Takes coordinates of the scan to those of the mesh: a rotation, a translation, a scale.
     viewpoint : array_like, (3,)
-        Where the scan was seen from, in its coordinates.
+        Where the scan was seen from, in its coordinates; the origin by default.
+    threads : int, optional
+        All processors by default. Results do not depend on it.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(3)
+    >>> front = V[F].mean(axis=1)[:, 2] > 0
+    >>> scan = rl.Scan(V, F[front], abs(V), viewpoint=(0, 0, 5))
     """
 
+    @takes_surface
     def __init__(self, V: Any, F: Any = None, colors: Any = None, *, normals: Any = None,
                  pose: Any = None, viewpoint: Any = (0, 0, 0), threads: Optional[int] = None
                  ) -> None:
@@ -44,7 +55,8 @@ class Scan:
             numbers(viewpoint, "viewpoint", np.float64).ravel(), number_of_threads(threads))
 
 
-def stitch_colors(V: Any, F: Any, scans: Sequence[Scan], *, alpha: Optional[float] = None,
+@takes_surface
+def stitch_colors(V: Any, F: Any = None, scans: Sequence[Scan] = (), *, alpha: Optional[float] = None,
                   gradients: str = "back-projection", maximum_distance: Optional[float] = None,
                   normal_angle: float = 60, oriented: bool = True, match_exposures: bool = True,
                   linear_light: bool = False, details: bool = True,
@@ -56,32 +68,55 @@ def stitch_colors(V: Any, F: Any, scans: Sequence[Scan], *, alpha: Optional[floa
 
     Parameters
     ----------
+    V, F, depth, joining_tolerance : as for Space
+        The mesh: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
+        `Space` as `V` alone.
     scans : sequence of Scan
+        The scans, each with its pose.
     alpha : float, optional
         How strongly the result is drawn to the colors of the chosen scans; by default 10 / area.
     gradients : {"back-projection", "scans"}
-        Gradients of the colors that a scan gives to the vertices, or its own.
+        Gradients of the colors that a scan gives to the vertices, the default, or its own.
     maximum_distance : float, optional
         Of a vertex to a scan that covers it.
-    normal_angle : float
+    normal_angle : float, default 60
         Largest angle between normals of mesh and scan, in degrees.
-    oriented : bool
+    oriented : bool, default True
         Whether the normals of the mesh point to the side from which it is seen.
     match_exposures, linear_light, details : bool
         Multiply colors of scans by factors so that they agree; stitch in linear light; add at the
         vertices what splines do not resolve.
-    V, F, depth, joining_tolerance
-        The mesh, see `Space`.
-    tolerance, stabilization
-        See `integrate_gradient`.
-    threads, progress, check, return_report
-        See `solve_poisson`. The report has ``seam_length``, ``jump_before``, ``jump_after``, and
+    tolerance, stabilization : as for integrate_gradient
+        When the iteration ends, and what it is.
+    threads, progress, check, return_report : as for solve_poisson
+        How the work is done, and what is returned. The report has ``seam_length``, ``jump_before``, ``jump_after``, and
         ``scans``, the number of the scan of each vertex, or -1.
 
     Returns
     -------
-    numpy.ndarray, (n, 3)
+    colors : numpy.ndarray, (n, 3)
         From 0 to 1.
+    report : Report
+        If `return_report`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(3)
+    >>> z = V[F].mean(axis=1)[:, 2]
+    >>> halves = [rl.Scan(V, F[side * z > -0.1], abs(V), viewpoint=(0, 0, 5 * side)) for side in (1, -1)]
+    >>> colors = rl.stitch_colors(V, F, halves, depth=4)
+    >>> bool(abs(colors - abs(V)).mean() < 0.05)
+    True
     """
     if gradients not in ("back-projection", "scans"):
         raise argument_error("gradients", f"must be back-projection or scans, and is {gradients!r}")

@@ -16,7 +16,7 @@ import numpy as np
 
 from . import _core
 from ._errors import InputError, argument_error
-from ._input import _mesh_arrays, numbers
+from ._input import mesh_arrays, numbers, takes_surface
 
 _VIEWER = pathlib.Path(__file__).with_name("viewer.html")
 
@@ -115,14 +115,15 @@ class View:
         smallest and the largest value.
     lines : list of Path or array_like, optional
         Lines on the surface: what `shortest_path` and `isolines` return, or points (k, 3) of each.
-    name : str
+    name : str, default ""
         Of the surface, where several are shown.
-    title : str
-    isolines : int
+    title : str, default "Surface"
+        Of the page.
+    isolines : int, default 0
         About so many at first.
     up : {"y", "z"}
         The axis that points up.
-    first : int
+    first : int, default 0
         Number of the function that is shown first.
 
     Examples
@@ -133,11 +134,12 @@ class View:
     >>> both = view.beside(rl.View(V, F, {"x": V[:, 0]}))
     """
 
+    @takes_surface
     def __init__(self, V: Any, F: Any = None, values: Fields = None, *, colors: Any = None,
                  normals: Any = None, range: Any = None, lines: Any = (), name: str = "",
                  title: str = "Surface", isolines: int = 0, up: str = "y", first: int = 0) -> None:
         if F is None and normals is None:
-            V, F = _mesh_arrays(V) or (V, None)
+            V, F = mesh_arrays(V) or (V, None)
         points = _three_columns(V, "V")
         n = len(points)
         faces = None if F is None else _faces(F, n)
@@ -164,7 +166,18 @@ class View:
         self._title, self._isolines, self._up, self._first = title, int(isolines), up, int(first)
 
     def beside(self, other: "View") -> "View":
-        """Both, side by side under one camera; a slider takes them to the same number of function."""
+        """Both, side by side under one camera; a slider takes them to the same number of function.
+
+        Parameters
+        ----------
+        other : View
+            What is shown to the right.
+
+        Returns
+        -------
+        View
+            Of all surfaces.
+        """
         result = View.__new__(View)
         result.__dict__.update(self.__dict__)
         result._shown = self._shown + other._shown
@@ -172,6 +185,11 @@ class View:
 
     def html(self) -> str:
         """The page.
+
+        Returns
+        -------
+        str
+            HTML that needs no network.
 
         Raises
         ------
@@ -188,7 +206,13 @@ class View:
         return page.html(os.fspath(_VIEWER))
 
     def save_html(self, file: Union[str, "os.PathLike[str]"]) -> None:
-        """Write the page: one file, which opens by double click."""
+        """Write the page: one file, which opens by double click.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            Its name.
+        """
         text = self.html()
         pathlib.Path(file).write_text(text, encoding="utf-8")
 
@@ -197,7 +221,7 @@ class View:
 
         Parameters
         ----------
-        height : int
+        height : int, default 520
             Of the cell, in pixels.
         """
         if _is_notebook():
@@ -210,11 +234,73 @@ class View:
         webbrowser.open(pathlib.Path(f.name).as_uri())
 
     def _frame(self, height: int) -> str:
-        return (f'<iframe srcdoc="{html.escape(self.html())}" width="100%" height="{int(height)}" '
+        page = self.html()
+        if _is_notebook() and not _brings_viewer():
+            page = _LOADER.replace("<!-- scene -->", page[slice(*_scene_of(page))])
+        elif _is_notebook():
+            page += _KEEPER
+        return (f'<iframe srcdoc="{html.escape(page)}" width="100%" height="{int(height)}" '
                 'style="border: 0"></iframe>')
 
     def _repr_html_(self) -> str:
         return self._frame(520)
+
+
+# What a cell shows is a frame. The first one has the viewer, and leaves it in the page around it; the
+# others take it from there, or from the frame of the first one.
+_KEEPER = """<script>
+try { parent.restrictedLaplacianViewer = frameElement.srcdoc; } catch (e) { /* another origin */ }
+</script>
+"""
+_LOADER = """<!doctype html>
+<meta charset="utf-8">
+<p id="status" style="font: 14px sans-serif">Waiting for the viewer ...</p>
+<!-- scene -->
+<script>
+function load(trials) {
+  const begin = '<script id="scene"', data = '<script id="data"', end = '<' + '/script>';
+  const isPage = (text) => text && text.startsWith('<!doctype html>\\n<html') && text.includes(begin);
+  let page = null;
+  try {
+    const frames = [...parent.document.querySelectorAll('iframe')].map((f) => f.srcdoc);
+    page = [parent.restrictedLaplacianViewer, ...frames].find(isPage);
+  } catch (e) { /* another origin */ }
+  if (!page && trials > 0) return setTimeout(load, 200, trials - 1);
+  const status = document.getElementById('status');
+  if (!page) {
+    status.textContent = 'The viewer came with another cell, which is not here any more: restart the kernel '
+      + 'and run all cells.';
+    return;
+  }
+  const scene = document.getElementById('scene').outerHTML + document.getElementById('data').outerHTML;
+  const last = page.indexOf(end, page.indexOf(data)) + end.length;
+  document.open();
+  document.write(page.slice(0, page.indexOf(begin)) + scene + page.slice(last));
+  document.close();
+}
+addEventListener('load', () => load(50));  // a page that is still being read cannot be replaced
+</script>
+"""
+
+
+def _scene_of(page: str) -> tuple[int, int]:
+    """Where the scene of a page begins and ends."""
+    end = "</script>"
+    return page.index('<script id="scene"'), page.index(end, page.index('<script id="data"')) + len(end)
+
+
+_cell_with_viewer: Any = None
+
+
+def _brings_viewer() -> bool:
+    """Whether the cell that runs is the first that shows something, or that one once more."""
+    global _cell_with_viewer
+    shell = get_ipython()  # type: ignore[name-defined]
+    request = getattr(shell, "parent_header", None) or {}
+    cell = (request.get("metadata") or {}).get("cellId") or f"execution {shell.execution_count}"
+    if _cell_with_viewer is None:
+        _cell_with_viewer = cell
+    return bool(_cell_with_viewer == cell)
 
 
 def _is_notebook() -> bool:
@@ -261,21 +347,33 @@ def view_of_surface(surface: Any, names: list[str], values: np.ndarray,
     return View(points, faces, fields, normals=normals, **options)
 
 
+@takes_surface
 def to_polyscope(V: Any, F: Any = None, values: Fields = None, *, colors: Any = None,
                  normals: Any = None, name: str = "surface") -> Any:
     """Register a surface and its values in Polyscope, which is imported here.
 
     Parameters
     ----------
-    V, F, values, colors, normals
-        See `View`; or a `View` as `V`.
-    name : str
+    V, F, values, colors, normals : as for View
+        What is shown; or a `View` as `V`.
+    name : str, default "surface"
         In Polyscope's lists.
 
     Returns
     -------
     polyscope.SurfaceMesh or polyscope.PointCloud
         A list of them for a `View` of several surfaces.
+
+    Raises
+    ------
+    ImportError
+        Polyscope is not installed.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> mesh = rl.to_polyscope(V, F, {"z": V[:, 2]})  # doctest: +SKIP
     """
     import polyscope  # type: ignore[import-not-found,unused-ignore]
     view = V if isinstance(V, View) else View(V, F, values, colors=colors, normals=normals)

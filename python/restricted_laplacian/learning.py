@@ -32,17 +32,21 @@ import scipy.spatial
 from ._core import __version__
 from ._errors import argument_error
 from ._files import read_mesh
+from ._input import Progress, takes_surface
+from ._show import shown
 from ._space import Space
 from ._spectra import laplace_spectrum
 
 
-@dataclass(frozen=True)
+@shown()
+@dataclass(frozen=True, repr=False)
 class SurfaceOperators:
     """Operators of a surface at its n vertices.
 
     Attributes
     ----------
     eigenvalues : numpy.ndarray, (k,)
+        Ascending, in units of 1 / area.
     eigenvectors : numpy.ndarray, (n, k)
         Orthonormal in the integral over the surface; 0 at vertices without a face.
     vertex_areas : numpy.ndarray, (n,)
@@ -61,7 +65,13 @@ class SurfaceOperators:
     gradient_y: scipy.sparse.csr_matrix
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes all to a file of NumPy (npz)."""
+        """Writes all to a file of NumPy (npz).
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            Its name.
+        """
         x, y = self.gradient_x, self.gradient_y
         np.savez(file, eigenvalues=self.eigenvalues, eigenvectors=self.eigenvectors,
                  vertex_areas=self.vertex_areas, frames=self.frames, x=x.data, y=y.data,
@@ -69,7 +79,18 @@ class SurfaceOperators:
 
     @staticmethod
     def load(file: Union[str, "os.PathLike[str]"]) -> "SurfaceOperators":
-        """Reads what `save` wrote."""
+        """Reads what `save` wrote.
+
+        Parameters
+        ----------
+        file : str or os.PathLike
+            Its name.
+
+        Returns
+        -------
+        SurfaceOperators
+            The same, to the last bit.
+        """
         with np.load(file) as a:
             n = len(a["vertex_areas"])
             x, y = (scipy.sparse.csr_matrix((a[name], a["indices"], a["indptr"]), shape=(n, n))
@@ -80,6 +101,21 @@ class SurfaceOperators:
 
 def tangent_frames(normals: np.ndarray) -> np.ndarray:
     """Of each unit normal a matrix whose rows are two tangents and the normal; 0 where that is 0.
+
+    Parameters
+    ----------
+    normals : numpy.ndarray, (n, 3)
+        Of length 1 or 0.
+
+    Returns
+    -------
+    numpy.ndarray, (n, 3, 3)
+        The matrices.
+
+    Raises
+    ------
+    ValueError
+        The array has another shape.
 
     Examples
     --------
@@ -108,9 +144,30 @@ def gradient_operators(points: np.ndarray, frames: np.ndarray, pairs: np.ndarray
     Parameters
     ----------
     points : numpy.ndarray, (n, 3)
+        Where there are values.
     frames : numpy.ndarray, (n, 3, 3)
+        Of each point, see `tangent_frames`.
     pairs : numpy.ndarray, (N, 2)
         Each point with each of its neighbors.
+
+    Returns
+    -------
+    gradient_x, gradient_y : scipy.sparse.csr_matrix, (n, n)
+        From values to derivatives along the first and the second tangent, in units of 1 / length.
+
+    Raises
+    ------
+    IndexError
+        A pair names no point.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> points = np.array([[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]])
+    >>> frames = tangent_frames(np.array(3 * [[0., 0., 1.]]))
+    >>> x, y = gradient_operators(points, frames, np.array([[i, j] for i in range(3) for j in range(3)]))
+    >>> bool(abs(x @ points[:, 0] - 1).max() < 1e-6 and abs(y @ points[:, 0]).max() < 1e-6)
+    True
     """
     n = len(points)
     i, j = pairs.T
@@ -144,26 +201,48 @@ def _neighbors(space: Space, points: np.ndarray) -> np.ndarray:
     return np.unique(both, axis=0)
 
 
+@takes_surface
 def precompute(V: Any, F: Any = None, k: int = 128, *, normals: Any = None,
                depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
-               threads: Optional[int] = None) -> SurfaceOperators:
+               threads: Optional[int] = None, progress: Progress = None, check: bool = True
+               ) -> SurfaceOperators:
     """Eigenpairs, areas and gradient operators at the vertices of a surface.
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, threads
-        The surface, see `Space`.
-    k : int
+    V, F, normals, depth, joining_tolerance : as for Space
+        The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
+        `Space` as `V` alone.
+    k : int, default 128
         Number of eigenpairs.
+    threads, progress, check : as for solve_poisson
+        How the work is done.
 
     Returns
     -------
     SurfaceOperators
+        Arrays and matrices for the n vertices.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
+
+    Examples
+    --------
+    >>> import restricted_laplacian as rl
+    >>> from restricted_laplacian import learning
+    >>> learning.precompute(rl.icosphere(3), k=16, depth=4).vertex_areas.shape
+    (642,)
     """
     space = V if isinstance(V, Space) else Space(V, F, normals=normals, depth=depth,
                                                  joining_tolerance=joining_tolerance,
                                                  threads=threads)
-    spectrum = laplace_spectrum(space, None, k, threads=threads)
+    spectrum = laplace_spectrum(space, None, k, threads=threads, progress=progress, check=check)
     surface = space._surface
     points = surface.points()
     frames = tangent_frames(surface.vertex_normals())
@@ -197,6 +276,10 @@ def _precompute_file(file: pathlib.Path, cached: pathlib.Path, k: int, depth: Op
 _Job = tuple[pathlib.Path, pathlib.Path]
 
 
+def _nothing() -> None:
+    """A job that cannot fail."""
+
+
 def _run(jobs: Sequence[_Job], options: tuple, processes: Optional[int],
          take: Callable[[_Job, Optional[str]], None]) -> list[_Job]:
     """Gives each job to a process; returns those that were lost because a process died."""
@@ -204,6 +287,12 @@ def _run(jobs: Sequence[_Job], options: tuple, processes: Optional[int],
     # not forked: the threads of this process would be missing
     context = multiprocessing.get_context("spawn")
     with concurrent.futures.ProcessPoolExecutor(processes, mp_context=context) as pool:
+        try:
+            pool.submit(_nothing).result()
+        except BrokenProcessPool:
+            raise RuntimeError(
+                "processes cannot start: each begins with the script that called precompute_folder; call it "
+                'from under `if __name__ == "__main__":`') from None
         futures = {}
         for job in jobs:
             try:
@@ -218,7 +307,8 @@ def _run(jobs: Sequence[_Job], options: tuple, processes: Optional[int],
     return lost
 
 
-@dataclass
+@shown()
+@dataclass(repr=False)
 class Precomputed:
     """The operators of the meshes of a folder.
 
@@ -257,16 +347,16 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
 
     Parameters
     ----------
-    folder : path
+    folder : str or os.PathLike
         Of the meshes, and folders in it.
-    cache : path
+    cache : str or os.PathLike
         Folder for the results; made if it is not there.
-    k, depth, joining_tolerance
-        See `precompute`.
+    k, depth, joining_tolerance : as for precompute
+        Of all meshes.
     patterns : sequence of str
-        Names of files.
+        Names of files; off, obj, ply and stl by default.
     processes : int, optional
-        One for each processor by default. In a script, call from under
+        One for each processor by default, each with one thread. In a script, call from under
         ``if __name__ == "__main__"``.
     report : callable, optional
         Called with each mesh that is done, and None or what went wrong.
@@ -274,7 +364,24 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
     Returns
     -------
     Precomputed
+        What is in the cache, by mesh; and what failed.
+
+    Raises
+    ------
+    InputError
+        There is no such folder.
+    RuntimeError
+        The processes cannot start, because the script that they begin with has no guard.
+
+    Examples
+    --------
+    >>> from restricted_laplacian import learning
+    >>> if __name__ == "__main__":
+    ...     shapes = learning.precompute_folder("meshes", "cache", k=128)  # doctest: +SKIP
     """
+    if getattr(multiprocessing.current_process(), "_inheriting", False):
+        # a process of an earlier call, which reads the script; that call says what is wrong
+        raise SystemExit(1)
     root, own_cache = pathlib.Path(folder), pathlib.Path(cache)
     if not root.is_dir():
         raise argument_error("folder", f"is not a folder: {root}")

@@ -8,6 +8,7 @@
 #include "../../examples/Restricted_laplacian_3/support/program.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
@@ -27,6 +28,8 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace python {
 namespace {
@@ -127,20 +130,46 @@ Surface make_projected_surface(const Surface& surface, const nb::object& project
   return RL::curved_surface(surface, geometry);
 }
 
-// a file; faces that are not triangles are divided
+void warn(const std::string& file, const std::vector<std::string>& warnings) {
+  for(const std::string& warning : warnings)
+    if(PyErr_WarnEx(PyExc_UserWarning, ("'" + file + "': " + warning).c_str(), 2) < 0)
+      throw nb::python_error();
+}
+
+// the surface of a file; faces that are not triangles have been divided
+Surface surface_of(const std::string& file, RL::Mesh_file& mesh) {
+  if(mesh.triangles.empty())
+    throw RL::File_error(file, {}, "holds no face");
+  return Surface(std::move(mesh.points), std::move(mesh.triangles));
+}
+
 Surface read_mesh(const std::string& file, const nb::object& progress) {
   std::vector<std::string> warnings;
   Surface surface = run(1, progress, [&](const auto& callback) {
     RL::Mesh_file mesh = RL::read_mesh_file(file, RL::parameters::callback(callback));
     warnings = std::move(mesh.warnings);
-    if(mesh.triangles.empty())
-      throw RL::File_error(file, {}, "holds no face");
-    return Surface(std::move(mesh.points), std::move(mesh.triangles));
+    return surface_of(file, mesh);
   });
-  for(const std::string& warning : warnings)
-    if(PyErr_WarnEx(PyExc_UserWarning, ("'" + file + "': " + warning).c_str(), 2) < 0)
-      throw nb::python_error();
+  warn(file, warnings);
   return surface;
+}
+
+// of bytes in memory, as if they were in a file of that name
+Surface read_mesh_of_bytes(const std::string& file, const nb::bytes& bytes) {
+  RL::Mesh_file mesh = RL::internal::read_mesh_file(file, {bytes.c_str(), bytes.size()});
+  warn(file, mesh.warnings);
+  return surface_of(file, mesh);
+}
+
+// names, types and values
+nb::list read_vertex_properties(const std::string& file, const nb::object& progress) {
+  std::vector<RL::Vertex_property> properties = run(1, progress, [&](const auto& callback) {
+    return RL::read_vertex_properties(file, RL::parameters::callback(callback));
+  });
+  nb::list result;
+  for(RL::Vertex_property& p : properties)
+    result.append(nb::make_tuple(p.name, p.type, array_of_rows(std::move(p.values), 1)));
+  return result;
 }
 
 Surface make_point_surface(const Array& v, const Array& n, const std::optional<Numbers>& areas,
@@ -269,6 +298,7 @@ void add_surfaces(nb::module_& m) {
   nb::class_<Surface>(m, "Surface")
       .def_static("of_triangles", &make_surface, "V"_a, "F"_a)
       .def_static("of_file", &read_mesh, "file"_a, "progress"_a.none())
+      .def_static("of_bytes", &read_mesh_of_bytes, "file"_a, "bytes"_a)
       .def_static("of_points", &make_point_surface, "V"_a, "normals"_a, "areas"_a.none(),
                   "neighbors"_a, "threads"_a)
       .def("curved", &make_curved_surface, "crease_angle"_a, "vertex_normals"_a.none())
@@ -308,9 +338,22 @@ void add_surfaces(nb::module_& m) {
                  result.push_back(s.point(v)[axis]);
              return array_of_rows(std::move(result), 3);
            })
+      .def("cotangent_operators",
+           [](const Surface& s, bool lumped_mass) {
+             RL::Operators o = run(1, nb::none(), [&](const auto&) {
+               return RL::cotangent_operators(s, lumped_mass);
+             });
+             return nb::make_tuple(sparse_arrays(std::move(o.stiffness)),
+                                   sparse_arrays(std::move(o.mass)));
+           })
       .def("vertex_areas", &areas_at_vertices)
       .def("vertex_normals", &normals_at_vertices);
 
+  m.def("read_vertex_properties", &read_vertex_properties, "file"_a, "progress"_a.none());
+  nb::list suffixes;
+  for(const std::string& suffix : RL::internal::mesh_file_suffixes())
+    suffixes.append(suffix);
+  m.attr("mesh_suffixes") = suffixes;
   m.attr("default_neighbors") = RL::default_number_of_neighbors;
 
   nb::class_<Function>(m, "Function").def_prop_ro("components", &Function::components);

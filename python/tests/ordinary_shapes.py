@@ -493,14 +493,14 @@ class Trial:
         return not self.failure and self.error <= 1
 
 
-def run(shape: Shape, application: str, seconds: int = SECONDS) -> Trial:
+def run(shape: Shape, application: str, seconds: int = SECONDS, gibibytes: int = GIBIBYTES) -> Trial:
     """In a process of its own. This one must not have used threads before."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
         os.close(reading)
         before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-        limit = GIBIBYTES << 30
+        limit = gibibytes << 30
         resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
         signal.alarm(seconds)
         start = time.perf_counter()

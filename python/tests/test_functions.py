@@ -264,20 +264,6 @@ def test_points_without_faces():
     assert abs(rl.curvature(2 * V, normals=V, depth=4).mean - 0.5).max() < 0.02
 
 
-def test_objects_with_vertices_and_faces(sphere):
-    V, F = sphere
-
-    class Mesh:
-        vertices, faces = V, F
-
-    class Cells:
-        points, cells_dict = V, {"triangle": F}
-
-    expected = rl.eigs(V, F, 4, depth=4)[0]
-    assert np.array_equal(rl.eigs(Mesh(), k=4, depth=4)[0], expected)
-    assert np.array_equal(rl.eigs(Cells(), k=4, depth=4)[0], expected)
-
-
 def test_reports_and_convergence(sphere):
     V, F = sphere
     u, report = rl.solve_poisson(V, F, V[:, 2], return_report=True)

@@ -6,9 +6,12 @@
 from __future__ import annotations
 
 import base64
+import html
 import json
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 import types
 import zlib
@@ -215,6 +218,44 @@ def test_side_by_side(sphere):
 def test_cell_of_a_notebook(sphere):
     cell = rl.View(*sphere, sphere[0][:, 0])._repr_html_()
     assert cell.startswith("<iframe srcdoc=") and cell.count("<") == 2 and cell.count('"') % 2 == 0
+
+
+def test_cells_of_a_notebook_share_a_viewer(sphere, monkeypatch, tmp_path):
+    import builtins
+    from restricted_laplacian import _view
+    shell = types.SimpleNamespace(kernel=object(), parent_header={}, execution_count=4)
+    monkeypatch.setattr(builtins, "get_ipython", lambda: shell, raising=False)
+    monkeypatch.setattr(_view, "_cell_with_viewer", None)
+    V, F = sphere
+    views = [rl.View(V, F, V[:, axis], title=f"axis {axis}") for axis in range(3)]
+
+    def run(view, **request):
+        shell.execution_count += 1
+        shell.parent_header = {"metadata": request}
+        return view._repr_html_()
+    cells = [run(views[0], cellId="a"), run(views[1], cellId="b"), run(views[2])]
+    assert len(run(views[0], cellId="a")) == len(cells[0])  # once more
+    size = len(cells[0])
+    for cell, view in zip(cells[1:], views[1:]):
+        assert cell.startswith("<iframe srcdoc=") and cell.count("<") == 2 and cell.count('"') % 2 == 0
+        assert len(cell) < size / 5
+        page = html.unescape(cell)
+        assert decoded(page)["title"] == view._title
+    chromium = shutil.which("chromium")
+    if not chromium:
+        pytest.skip("SKIPPED: Chromium was not found")
+    # the cell without a viewer comes first, and has to wait
+    probe = ("<script>setInterval(() => { const all = [...document.querySelectorAll('iframe')].map((f) => "
+             "f.contentDocument); if (all.every((d) => d.defaultView.viewer)) document.title = all.map((d) => "
+             "d.querySelector('h1').textContent + (d.getElementById('status')?.textContent ?? '')).join(); }, "
+             "50);</script>")
+    (tmp_path / "cells.html").write_text("<!doctype html><title>waiting</title>" + cells[1] + cells[0] + cells[2]
+                                         + probe)
+    shown = subprocess.run(
+        [chromium, "--headless", "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader",
+         "--virtual-time-budget=20000", "--dump-dom", (tmp_path / "cells.html").as_uri()],
+        capture_output=True, text=True, timeout=100).stdout
+    assert "<title>axis 1,axis 0,axis 2</title>" in shown, shown[:200]
 
 
 def test_show_opens_a_browser(sphere, monkeypatch):

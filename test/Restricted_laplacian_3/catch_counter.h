@@ -9,12 +9,28 @@
 #define CATCH_CONFIG_RUNNER
 #include "catch.h"
 
+#if __has_include(<catch2/catch_session.hpp>)
+#include <catch2/catch_session.hpp>
+#include <catch2/reporters/catch_reporter_event_listener.hpp>
+#include <catch2/reporters/catch_reporter_registrars.hpp>
+
+namespace {
+using Test_listener = Catch::EventListenerBase;
+constexpr int test_warnings = Catch::WarnAbout::NoAssertions; // a run without a test fails anyway
+} // namespace
+#else
+namespace {
+using Test_listener = Catch::TestEventListenerBase;
+constexpr int test_warnings = Catch::WarnAbout::NoAssertions | Catch::WarnAbout::NoTests;
+} // namespace
+#endif
+
 namespace {
 
 int number_of_tests = 0, number_of_skipped_tests = 0;
 
-struct Test_counter : Catch::TestEventListenerBase {
-  using TestEventListenerBase::TestEventListenerBase;
+struct Test_counter : Test_listener {
+  using Test_listener::Test_listener;
   void testCaseStarting(const Catch::TestCaseInfo&) override {
     ++number_of_tests;
     is_skipped() = false;
@@ -32,8 +48,7 @@ CATCH_REGISTER_LISTENER(Test_counter)
 /// fails, and so does a run without a test; the command line takes only one of these two warnings.
 inline bool run_tests(int argc, char* argv[]) {
   Catch::Session session;
-  session.configData().warnings = static_cast<Catch::WarnAbout::What>(
-      Catch::WarnAbout::NoAssertions | Catch::WarnAbout::NoTests);
+  session.configData().warnings = static_cast<Catch::WarnAbout::What>(test_warnings);
   return session.run(argc, argv) == 0;
 }
 

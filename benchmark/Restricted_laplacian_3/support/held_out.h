@@ -7,11 +7,10 @@
 // Which surface do the vertices of a mesh lie on? Some are taken away: how far are they from a
 // surface that is made of the others?
 
+#include "aabb_tree.h"
+
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -83,8 +82,8 @@ inline std::vector<double> distances(const std::vector<RL::Point_3>& points,
                                      const RL::Triangulated_surface_3& surface, int n) {
   using Kernel = CGAL::Kernel_traits<RL::Point_3>::Kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  using Primitive = Triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Tree = Aabb_tree<Kernel, Primitive>;
   Triangles pieces;
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
     if(surface.is_degenerate(f))

@@ -968,11 +968,11 @@ test_geometry() {
   fails "vertex-data" solve_poisson sphere.off --vertex-data round
   fails "geometry" laplace_spectrum sphere.off --geometry round
   succeeds implicit_surface sphere 0.3
-  # lines: triangles, heading, flat, smooth, projection, oracle
+  # lines: triangles, heading, flat, smooth, projection
   check "implicit_surface: facets have less area than the sphere, 12.5664" \
     eval "awk 'NR == 3 { print \$2 }' out | is_within 12 12.4"
   check "implicit_surface: the others have the same, up to the interpolation by cubics" \
-    eval "awk 'NR > 3 { print \$2 }' out | is_within 12.5645 12.5685 && [ \$(wc -l < out) -eq 6 ]"
+    eval "awk 'NR > 3 { print \$2 }' out | is_within 12.5645 12.5685 && [ \$(wc -l < out) -eq 5 ]"
   check "implicit_surface: their first eigenvalue is 2" \
     eval "awk 'NR > 3 { print \$3 }' out | is_within 1.9990 2.0010"
   fails "usage" implicit_surface

@@ -37,6 +37,9 @@ struct Mesh_file {
 
 namespace internal {
 
+// `.off` and the others, in lower case
+std::vector<std::string> mesh_file_suffixes();
+
 // the functions below; of a file
 Mesh_file read_mesh_file(const std::string& file, const Progress& progress);
 std::vector<Vertex_property> read_vertex_properties(const std::string& file,

@@ -55,6 +55,13 @@ inline const std::vector<File_format>& file_formats() {
   return formats;
 }
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<std::string> mesh_file_suffixes() {
+  std::vector<std::string> result;
+  for(const File_format& format : file_formats())
+    result.emplace_back(format.suffix);
+  return result;
+}
+
 /// \throws File_error the suffix is not known
 inline const File_format& file_format_of(const std::string& file) {
   const std::string suffix = lower(std::filesystem::path(file).extension().string());

@@ -224,6 +224,7 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
         smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization),
         Eigensolver::shift_invert, spectrum);
   }
+  progress(1);
   spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
   spectrum.area = space.surface().area();
   return spectrum;
