@@ -51,11 +51,12 @@ enter() {
     certificates+=("$variable=/etc/$variable.pem")
   done
   mount --bind /proc "$root/proc"
+  mount --bind /sys "$root/sys"
   mount --bind /dev "$root/dev"
   env --ignore-environment HOME=/root LANG=C.UTF-8 JOBS="${JOBS:-2}" "${certificates[@]}" \
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     chroot "$root" "${@:2}" </dev/null || status=$?
-  umount "$root/dev" "$root/proc"
+  umount "$root/dev" "$root/sys" "$root/proc"
   return "$status"
 }
 
@@ -77,7 +78,7 @@ failed=0
 commit=$(git rev-parse --short HEAD)
 for command in "$@"; do
   root=$folder/$command
-  umount "$root/dev" "$root/proc" 2>/dev/null || true # of a run that was interrupted
+  umount "$root/dev" "$root/sys" "$root/proc" 2>/dev/null || true # of a run that was interrupted
   rm -rf --one-file-system "$root"
   cp -a "$base" "$root"
   mkdir "$root/root/project"

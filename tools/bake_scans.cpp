@@ -169,12 +169,23 @@ void print_line(const std::string& name, const Virtual_scan& scan, const Lightin
   std::cout << std::setw(10) << scan.clamped << '\n';
 }
 
+std::string scan_name(int i) {
+  std::ostringstream name;
+  name << "scan_" << std::setw(2) << std::setfill('0') << i << ".ply";
+  return name.str();
+}
+
 int main(int argc, char* argv[]) {
   return run_program("bake_scans", [&]() -> int {
     Options o;
     if(!read_options(argc, argv, o))
       return success;
     const Progress progress(o.quiet, false);
+    const std::filesystem::path folder(o.folder);
+    this_run().is_quiet = o.quiet;
+    for(int i = 0; i < o.views; ++i)
+      this_run().outputs.emplace_back("FOLDER", (folder / scan_name(i)).string());
+    this_run().outputs.emplace_back("FOLDER", (folder / "truth.ply").string());
     progress.show("reading " + o.mesh);
     const RL::Triangulated_surface_3 surface = read_mesh(o.mesh).surface;
     const std::vector<Color> colors =
@@ -185,7 +196,6 @@ int main(int argc, char* argv[]) {
     std::error_code error;
     std::filesystem::create_directories(o.folder, error);
     require(!error, "cannot make the folder '" + o.folder + "'");
-    const std::filesystem::path folder(o.folder);
     check_output("FOLDER", (folder / "poses.conf").string());
 
     const Virtual_scanner scanner(surface, colors);
@@ -198,9 +208,7 @@ int main(int argc, char* argv[]) {
       of_scans(static_cast<double>(i) / o.views);
       scans.push_back(scanner.scan(cameras[i], lighting[i], o.points, o.noise,
                                    static_cast<std::uint64_t>(o.seed + i)));
-      std::ostringstream name;
-      name << "scan_" << std::setw(2) << std::setfill('0') << i << ".ply";
-      poses.emplace_back(name.str(), cameras[i].to_world);
+      poses.emplace_back(scan_name(i), cameras[i].to_world);
     }
 
     progress.show("writing the scans");

@@ -158,7 +158,7 @@ export PATH="$build/benchmark/Restricted_laplacian_3:$here:$PATH"
 
 # Debian's Open MPI refuses to run as root unless told twice, and more processes than cores.
 export OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-export OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
 status=0
 cd "$build/data/meshes"
 for name in "$@"; do

@@ -23,8 +23,9 @@ def names_in(compound):
     names = {element.text for element in compound.findall("class")}
     for member in compound.findall("member"):
         if member.get("kind") != "enumvalue":
-            name = member.findtext("name")
-            names.add(name if member.get("kind") == "define" else f"{NAMESPACE}::{name}")
+            name = member.findtext("name")  # in groups, Doxygen 1.9.8 writes all of it
+            is_whole = member.get("kind") == "define" or name.startswith(f"{NAMESPACE}::")
+            names.add(name if is_whole else f"{NAMESPACE}::{name}")
     return names
 
 

@@ -78,6 +78,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(o.show == "mean" || o.method != "coordinates",
           "--show gaussian needs another --method than coordinates");
   require(o.clip > 0 && o.clip <= 100, "the argument of --clip must be in (0, 100]");
+  require_effect(given, {"show", "clip"}, !o.output.empty() || !o.html.empty(),
+                 "--output or --html");
   require_not_negative(given, "smoothing");
   check_solver_options(o, given);
   return true;

@@ -55,21 +55,22 @@ normals, oriented alike. Triangles are made of them by CGAL's advancing front.
 )"};
 
 struct Options : Common_options, Point_options {
-  std::vector<std::size_t> sources;
+  std::vector<std::size_t> sources, paths;
   bool boundary = false, exact = false;
   std::size_t farthest = 0, isolines = 0;
-  std::vector<std::size_t> paths;
   std::string show = "distance", lines;
 };
 
 // returns false if there is nothing more to do
 bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) {
+  std::vector<long long> sources, paths;
+  long long farthest = 0, isolines = 0;
   po::options_description problem("Problem", help_width);
   auto add = problem.add_options();
-  add("source", po::value(&o.sources)->multitoken()->value_name("V..."),
+  add("source", po::value(&sources)->multitoken()->value_name("V..."),
       "numbers of vertices, counted from 0");
   add("boundary", po::bool_switch(&o.boundary), "edges with one face only are sources, too");
-  add("farthest", po::value(&o.farthest)->value_name("N"),
+  add("farthest", po::value(&farthest)->value_name("N"),
       "N more sources: each is the vertex that is farthest from those before; the first one is the "
       "first vertex with a face, if there is no other source");
   add("join", po::value(&o.space.joining_tolerance)->value_name("T"),
@@ -81,9 +82,9 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "end if windows of rays would take more memory; by default that of the machine");
   po::options_description lines("Lines", help_width);
   add = lines.add_options();
-  add("path", po::value(&o.paths)->multitoken()->value_name("V..."),
+  add("path", po::value(&paths)->multitoken()->value_name("V..."),
       "numbers of vertices from which the shortest paths to a source begin");
-  add("isolines", po::value(&o.isolines)->value_name("N"),
+  add("isolines", po::value(&isolines)->value_name("N"),
       "N isolines, at equal distances from each other");
   add("lines", po::value(&o.lines)->value_name("FILE"), "write these, as lines of OBJ (.obj)");
   po::options_description colors("Colors", help_width);
@@ -105,7 +106,13 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       .add(general_options(o));
   if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
+  o.sources = not_negative("source", sources);
+  o.paths = not_negative("path", paths);
+  o.farthest = not_negative("farthest", {farthest})[0];
+  o.isolines = not_negative("isolines", {isolines})[0];
   require_choice("show", o.show, {"distance", "nearest"});
+  require_effect(given, {"show"}, !o.output.empty() || !o.html.empty(), "--output or --html");
+  require_effect(given, {"isolines"}, !o.lines.empty() || !o.html.empty(), "--lines or --html");
   require(!o.sources.empty() || o.boundary || o.farthest > 0,
           "there is no source: give --source, --boundary or --farthest");
   require(!o.boundary || o.farthest == 0, "--farthest begins with vertices, not with --boundary");
@@ -114,6 +121,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
           "--lines needs --path or --isolines");
   require(o.isolines <= 10000, "the argument of --isolines must not be more than 10000");
   check_output("--lines", o.lines, {".obj"});
+  check_input(o.mesh);
   return true;
 }
 

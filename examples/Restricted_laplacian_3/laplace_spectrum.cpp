@@ -83,6 +83,12 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(o.refine == 0 || o.operator_name == "restricted", "--refine needs --operator restricted");
   require(given["mass"].defaulted() || o.operator_name == "cotangent",
           "--mass needs --operator cotangent");
+  require_effect(given,
+                 {"eigensolver", "tolerance", "stabilization", "depth", "cube-scale", "unsplit",
+                  "join", "memory", "paper", "assembly", "split-points"},
+                 o.operator_name == "restricted", "--operator restricted");
+  require_effect(given, {"eigenfunction"}, !o.output.empty() || !o.html.empty(),
+                 "--output or --html");
   check_eigensolver_options(o, given, o.space.paper_space);
   if(given["eigenfunction"].defaulted())
     o.eigenfunction = std::min(o.eigenfunction, o.count - 1);

@@ -16,10 +16,12 @@
 #include <Eigen/Core>
 
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -65,6 +67,9 @@ int main(int argc, char* argv[]) {
     return 1;
   }
   try {
+    std::error_code ignored;
+    if(std::filesystem::equivalent(argv[1], argv[2], ignored))
+      throw std::runtime_error(std::string("would replace ") + argv[1]);
     if(!std::ofstream(argv[2], std::ios::app)) // now, not after the work
       throw std::runtime_error(std::string("cannot write ") + argv[2]);
     const double area = PMP::area(mesh);

@@ -81,8 +81,7 @@ void require_descriptor(const po::variables_map& given, const Options& o, const 
     is_one = is_one || o.descriptor == descriptor;
     list += (list.empty() ? "" : " or ") + std::string(descriptor);
   }
-  const bool is_given = given.count(option) > 0 && !given[option].defaulted();
-  require(!is_given || is_one, "--" + option + " needs --descriptor " + list);
+  require(!is_given(given, option) || is_one, "--" + option + " needs --descriptor " + list);
 }
 
 // returns false if there is nothing more to do
@@ -132,6 +131,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(!o.is_scaled || o.descriptor == "hks", "--scaled needs --descriptor hks");
   require_descriptor(given, o, "normalization", {"shape-dna"});
   require_descriptor(given, o, "compare", {"shape-dna"});
+  require_effect(given, {"columns"}, !is_given(given, "time") && !is_given(given, "energy"),
+                 "all times or energies");
   require_choice("normalization", o.normalization, {"area", "first", "weyl", "none"});
   o.is_time_given = given.count("time") > 0;
   o.is_energy_given = given.count("energy") > 0;

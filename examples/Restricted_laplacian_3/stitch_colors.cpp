@@ -125,6 +125,9 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(!o.poses.empty(), "no poses of the scans are given: --poses FILE");
   require_choice("method", o.method, {"gradients", "chosen", "nearest"});
   require_choice("gradients", o.gradients, {"back-projection", "scans"});
+  require_effect(
+      given, {"gradients", "alpha", "no-details", "tolerance", "energy-tolerance", "stabilization"},
+      o.method == "gradients", "--method gradients");
   require_positive(given, "alpha", o.alpha);
   require_positive(given, "maximum-distance", o.maximum_distance);
   require(o.normal_angle > 0 && o.normal_angle <= 180,

@@ -121,6 +121,7 @@ inline po::options_description mpi_output_options(Common_options& o, const std::
   add("csv", po::value(&o.csv)->value_name("FILE"), ("write a table: " + table).c_str());
   add("output", po::value(&o.output)->value_name("FILE"),
       ("write the mesh, a PLY file, with colors and " + properties).c_str());
+  add("overwrite", po::bool_switch(&o.overwrite), "outputs may replace a file that is read");
   return options;
 }
 
@@ -163,6 +164,8 @@ inline po::options_description mpi_general_options(Common_options& o) {
 inline void check_mpi_options(const Common_options& o, const po::variables_map& given) {
   require(o.output.empty() || extension(o.output) == ".ply",
           "the file of --output must be a PLY file");
+  for(const auto& [argument, file] : this_run().outputs)
+    require(!is_standard_output(file), argument + " needs a file, into which all processes write");
   require(o.space.geometry == "flat", "--geometry smooth is not possible on several processes");
   require(!o.space.paper_space, "--paper is not possible on several processes");
   require(given.count("memory") == 0, "--memory is not possible on several processes");

@@ -91,6 +91,7 @@ po::options_description output_options(Common_options& o, const std::string& tab
   add("html", po::value(&o.html)->value_name("FILE"),
       "write a page (.html) that shows the mesh and its values in a browser, to be turned around; "
       "it needs no network");
+  add("overwrite", po::bool_switch(&o.overwrite), "outputs may replace a file that is read");
   return description;
 }
 
@@ -140,6 +141,28 @@ void require_choice(const std::string& option, const std::string& value,
 void require_positive(const po::variables_map& given, const std::string& option, double value) {
   require(given.count(option) == 0 || (value > 0 && std::isfinite(value)),
           "the argument of --" + option + " must be a positive number");
+}
+
+bool is_given(const po::variables_map& given, const std::string& option) {
+  return given.count(option) > 0 && !given[option].defaulted();
+}
+
+void require_effect(const po::variables_map& given, std::initializer_list<const char*> options,
+                    bool has_effect, const std::string& needed) {
+  for(const char* option : options)
+    require(has_effect || !is_given(given, option),
+            "--" + std::string(option) + " has no effect without " + needed);
+}
+
+std::vector<std::size_t> not_negative(const std::string& option,
+                                      const std::vector<long long>& values) {
+  std::vector<std::size_t> result;
+  for(const long long value : values) {
+    require(value >= 0,
+            "the argument " + std::to_string(value) + " of --" + option + " must not be negative");
+    result.push_back(static_cast<std::size_t>(value));
+  }
+  return result;
 }
 
 void require_not_negative(const po::variables_map& given, const std::string& option) {
@@ -216,6 +239,12 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
           "the argument of --geometry must be flat or smooth");
   require(o.vertex_data == "linear" || o.vertex_data == "smooth",
           "the argument of --vertex-data must be linear or smooth");
+  require_effect(given, {"crease-angle"}, o.space.geometry == "smooth" || o.vertex_data == "smooth",
+                 "--geometry smooth or --vertex-data smooth");
+  require_effect(given, {"join"},
+                 given.count("paper") == 0 || (o.space.split_elements && !o.space.paper_space),
+                 "split elements");
+  require(!o.quiet || !(o.verbose || o.progress), "--quiet excludes --verbose and --progress");
   if(given.count("assembly"))
     check_integration_options(o, given);
   require_positive(given, "threads", o.threads);
@@ -223,12 +252,16 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
           "the argument of --refine must lie between 1 and 64");
   require(given.count("refine") == 0 || !o.output.empty() || !o.html.empty(),
           "--refine needs --output or --html");
+  this_run().is_quiet = o.quiet;
+  this_run().has_overwrite = given.count("overwrite") > 0;
+  this_run().may_overwrite_input = o.overwrite;
   check_output("--csv", o.csv);
   check_output("--output", o.output, {".ply", ".obj"});
   check_output("--html", o.html, {".html", ".htm"});
   if(!o.html.empty())
     check_viewer(viewer_file());
   require(o.csv.empty() || o.csv != o.output, "--csv and --output name the same file");
+  check_input(o.mesh);
   return true;
 }
 

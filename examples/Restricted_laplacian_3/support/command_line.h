@@ -10,6 +10,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -44,7 +45,7 @@ struct Common_options {
   int threads = 0; // all
   std::string csv, output, html;
   int refine = 0; // the mesh of output as it is
-  bool quiet = false, verbose = false, progress = false;
+  bool quiet = false, verbose = false, progress = false, overwrite = false;
 };
 
 // What --help prints around the options.
@@ -88,6 +89,17 @@ void require_choice(const std::string& option, const std::string& value,
                     std::initializer_list<const char*> choices);
 
 void require_positive(const po::variables_map& given, const std::string& option, double value);
+
+// whether an option is on the command line
+bool is_given(const po::variables_map& given, const std::string& option);
+
+// requires that some options, if they are given, have an effect: `needed` says what they need
+void require_effect(const po::variables_map& given, std::initializer_list<const char*> options,
+                    bool has_effect, const std::string& needed);
+
+// numbers that are at least 0, as of vertices
+std::vector<std::size_t> not_negative(const std::string& option,
+                                      const std::vector<long long>& values);
 
 // requires that an option, if it is given, is a number that is not negative
 void require_not_negative(const po::variables_map& given, const std::string& option);

@@ -46,6 +46,7 @@ inline RL::Scan_pose read_pose(std::istream& numbers, const std::string& where) 
 
 // The poses of a file by the names of the scans.
 inline std::map<std::string, RL::Scan_pose> read_poses(const std::string& file) {
+  check_input(file);
   std::ifstream in(file);
   require(in.good(), "cannot open '" + file + "'");
   std::map<std::string, RL::Scan_pose> poses;

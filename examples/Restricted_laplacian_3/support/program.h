@@ -35,6 +35,8 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace examples {
 
@@ -52,6 +54,29 @@ struct Error : std::runtime_error {
 inline void require(bool condition, const std::string& message) {
   if(!condition)
     throw Error(message);
+}
+
+// What the options say of a run: whether it prints errors only; which files it writes, each with
+// the option that names it; and whether one that is read may be among them, by an option that the
+// program has.
+struct Run {
+  bool is_quiet = false, has_overwrite = false, may_overwrite_input = false;
+  std::vector<std::pair<std::string, std::string>> outputs;
+};
+inline Run& this_run() {
+  static Run run;
+  return run;
+}
+
+// Throws if a file that is read is one that will be written: to be called before reading.
+inline void check_input(const std::string& file) {
+  std::error_code ignored;
+  if(this_run().may_overwrite_input || !std::filesystem::is_regular_file(file, ignored))
+    return;
+  for(const auto& [argument, output] : this_run().outputs)
+    require(!std::filesystem::equivalent(file, output, ignored),
+            "'" + file + "' is read, and " + argument + " would replace it: give another name" +
+                (this_run().has_overwrite ? ", or --overwrite" : ""));
 }
 
 // prints one line on the standard error stream
@@ -132,10 +157,10 @@ class Whole_file {
 public:
   explicit Whole_file(const std::string& file) : m_file(file) {
     std::error_code ignored;
-    if(std::filesystem::is_symlink(file, ignored))
-      m_file = std::filesystem::canonical(file, ignored).string();
-    const std::filesystem::file_status status = std::filesystem::status(m_file, ignored);
+    const std::filesystem::file_status status = std::filesystem::status(file, ignored);
     const bool is_new = !std::filesystem::exists(status);
+    if(std::filesystem::is_regular_file(status) && std::filesystem::is_symlink(file, ignored))
+      m_file = std::filesystem::canonical(file, ignored).string();
     if(is_new || std::filesystem::is_regular_file(status)) {
       m_part = m_file + ".part";
       m_out.open(m_part, std::ios::binary);
@@ -182,9 +207,21 @@ private:
 
 } // namespace internal
 
+// whether a name stands for the stream that the program prints on
+inline bool is_standard_output(const std::string& file) {
+  return file == "/dev/stdout" || file == "/dev/fd/1" || file == "/proc/self/fd/1";
+}
+
 // Lets `write` fill a file, and throws unless everything arrived there; then the file is what it
 // was before. Numbers are written so that reading them gives the same number again.
 inline void write_file(const std::string& file, const std::function<void(std::ostream&)>& write) {
+  if(is_standard_output(file)) { // opened once more, it would begin at its beginning
+    std::ostream out(std::cout.rdbuf());
+    out << std::setprecision(std::numeric_limits<double>::max_digits10);
+    write(out);
+    require(static_cast<bool>(out.flush()), "cannot write '" + file + "'");
+    return;
+  }
   internal::Whole_file whole(file);
   require(whole.stream().good(), "cannot open '" + file + "' for writing");
   whole.stream() << std::setprecision(std::numeric_limits<double>::max_digits10);
@@ -214,7 +251,15 @@ inline void check_output(const std::string& argument, const std::string& file,
     is_known = is_known || extension(file) == format;
     list += (list.empty() ? "" : " or ") + std::string(format);
   }
+  if(is_standard_output(file)) {
+    for(const auto& [other, output] : this_run().outputs)
+      require(!is_standard_output(output), argument + " and " + other + " name the same file");
+    this_run().is_quiet = true; // nothing else may be there
+    this_run().outputs.emplace_back(argument, file);
+    return;
+  }
   require(is_known, of_argument + " has no format that can be written: " + list);
+  this_run().outputs.emplace_back(argument, file);
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(file, ignored);
   const bool is_new = !std::filesystem::exists(status);

@@ -58,6 +58,7 @@ RL::Triangulated_surface_3 surface_of_scan(const std::vector<RL::Point_3>& point
 } // namespace
 
 RL::Colored_scan read_scan(const std::string& file, const RL::Scan_pose& pose, bool is_parallel) {
+  check_input(file);
   const internal::Vertex_properties properties = RL::read_vertex_properties(file);
   std::vector<Color> colors = internal::colors_of(properties, file);
   try {

@@ -48,6 +48,8 @@ inline void check_eigensolver_options(const Eigensolver_options& o, const po::va
   require(o.eigensolver != "multigrid" || !is_paper, "--eigensolver multigrid excludes --paper");
   require(given.count("tolerance") == 0 || (o.tolerance > 0 && o.tolerance < 1),
           "the argument of --tolerance must be in (0, 1)");
+  require_effect(given, {"tolerance"}, o.eigensolver != "shift-invert",
+                 "--eigensolver multigrid or auto");
   require_not_negative(given, "stabilization");
 }
 

@@ -245,7 +245,7 @@ inline void write_results(const std::string& program, const Common_options& o,
 template <typename Options>
 int run_on_surface(const std::string& program, const Options& o, const po::variables_map& given,
                    Outcome (*work)(Job&, const Options&)) {
-  const Progress progress(o.quiet, o.verbose || o.progress);
+  const Progress progress(this_run().is_quiet, o.verbose || o.progress);
   const Thread_limit threads(o.threads);
   Mesh_input input = [&] {
     const Callback callback = progress.step("reading " + o.mesh);
@@ -267,7 +267,7 @@ int run_on_surface(const std::string& program, const Options& o, const po::varia
   progress.show("writing the results");
   write_results(program, o, summary, input.surface, outcome);
   progress.show("");
-  if(!o.quiet) {
+  if(!this_run().is_quiet) {
     summary.print(std::cout, o.verbose);
     if(outcome.print)
       outcome.print(std::cout);

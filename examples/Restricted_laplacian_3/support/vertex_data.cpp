@@ -72,6 +72,11 @@ std::vector<Color> colors_of(const Vertex_properties& properties, const std::str
   return result;
 }
 
+std::vector<RL::Vertex_property> read_properties(const std::string& file) {
+  check_input(file);
+  return RL::read_vertex_properties(file);
+}
+
 } // namespace internal
 
 std::vector<std::pair<std::string, std::vector<double>>>
@@ -79,7 +84,7 @@ read_vertex_values(const std::string& file) {
   static const std::set<std::string> others = {"x",  "y",   "z",     "nx",   "ny",
                                                "nz", "red", "green", "blue", "alpha"};
   std::vector<std::pair<std::string, std::vector<double>>> result;
-  for(RL::Vertex_property& property : RL::read_vertex_properties(file))
+  for(RL::Vertex_property& property : internal::read_properties(file))
     if(others.count(property.name) == 0)
       result.emplace_back(std::move(property.name), std::move(property.values));
   return result;
@@ -87,7 +92,7 @@ read_vertex_values(const std::string& file) {
 
 std::vector<double> read_vertex_property(const std::string& file, const std::string& name) {
   std::string names;
-  for(RL::Vertex_property& property : RL::read_vertex_properties(file)) {
+  for(RL::Vertex_property& property : internal::read_properties(file)) {
     if(property.name == name)
       return std::move(property.values);
     names += (names.empty() ? "" : ", ") + property.name;
@@ -98,12 +103,12 @@ std::vector<double> read_vertex_property(const std::string& file, const std::str
 
 bool has_colors(const std::string& file) {
   internal::Columns columns;
-  return internal::find_columns(RL::read_vertex_properties(file), internal::names_of_colors,
+  return internal::find_columns(internal::read_properties(file), internal::names_of_colors,
                                 columns);
 }
 
 std::vector<Color> read_colors(const std::string& file) {
-  return internal::colors_of(RL::read_vertex_properties(file), file);
+  return internal::colors_of(internal::read_properties(file), file);
 }
 
 } // namespace examples

@@ -603,6 +603,63 @@ test_whole_files() {
   check "permissions remain" [ "$(stat -c %a elsewhere/table.csv)" = 640 ]
 }
 
+# Files that are read stay, options that have no effect are refused, and outputs may go to the standard
+# output, where then nothing else is.
+test_files_and_options() {
+  make_sphere 12 > sphere.off
+  succeeds solve_poisson sphere.off --depth 4 --output mesh.ply
+  cp mesh.ply before.ply
+  mkdir folder
+  ln -s ../mesh.ply folder/link.ply
+  for name in mesh.ply ./folder/../mesh.ply folder/link.ply "$folder/mesh.ply"; do
+    fails "is read, and --output would replace it.*--overwrite" solve_poisson mesh.ply --depth 4 --output "$name"
+  done
+  fails "is read, and --csv would" estimate_curvature mesh.ply --depth 4 --csv mesh.ply
+  cp sphere.off lines.obj
+  fails "is read, and --lines would" geodesic_distance lines.obj --source 0 --path 3 --lines lines.obj
+  fails "would replace" smooth_surface sphere.off ./sphere.off
+  check "the file is as before" cmp mesh.ply before.ply
+  succeeds solve_poisson mesh.ply --depth 4 --output folder/link.ply --overwrite --rhs x
+  check "it is replaced on request" eval "! cmp -s mesh.ply before.ply && [ -L folder/link.ply ]"
+  if [ -x "$programs/bake_scans" ]; then
+    succeeds bake_scans before.ply scans --views 2 --resolution 32
+    fails "truth.ply' is read, and FOLDER would replace it" bake_scans scans/truth.ply scans --views 2
+  fi
+
+  succeeds solve_poisson sphere.off --depth 4 --csv table.csv
+  local rows
+  rows=$(numbers table.csv | wc -l)
+  succeeds solve_poisson sphere.off --depth 4 --csv /dev/stdout
+  check "a table, and nothing else" same_values table.csv out "$rows"
+  "$programs/solve_poisson" sphere.off --depth 4 --csv /dev/stdout | cat > piped.csv
+  check "through a pipe, too" same_values table.csv piped.csv "$rows"
+  "$programs/solve_poisson" sphere.off --depth 4 --csv /dev/stderr 2> error.csv > out
+  check "on the error stream" same_values table.csv error.csv "$rows"
+  check "beside what is printed" grep -q "^maximum" out
+  succeeds solve_poisson sphere.off --depth 4 --output /dev/stdout
+  check "a mesh" eval "head -c 3 out | grep -q ply && cmp out before.ply"
+  succeeds geodesic_distance sphere.off --source 0 --path 5 --lines /dev/stdout
+  check "lines" eval "grep -q '^v ' out && ! grep -v '^[vl] ' out"
+  fails "name the same file" solve_poisson sphere.off --depth 4 --csv /dev/stdout --output /dev/stdout
+
+  fails "argument -1 of --source" geodesic_distance sphere.off --source -1
+  fails "argument -7 of --path" geodesic_distance sphere.off --source 0 --path -7
+  fails "argument -2 of --farthest" geodesic_distance sphere.off --farthest -2
+  local without="has no effect without"
+  fails "isolines $without --lines or --html" geodesic_distance sphere.off --source 0 --isolines 5
+  fails "show $without --output" geodesic_distance sphere.off --source 0 --show nearest
+  fails "show $without --output" estimate_curvature sphere.off --show gaussian
+  fails "clip $without --output" estimate_curvature sphere.off --clip 90
+  fails "eigenfunction $without --output" laplace_spectrum sphere.off --eigenfunction 2
+  fails "depth $without --operator restricted" laplace_spectrum sphere.off --operator cotangent --depth 4
+  fails "tolerance $without --eigensolver" laplace_spectrum sphere.off --eigensolver shift-invert --tolerance 0.1
+  fails "crease-angle $without --geometry smooth" solve_poisson sphere.off --crease-angle 20
+  fails "join $without split" solve_poisson sphere.off --join 0.1 --unsplit
+  fails "columns $without all times" spectral_descriptors sphere.off --columns 5 --time 0.1
+  fails "alpha $without --method gradients" stitch_colors mesh.ply mesh.ply --poses p --method chosen --alpha 2
+  fails "quiet excludes" solve_poisson sphere.off --quiet --verbose
+}
+
 test_memory() {
   make_sphere 12 > ball.off
   fails "--depth is 16, which would take about .* GB of memory, and .* GB are there; a depth of" \
@@ -777,8 +834,10 @@ test_spectrum() {
 
   # Both eigensolvers find the same, and the parameters of multigrid matter.
   for solver in multigrid shift-invert; do
+    local tolerance=()
+    [ $solver = shift-invert ] || tolerance=(--tolerance 1e-6)
     succeeds laplace_spectrum sphere.off --depth 4 --count 16 --eigensolver $solver \
-      --tolerance 1e-6 --csv $solver.csv
+      "${tolerance[@]}" --csv $solver.csv
     check "eigenvalues of the sphere, $solver" has_sphere_spectrum $solver.csv 1e-2
     numbers $solver.csv > $solver
   done
@@ -1005,7 +1064,7 @@ test_curvature() {
   check "but not that of the product" eval "column c.csv 3 | is_within 0.9 1.1"
   succeeds estimate_curvature large_sphere.off --depth 3 --smoothing 0 --csv c.csv
   check "radius 9" eval "column c.csv 2 | is_within 0.1 0.122"
-  succeeds estimate_curvature small.off --depth 3 --assembly monte-carlo --show gaussian
+  succeeds estimate_curvature small.off --depth 3 --assembly monte-carlo --show gaussian --output gaussian.ply
   fails "method" estimate_curvature sphere.off --method best
   fails "show" estimate_curvature sphere.off --show both
   fails "gaussian" estimate_curvature sphere.off --show gaussian --method coordinates
