@@ -119,8 +119,8 @@ python() {
     rm -rf "$folder/environment"
     "$interpreter" -m venv "$folder/environment" &&
       (
-        cd "$folder/clone" && PATH=$folder/environment/bin:$PATH && command pip install . &&
-          command pip install pytest && cd "$folder" &&
+        cd "$folder/clone" && PATH=$folder/environment/bin:$PATH && command pip install '.[files]' &&
+          command pip install pytest numpydoc neuromodes && cd "$folder" &&
           command python -c 'import restricted_laplacian as rl; V, F = rl.icosphere(4); l, u = rl.eigs(V, F, 50); print(l[:4], u.shape)' &&
           command python -m pytest -q -rs -p no:cacheprovider clone/python/tests
       ) || status=1

@@ -4,10 +4,12 @@
 """Checks what the manual says of named parameters against the code: check_parameters.py --root FOLDER
 
 The names in named_parameters.doxy are those of foundation/parameters.h, each of them is shown with
-a function and on the page of named parameters, and the defaults are those of the code.
+a function and on the page of named parameters, and the defaults are those of the code. What Python
+says of its arguments, and takes for them, is the same.
 """
 
 import argparse
+import ast
 import pathlib
 import re
 
@@ -55,6 +57,55 @@ def same(a, b):
         return float(a) == float(b)
     except ValueError:
         return a.removesuffix("()") == b.removesuffix("()")
+
+
+def arguments_of_python(package):
+    """of each function its docstring, and the arguments that have a default: (name, default, function)"""
+    docs, defaults = {}, []
+    for path in sorted(package.glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef):
+                docs.setdefault(node.name, ast.get_docstring(node) or "")
+                own = zip(reversed(node.args.args), reversed(node.args.defaults))
+                only = zip(node.args.kwonlyargs, node.args.kw_defaults)
+                defaults += [(argument.arg, ast.literal_eval(value), node.name)
+                             for argument, value in [*own, *only] if isinstance(value, ast.Constant)]
+            elif isinstance(node, ast.ClassDef):
+                docs.setdefault(node.name, ast.get_docstring(node) or "")
+    return docs, defaults
+
+
+def compare_python(root, rows, shown):
+    """what Python says of a parameter of C++, and takes for it: one of the defaults that C++ has"""
+    package = root / "python/restricted_laplacian"
+    tree = ast.parse((package / "_errors.py").read_text(encoding="utf-8"))
+    names = next(ast.literal_eval(node.value) for node in tree.body
+                 if isinstance(node, ast.Assign) and node.targets[0].id == "ARGUMENTS")
+    docs, defaults = arguments_of_python(package)
+    errors, number = [], 0
+    for name, argument in names.items():
+        if name not in rows:
+            continue
+        alias, row = rows[name]
+        text = re.search(r"\\cgalParamDefault\{(.*?)\\cgalParam", row).group(1)
+        if text.startswith("\\1"):
+            text = " ".join(re.findall(r"\\named_" + alias + r"\{([^}]*)\}", shown))
+        # numbers, and those in functions that the text names
+        bodies = [body for function in re.findall(r"\bdefault_\w+(?=\(\))", text) for body in re.findall(
+            rf"^[^\n/]*\b{function}\([^;{{]*\{{\n?(.*?)\n?\}}", shown, re.M | re.S)]
+        known = re.findall(r"(?<![\w.])\d[\d.]*(?:e-?\d+)?(?![\w.]*\w)", " ".join([text, *bodies]))
+        found = [(function, str(float(value))) for other, value, function in defaults
+                 if other == argument and type(value) in (int, float)]
+        for function, doc in docs.items():
+            for said in re.findall(rf"^{argument} : .*\n(?:    .*\n?)+", doc, re.M):
+                figures = re.findall(r"\b(\d[\d.]*(?:e-?\d+)?) by default|default (\d[\d.]*(?:e-?\d+)?)\b", said)
+                found += [(function, a or b) for a, b in figures]
+        number += len(found)
+        errors += [f"Python's {function} has the default {value} of {argument}, C++ {', '.join(sorted(set(known)))}"
+                   for function, value in found if not any(same(value, v) for v in known)]
+    if number < 12:
+        errors.append(f"found only {number} defaults of Python; has their form changed?")
+    return errors
 
 
 def main():
@@ -128,6 +179,7 @@ def main():
     if number_of_defaults < 25:
         errors.append(f"found only {number_of_defaults} defaults; has their form changed?")
 
+    errors += compare_python(root, rows, shown)
     print("\n".join(errors))
     print(f"{len(names)} named parameters, {number_of_defaults} defaults, {len(errors)} errors")
     return 1 if errors else 0

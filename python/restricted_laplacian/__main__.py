@@ -16,7 +16,7 @@ import restricted_laplacian as rl
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m restricted_laplacian", description=__doc__)
-    parser.add_argument("mesh", help="off, obj, ply, stl, vtk or ts")
+    parser.add_argument("mesh", help="any file that read_mesh reads")
     parser.add_argument("--depth", type=int, help="of the octree")
     parser.add_argument("--count", type=int, default=10, help="number of eigenvalues")
     parser.add_argument("--threads", type=int, help="all processors by default")

@@ -665,7 +665,7 @@ class PoissonSolver:
     smoother : {"patch", "point"}
         Of multigrid: small systems of splines near each other, or one spline after the other.
     max_iterations : int, optional
-        Of conjugate gradients, 100 by default.
+        Of conjugate gradients, 1000 by default.
     progress : bool or callable, optional
         See `solve_poisson`.
 
