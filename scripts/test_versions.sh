@@ -74,10 +74,13 @@ step "the package in CGAL's tree, and installed" ctest --test-dir "$build" --out
   --no-tests=error -R '^(consumer:.*|cgal_tree:.*)$'
 
 version=$(printf '#include <CGAL/version.h>\n#include <Eigen/Core>\n#include <boost/version.hpp>
-CGAL_VERSION EIGEN_WORLD_VERSION EIGEN_MAJOR_VERSION EIGEN_MINOR_VERSION BOOST_LIB_VERSION' |
+CGAL_VERSION EIGEN_WORLD_VERSION EIGEN_MAJOR_VERSION EIGEN_MINOR_VERSION EIGEN_PATCH_VERSION BOOST_LIB_VERSION' |
   "$(cached CMAKE_CXX_COMPILER)" -E -P -x c++ ${include:+"-isystem$include"} -isystem /usr/include/eigen3 - | tail -n 1)
-read -r version_of_cgal a b c boost <<<"$version"
-summary="CGAL $version_of_cgal, Eigen $a.$b.$c, Boost $boost, GCC $("$(cached CMAKE_CXX_COMPILER)" -dumpfullversion),"
+read -r version_of_cgal world major minor patch boost <<<"$version"
+eigen=$world.$major.$minor
+((major < 5)) || eigen=$major.$minor.$patch # whose first number is still 3
+boost=${boost//\"/}
+summary="CGAL $version_of_cgal, Eigen $eigen, Boost ${boost/_/.}, GCC $("$(cached CMAKE_CXX_COMPILER)" -dumpfullversion),"
 summary+=" CMake $(cmake --version | sed -n 's/^cmake version //p');"
 summary+=" $(sed -n 's/^All tests passed (\(.*\))$/\1/p' "$output"),"
 summary+=" $(grep -c 'SKIPPED: ' "$output" || true) of them skipped"

@@ -164,10 +164,18 @@ def _of_gifti(mesh: Any) -> tuple[Any, Any]:
     return V, F
 
 
+def _is_pair(value: Any) -> bool:
+    """Whether it is (V, F), and not rows of V."""
+    try:
+        return len(value) == 2 and all(np.ndim(a) == 2 for a in value)
+    except ValueError:  # ragged lists
+        return False
+
+
 def mesh_arrays(mesh: Any) -> Optional[tuple[Any, Any]]:
     """Points and faces of a pair (V, F), or of a mesh of another library."""
     if isinstance(mesh, (tuple, list)):
-        return (mesh[0], mesh[1]) if len(mesh) == 2 and all(np.ndim(a) == 2 for a in mesh) else None
+        return (mesh[0], mesh[1]) if _is_pair(mesh) else None
     if hasattr(mesh, "agg_data"):  # nibabel
         return _of_gifti(mesh)
     if hasattr(mesh, "GetPolys"):  # VTK, PyVista
@@ -188,10 +196,10 @@ def mesh_arrays(mesh: Any) -> Optional[tuple[Any, Any]]:
 
 def is_surface(value: Any) -> bool:
     """Whether it is a surface as a whole: a space, a pair (V, F), or a mesh of another library."""
-    if isinstance(value, np.ndarray) or isinstance(value, _core.Surface):
-        return not isinstance(value, np.ndarray)
+    if isinstance(value, (np.ndarray, _core.Surface)):
+        return isinstance(value, _core.Surface)
     if isinstance(value, (tuple, list)):
-        return len(value) == 2 and all(np.ndim(a) == 2 for a in value)
+        return _is_pair(value)
     names = set(dir(value))
     return "_surface" in names or any(pair <= names for pair in (
         {"vertices", "faces"}, {"vertices", "triangles"}, {"v", "t"}, {"points", "cells_dict"},

@@ -108,8 +108,9 @@ def test_a_function_that_is_missing_is_named(mesh):
         assert e.value.argument == "f"
     with pytest.raises(rl.InputError, match="alpha is missing"):
         rl.solve_screened_poisson(mesh, mesh[0][:, 2])
-    with pytest.raises(rl.InputError, match="F is missing"):
-        rl.eigs(mesh[0])
+    for wrong in (mesh[0], [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], ([[1.0], [2.0, 3.0]], mesh[1]), None, object()):
+        with pytest.raises(rl.InputError, match="F is missing"):
+            rl.eigs(wrong)
 
 
 def test_constraints_are_mappings_or_pairs(mesh):

@@ -248,7 +248,12 @@ inline Petsc_matrix petsc_matrix(const Communicator& communicator, Distributed_r
   PetscContainer container = nullptr;
   petsc_check(PetscContainerCreate(communicator.get(), &container));
   petsc_check(PetscContainerSetPointer(container, arrays.release()));
+#if PETSC_VERSION_LT(3, 23, 0)
   petsc_check(PetscContainerSetUserDestroy(container, Petsc_arrays::destroy));
+#else
+  petsc_check(PetscContainerSetCtxDestroy(
+      container, [](void** arrays) { return Petsc_arrays::destroy(*arrays); }));
+#endif
   petsc_check(PetscObjectCompose(reinterpret_cast<PetscObject>(static_cast<Mat>(result)),
                                  "Restricted_laplacian_3_arrays",
                                  reinterpret_cast<PetscObject>(container)));

@@ -21,6 +21,21 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
+/// what PETSc says of an error; the last type differs from version to version
+template <class Char>
+std::string petsc_message(PetscErrorCode (*message)(PetscErrorCode, const char*[], Char*[]),
+                          PetscErrorCode code) {
+  const char* text = nullptr;
+  Char* specific = nullptr;
+  message(code, &text, &specific);
+  std::string result = "PETSc: ";
+  if(text)
+    result += text;
+  if(specific && *specific)
+    result += std::string(": ") + specific;
+  return result;
+}
+
 /// \throws std::bad_alloc if PETSc has no memory, which other ranks may not know of
 /// \throws Distributed_error if a function of PETSc has failed for another reason
 inline void petsc_check(PetscErrorCode code) {
@@ -28,15 +43,7 @@ inline void petsc_check(PetscErrorCode code) {
     return;
   if(code == PETSC_ERR_MEM)
     throw std::bad_alloc();
-  const char* text = nullptr;
-  char* specific = nullptr;
-  PetscErrorMessage(code, &text, &specific);
-  std::string message = "PETSc: ";
-  if(text)
-    message += text;
-  if(specific && *specific)
-    message += std::string(": ") + specific;
-  throw Distributed_error(message);
+  throw Distributed_error(petsc_message(PetscErrorMessage, code));
 }
 
 /// Owns an object of PETSc.
