@@ -251,8 +251,9 @@ inline Petsc_matrix petsc_matrix(const Communicator& communicator, Distributed_r
 #if PETSC_VERSION_LT(3, 23, 0)
   petsc_check(PetscContainerSetUserDestroy(container, Petsc_arrays::destroy));
 #else
+  // the type of what it is called with, the place of a pointer, differs from version to version
   petsc_check(PetscContainerSetCtxDestroy(
-      container, [](void** arrays) { return Petsc_arrays::destroy(*arrays); }));
+      container, [](auto arrays) { return Petsc_arrays::destroy(*static_cast<void**>(arrays)); }));
 #endif
   petsc_check(PetscObjectCompose(reinterpret_cast<PetscObject>(static_cast<Mat>(result)),
                                  "Restricted_laplacian_3_arrays",
