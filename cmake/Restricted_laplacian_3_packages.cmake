@@ -72,7 +72,7 @@ set(CPACK_PRE_BUILD_SCRIPTS "${PROJECT_SOURCE_DIR}/cmake/Restricted_laplacian_3_
 set(CPACK_SOURCE_GENERATOR TGZ)
 set(CPACK_SOURCE_PACKAGE_FILE_NAME "Restricted_laplacian_3-${PROJECT_VERSION}-source")
 set(CPACK_SOURCE_IGNORE_FILES "/compile_commands\\.json$" "/CMakeUserPresets\\.json$" "~$"
-  "\\.swp$" "/\\.git(/|$)" "/\\.(cache|vscode|idea)/")
+  "\\.swp$" "/\\.git(/|$)" "/\\.(cache|vscode|idea|mypy_cache|pytest_cache)/")
 foreach(dir IN ITEMS "${PROJECT_SOURCE_DIR}/build" "${PROJECT_SOURCE_DIR}/demo_output"
     "${PROJECT_BINARY_DIR}")
   string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" dir "${dir}")
