@@ -37,8 +37,8 @@ case "$*" in
     ;;
 esac
 
-# install PACKAGE...: those of them that are missing
-install() {
+# install_packages PACKAGE...: those of them that are missing
+install_packages() {
   local package state missing=() as_root=()
   for package; do
     state=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null || true)
@@ -64,11 +64,11 @@ install() {
     apt-get install --yes --no-install-recommends "${options[@]}" "${missing[@]}"
 }
 
-install "${packages[@]}"
+install_packages "${packages[@]}"
 # The sanitizers of clang are a package with its version in the name.
 if [[ $* != --programs ]]; then
   version=$(clang++ -dumpversion)
-  install "libclang-rt-${version%%.*}-dev"
+  install_packages "libclang-rt-${version%%.*}-dev"
 fi
 
 # CHOLMOD is several times slower with the reference BLAS. Debian prefers OpenBLAS as soon as it is

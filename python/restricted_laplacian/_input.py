@@ -172,38 +172,43 @@ def _is_pair(value: Any) -> bool:
         return False
 
 
+def _of_meshio_or_grid(mesh: Any) -> tuple[Any, Any]:
+    if hasattr(mesh, "extract_surface"):  # a grid of PyVista, whose surface has other numbers
+        raise argument_error("V", "is a grid; its extract_surface() is a surface")
+    return _of_meshio(mesh)
+
+
+# what meshes of other libraries have, and points and faces of them
+_LIBRARIES: tuple[tuple[set[str], Callable[[Any], tuple[Any, Any]]], ...] = (
+    ({"agg_data"}, _of_gifti),  # nibabel
+    ({"GetPolys"}, _of_vtk),  # VTK, PyVista
+    ({"points", "cells_dict"}, _of_meshio_or_grid),
+    ({"vertices", "faces"}, lambda m: (m.vertices, m.faces)),  # trimesh
+    ({"vertices", "triangles"}, lambda m: (m.vertices, m.triangles)),  # Open3D
+    ({"v", "t"}, lambda m: (m.v, m.t)),  # LaPy
+    ({"vertex", "triangle"}, lambda m: (m.vertex.positions.numpy(), m.triangle.indices.numpy())),  # Open3D
+)
+
+
+def _library_of(mesh: Any) -> Optional[Callable[[Any], tuple[Any, Any]]]:
+    """What takes points and faces out of a mesh of another library, if it is one."""
+    return next((read for has, read in _LIBRARIES if all(hasattr(mesh, name) for name in has)), None)
+
+
 def mesh_arrays(mesh: Any) -> Optional[tuple[Any, Any]]:
     """Points and faces of a pair (V, F), or of a mesh of another library."""
     if isinstance(mesh, (tuple, list)):
         return (mesh[0], mesh[1]) if _is_pair(mesh) else None
-    if hasattr(mesh, "agg_data"):  # nibabel
-        return _of_gifti(mesh)
-    if hasattr(mesh, "GetPolys"):  # VTK, PyVista
-        return _of_vtk(mesh)
-    if hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
-        if hasattr(mesh, "extract_surface"):  # a grid of PyVista, whose surface has other numbers
-            raise argument_error("V", "is a grid; its extract_surface() is a surface")
-        return _of_meshio(mesh)
-    for vertices, faces in (("vertices", "faces"),  # trimesh
-                            ("vertices", "triangles"),  # Open3D
-                            ("v", "t")):  # LaPy
-        if hasattr(mesh, vertices) and hasattr(mesh, faces):
-            return getattr(mesh, vertices), getattr(mesh, faces)
-    if hasattr(mesh, "vertex") and hasattr(mesh, "triangle"):  # tensors of Open3D
-        return mesh.vertex.positions.numpy(), mesh.triangle.indices.numpy()
-    return None
+    read = _library_of(mesh)
+    return read(mesh) if read else None
 
 
 def is_surface(value: Any) -> bool:
     """Whether it is a surface as a whole: a space, a pair (V, F), or a mesh of another library."""
-    if isinstance(value, (np.ndarray, _core.Surface)):
-        return isinstance(value, _core.Surface)
     if isinstance(value, (tuple, list)):
         return _is_pair(value)
-    names = set(dir(value))
-    return "_surface" in names or any(pair <= names for pair in (
-        {"vertices", "faces"}, {"vertices", "triangles"}, {"v", "t"}, {"points", "cells_dict"},
-        {"agg_data"}, {"GetPolys"}, {"vertex", "triangle"}))
+    return (isinstance(value, _core.Surface) or hasattr(value, "_surface")
+            or _library_of(value) is not None)
 
 
 def takes_surface(function: _Function) -> _Function:

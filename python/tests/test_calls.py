@@ -4,6 +4,8 @@
 """How people call: meshes of other libraries, mappings, masks, pickles, results in a notebook."""
 
 import copy
+import importlib.resources
+import pathlib
 import pickle
 import subprocess
 import sys
@@ -12,6 +14,7 @@ import types
 import numpy as np
 import pytest
 import restricted_laplacian as rl
+from conftest import data_file
 from restricted_laplacian import learning
 
 DEPTH = 3
@@ -54,12 +57,23 @@ def of_vtk(V, F):
     return result
 
 
+class Hidden:
+    """Names that dir() does not list, as PyVista hides those of VTK."""
+
+    def __init__(self, V, F):
+        self.vertices, self.faces = V, F
+
+    def __dir__(self):
+        return []
+
+
 MESHES = {
     "a tuple": lambda V, F: (V, F),
     "a list": lambda V, F: [V.tolist(), F.tolist()],
     "trimesh": lambda V, F: types.SimpleNamespace(vertices=V, faces=F),
     "Open3D": lambda V, F: types.SimpleNamespace(vertices=V, triangles=F.astype(np.int32)),
     "Open3D, tensors": of_open3d_tensors,
+    "hidden names": Hidden,
     "LaPy": lambda V, F: types.SimpleNamespace(v=V, t=F),
     "meshio": of_meshio,
     "nibabel": of_nibabel,
@@ -332,6 +346,21 @@ def test_eigenfunctions_that_are_orthonormal_at_vertices(mesh, of_points):
         rl.eigs(V, F, 5, orthonormal="mass")
     with pytest.raises(rl.InputError, match="do not tell"):
         rl.eigs(*rl.icosphere(0), 20, depth=4, orthonormal="vertices")
+
+
+@pytest.mark.parametrize("mesh, said", [("elephant.off", 13), ("neuromodes", 0.8)])
+def test_the_manual_says_how_orthonormal_values_at_vertices_are(mesh, said):
+    if mesh == "neuromodes":
+        data = importlib.resources.files(pytest.importorskip(
+            "neuromodes", reason="SKIPPED: neuromodes is not installed")) / "data"
+        surface = rl.read_mesh(data / "sp-human_tpl-fsLR_den-32k_hemi-L_midthickness.surf.gii")
+    else:
+        surface = rl.read_mesh(data_file(mesh))
+    u = rl.eigs(surface, 100)[1]
+    error = 100 * abs(u.T @ (rl.cotangent_operators(surface).mass @ u) - np.eye(100)).max()
+    assert abs(error / said - 1) < 0.05
+    page = pathlib.Path(__file__).parents[2] / "doc/Restricted_laplacian_3/Python.txt"
+    assert f"up to {said} %" in " ".join(page.read_text().split())
 
 
 def test_a_script_without_a_guard_is_told(tmp_path):

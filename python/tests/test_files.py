@@ -96,6 +96,10 @@ def test_gifti(tmp_path, cortex):
         assert np.array_equal(found["time series"], np.stack([x, 2 * x], axis=1))
     with pytest.raises(rl.InputError, match="lh.shape.gii.*without points and triangles"):
         rl.read_mesh(tmp_path / "lh.shape.gii")
+    (tmp_path / "folder.gii").mkdir()
+    for name, reason in (("folder.gii", "is a directory"), ("nothing.gii", "cannot be opened: No such")):
+        with pytest.raises(rl.InputError, match=f"{name}' *:? *{reason}"):
+            rl.read_mesh(tmp_path / name)
     text = (tmp_path / "lh.surf.gii").read_bytes()
     for name, wrong in (("cut.gii", text[:700]), ("text.gii", b"hello"), ("empty.gii", b""),
                         ("cut.gii.gz", packed.read_bytes()[:50]), ("plain.gii.gz", text)):

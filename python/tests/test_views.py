@@ -236,6 +236,7 @@ def test_cells_of_a_notebook_share_a_viewer(sphere, monkeypatch, tmp_path):
     cells = [run(views[0], cellId="a"), run(views[1], cellId="b"), run(views[2])]
     assert len(run(views[0], cellId="a")) == len(cells[0])  # once more
     size = len(cells[0])
+    assert abs(size / 0.6e6 - 1) < 0.1  # as the manual says
     for cell, view in zip(cells[1:], views[1:]):
         assert cell.startswith("<iframe srcdoc=") and cell.count("<") == 2 and cell.count('"') % 2 == 0
         assert len(cell) < size / 5

@@ -39,7 +39,7 @@ struct Laplace_spectrum {
   /// order of `vertices(tm)`; NaN at vertices without a face of positive area. Their mean squares
   /// over the surface are 1 / area. Empty with `eigenvalues_only`. They are orthonormal as splines
   /// on the surface; with the mass matrix \f$M\f$ of `cotangent_operators()` at the vertices nearly
-  /// so, to a percent or so on meshes much finer than the functions. \f$\Phi L^{-T}\f$ with
+  /// so, the finer the mesh the more. \f$\Phi L^{-T}\f$ with
   /// \f$L L^T = \Phi^T M \Phi\f$ is, exactly.
   Eigen::MatrixXd vertex_values;
   /// of the surface
