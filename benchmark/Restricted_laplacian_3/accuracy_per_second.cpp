@@ -45,10 +45,10 @@
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
+#include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
-#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
 
 #include <Eigen/Dense>
 #include <HYPRE.h>

@@ -20,7 +20,7 @@
 #include "support/meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 
 #include <CGAL/Real_timer.h>
 

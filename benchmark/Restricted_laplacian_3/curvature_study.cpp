@@ -39,7 +39,7 @@
 
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>

@@ -23,8 +23,8 @@
 #include "support/spectra.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/Surface_mesh.h>
 

@@ -27,9 +27,9 @@
 #include "support/meshes.h"
 #include "support/package.h"
 
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_function.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

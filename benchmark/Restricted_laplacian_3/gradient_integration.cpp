@@ -31,9 +31,9 @@
 #include "support/meshes.h"
 #include "support/package.h"
 
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Real_timer.h>

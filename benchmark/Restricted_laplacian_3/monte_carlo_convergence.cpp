@@ -24,11 +24,11 @@
 #include "support/package.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
+#include <CGAL/Restricted_laplacian_3/input/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
-#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/problems/monte_carlo_error.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>

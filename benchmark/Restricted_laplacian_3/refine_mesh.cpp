@@ -13,7 +13,7 @@
 #include "support/meshes.h"
 #include "support/refined_mesh.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 
 #include <cstdint>
 #include <cstdio>

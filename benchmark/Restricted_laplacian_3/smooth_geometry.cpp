@@ -35,11 +35,11 @@
 #include "support/simplify.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/patches/Smooth_geometry.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
-#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <Eigen/Core>
 

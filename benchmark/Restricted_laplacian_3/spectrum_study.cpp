@@ -26,7 +26,7 @@
 #include "support/simplify.h"
 #include "support/spectra.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 
 #include <CGAL/Bbox_3.h>
 

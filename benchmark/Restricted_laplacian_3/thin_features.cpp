@@ -22,7 +22,7 @@
 #include "support/meshes.h"
 #include "support/spectra.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 
 #include <CGAL/Surface_mesh.h>
 

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks what the manual says of named parameters against the code: check_parameters.py --root FOLDER
 
-The names in named_parameters.doxy are those of foundation/parameters.h, each of them is shown with
+The names in named_parameters.doxy are those of foundation/internal/parameters.h, each of them is shown with
 a function and on the page of named parameters, and the defaults are those of the code. What Python
 says of its arguments, and takes for them, is the same.
 """
@@ -122,7 +122,7 @@ def main():
     for alias, text in aliases.items():
         if match := re.match(r"\\cgalParamNBegin\{(\w+)\}", text):
             rows.setdefault(match.group(1), (alias, text))
-    parameters = (root / HEADERS / "foundation/parameters.h").read_text(encoding="utf-8")
+    parameters = (root / HEADERS / "foundation/internal/parameters.h").read_text(encoding="utf-8")
     names = set(re.findall(r"PARAMETER\((?:\w+, )*([a-z_]+)\)", parameters))
     errors += [f"the manual does not know {name}" for name in sorted(names - rows.keys())]
     errors += [f"the sources do not know {name}" for name in sorted(rows.keys() - names)]

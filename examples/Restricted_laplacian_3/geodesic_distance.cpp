@@ -10,9 +10,9 @@
 #include "support/surface_program.h"
 #include "support/table.h"
 
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_function.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>

@@ -12,9 +12,9 @@
 #include "support/table.h"
 #include "support/vertex_data.h"
 
+#include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
 
 #include <cmath>
 #include <cstddef>

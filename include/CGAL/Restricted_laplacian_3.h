@@ -14,15 +14,16 @@
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/geodesic_distances.h>
+#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
 #include <CGAL/Restricted_laplacian_3/octree/Surface_windows.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
+#include <CGAL/Restricted_laplacian_3/problems/monte_carlo_error.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/sparse_cholesky.h>
@@ -32,7 +33,6 @@
 #include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/version.h>
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_H

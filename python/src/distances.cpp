@@ -5,9 +5,9 @@
 
 #include "module.h"
 
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_function.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
 
 #include <nanobind/stl/optional.h>
 

@@ -5,7 +5,7 @@
 
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
-#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
+#include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
 #include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <algorithm>

@@ -8,8 +8,8 @@
 
 #include "module.h"
 
+#include <CGAL/Restricted_laplacian_3/patches/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 

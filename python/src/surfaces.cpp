@@ -11,12 +11,12 @@
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
+#include <CGAL/Restricted_laplacian_3/input/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
-#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <nanobind/stl/optional.h>

@@ -7,7 +7,7 @@
 #include "shapes.h"
 #include "special_shapes.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_solver.h>
 
 #include <CGAL/number_utils.h>
 

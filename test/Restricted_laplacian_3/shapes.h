@@ -6,8 +6,8 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>

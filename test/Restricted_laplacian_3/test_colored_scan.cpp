@@ -7,7 +7,7 @@
 #include "special_shapes.h"
 
 #include <CGAL/IO/Color.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Labelling.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/Scan_choice.h>

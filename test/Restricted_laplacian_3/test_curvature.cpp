@@ -6,8 +6,8 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <Eigen/Core>
 

@@ -7,12 +7,12 @@
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #include <Eigen/Geometry>

@@ -8,8 +8,8 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/shared/fit_residual.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <Eigen/Core>

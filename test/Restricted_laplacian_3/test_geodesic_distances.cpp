@@ -10,7 +10,7 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/geodesic_distances.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_solver.h>
 
 #include <algorithm>
 #include <array>

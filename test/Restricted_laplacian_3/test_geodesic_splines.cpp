@@ -9,10 +9,10 @@
 #include "special_shapes.h"
 #include "test_meshes.h"
 
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_function.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_solver.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/tags.h>

@@ -8,6 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
@@ -15,7 +16,6 @@
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <Eigen/Core>
 

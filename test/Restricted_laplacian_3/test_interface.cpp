@@ -8,6 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/input/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
@@ -22,7 +23,6 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
-#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #include <CGAL/Real_timer.h>

@@ -9,13 +9,13 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 

@@ -5,7 +5,7 @@
 
 #include "mesh_types.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

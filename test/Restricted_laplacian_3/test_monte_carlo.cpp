@@ -11,7 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/monte_carlo_error.h>
+#include <CGAL/Restricted_laplacian_3/problems/monte_carlo_error.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/Running_mean.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>

@@ -8,13 +8,13 @@
 #include "test_meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
+#include <CGAL/Restricted_laplacian_3/input/vector_fields.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Surface_windows.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Grid_vertices.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
-#include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/exceptions.h>

@@ -16,7 +16,7 @@
 
 #include "mesh_types.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 
 #include <array>
 #include <vector>

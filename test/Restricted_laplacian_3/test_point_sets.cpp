@@ -12,13 +12,13 @@
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/input/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
-#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #include <CGAL/Point_set_3.h>

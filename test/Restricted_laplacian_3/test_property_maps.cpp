@@ -9,7 +9,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>

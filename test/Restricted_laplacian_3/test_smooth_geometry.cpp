@@ -14,13 +14,13 @@
 #include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 

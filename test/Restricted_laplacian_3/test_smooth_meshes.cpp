@@ -9,10 +9,10 @@
 #include "test_meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <CGAL/IO/polygon_soup_io.h>

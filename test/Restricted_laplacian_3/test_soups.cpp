@@ -7,9 +7,9 @@
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 

@@ -7,8 +7,8 @@
 #include "special_shapes.h"
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/stitch_colors.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <algorithm>
 #include <array>

@@ -8,9 +8,9 @@
 #include "shapes.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 
 #include <algorithm>
 #include <array>

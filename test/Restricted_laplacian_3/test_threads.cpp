@@ -10,12 +10,12 @@
 #include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/internal/fragment_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/patch_kernels.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_kernels.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/Block_evaluation.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -9,10 +9,10 @@
 
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
+#include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
-#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
 
 #include <CGAL/property_map.h>
 

@@ -6,8 +6,8 @@
 
 // QSlim, and how far it moves a surface.
 
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/distributed/vertex_values.h>
-#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
+#include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -6,7 +6,7 @@
 #include "program.h"
 #include "vertex_data.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
 
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>

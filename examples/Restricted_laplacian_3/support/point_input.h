@@ -9,7 +9,7 @@
 #include "command_line.h"
 #include "mesh_input.h"
 
-#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/input/point_areas.h>
 
 #include <string>
 

@@ -9,7 +9,7 @@
 #include "vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
 
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>

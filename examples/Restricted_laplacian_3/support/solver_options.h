@@ -10,7 +10,7 @@
 #include "program.h"
 #include "table.h"
 
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
 #include <optional>

@@ -12,11 +12,11 @@
 
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
+#include <CGAL/Restricted_laplacian_3/patches/Smooth_geometry.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
+#include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
-#include <CGAL/Restricted_laplacian_3/surface/curved_surface.h>
-#include <CGAL/Restricted_laplacian_3/surface/smooth_vertex_data.h>
 
 #include <cstddef>
 #include <cstdint>

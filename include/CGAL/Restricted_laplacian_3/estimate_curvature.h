@@ -6,9 +6,9 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
-#include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 

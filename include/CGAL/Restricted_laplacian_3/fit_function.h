@@ -5,13 +5,13 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_FIT_FUNCTION_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/input/shared/function_on_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
-#include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
-#include <CGAL/Restricted_laplacian_3/surface/shared/function_on_surface.h>
 
 #include <CGAL/Real_timer.h>
 

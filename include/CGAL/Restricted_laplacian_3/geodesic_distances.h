@@ -4,11 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_GEODESIC_DISTANCES_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_GEODESIC_DISTANCES_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_solver.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_function.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_solver.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <boost/graph/graph_traits.hpp>
 

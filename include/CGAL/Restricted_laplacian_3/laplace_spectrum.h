@@ -5,11 +5,11 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_LAPLACE_SPECTRUM_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -6,15 +6,15 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/input/shared/function_on_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
-#include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
-#include <CGAL/Restricted_laplacian_3/surface/shared/function_on_surface.h>
 
 #include <CGAL/Real_timer.h>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_STITCH_COLORS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_STITCH_COLORS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
-#include <CGAL/Restricted_laplacian_3/problems/Surface_source.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/textures/Color_stitcher.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_BOUNDARY_INTEGRATION_H
 
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Operator_sink.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_ASSEMBLY_COTANGENT_OPERATORS_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 namespace CGAL {

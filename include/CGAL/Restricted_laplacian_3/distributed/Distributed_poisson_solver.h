@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_DISTRIBUTED_POISSON_SOLVER_H
 
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_space.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 

@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_surface.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Rank_ranges.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <CGAL/assertions.h>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_functions.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_space.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_surface.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <optional>

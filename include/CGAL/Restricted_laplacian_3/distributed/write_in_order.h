@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_WRITE_IN_ORDER_H
 
 #include <CGAL/Restricted_laplacian_3/distributed/Communicator.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 
 #include <string>
 #include <vector>

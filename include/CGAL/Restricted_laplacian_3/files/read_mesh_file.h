@@ -6,9 +6,9 @@
 
 #include <CGAL/Restricted_laplacian_3/files/File_error.h>
 #include <CGAL/Restricted_laplacian_3/files/Vertex_property.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_MONTE_CARLO_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_MONTE_CARLO_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>

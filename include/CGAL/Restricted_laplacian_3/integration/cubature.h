@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_INTEGRATION_CUBATURE_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>

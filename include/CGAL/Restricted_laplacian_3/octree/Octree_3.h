@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_OCTREE_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_OCTREE_3_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/clip_to_cells.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Domain_cube.h>

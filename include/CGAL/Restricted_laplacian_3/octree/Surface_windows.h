@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SURFACE_WINDOWS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_OCTREE_SURFACE_WINDOWS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_view.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Grid_vertices.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_CURVATURE_FIELD_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>

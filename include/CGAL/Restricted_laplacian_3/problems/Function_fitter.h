@@ -5,9 +5,9 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_FUNCTION_FITTER_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>

@@ -4,13 +4,13 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_GEODESIC_FITTER_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_GEODESIC_FITTER_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
 #include <functional>

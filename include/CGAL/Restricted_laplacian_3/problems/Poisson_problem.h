@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_POISSON_PROBLEM_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>

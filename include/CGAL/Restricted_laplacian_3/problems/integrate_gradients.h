@@ -4,9 +4,9 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTEGRATE_GRADIENTS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_INTEGRATE_GRADIENTS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>

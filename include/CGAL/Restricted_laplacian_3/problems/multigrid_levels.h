@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MULTIGRID_LEVELS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_MULTIGRID_LEVELS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 

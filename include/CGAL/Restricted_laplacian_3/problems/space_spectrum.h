@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_H
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>

@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_STABILIZATION_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_STABILIZATION_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <algorithm>

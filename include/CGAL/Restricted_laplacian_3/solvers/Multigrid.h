@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>

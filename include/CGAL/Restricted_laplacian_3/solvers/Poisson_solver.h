@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 

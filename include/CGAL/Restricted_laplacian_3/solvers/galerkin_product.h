@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_GALERKIN_PRODUCT_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SMOOTHERS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Level_vectors.h>
 

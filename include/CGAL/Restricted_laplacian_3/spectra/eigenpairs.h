@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_EIGENPAIRS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_EIGENPAIRS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
 #include <Eigen/Core>

@@ -5,9 +5,9 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_MULTIGRID_EIGENPAIRS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 

@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SHAPE_DNA_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SHAPE_DNA_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues.h>
 
 #include <Eigen/Core>

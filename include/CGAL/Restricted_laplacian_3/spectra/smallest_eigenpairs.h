@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_SMALLEST_EIGENPAIRS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
 
 namespace CGAL {

@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_WAVE_KERNEL_SIGNATURE_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPECTRA_WAVE_KERNEL_SIGNATURE_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/spectra/zero_eigenvalues.h>
 
 #include <Eigen/Core>

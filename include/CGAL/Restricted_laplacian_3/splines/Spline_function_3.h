@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTION_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTION_3_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/Core>

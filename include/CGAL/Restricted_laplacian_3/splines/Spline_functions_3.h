@@ -5,8 +5,8 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_FUNCTIONS_3_H
 
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/Core>

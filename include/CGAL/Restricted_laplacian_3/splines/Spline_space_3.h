@@ -5,14 +5,14 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_H
 
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/Level_elements.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 
 #include <CGAL/assertions.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_PATCHES_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_PATCHES_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 
 #include <CGAL/assertions.h>

@@ -4,9 +4,9 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_SEAMS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_SEAMS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Key_index.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_view.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
 #include <CGAL/assertions.h>

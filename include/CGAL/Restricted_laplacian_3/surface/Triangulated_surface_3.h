@@ -4,9 +4,9 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Shared_array.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_VERTEX_NORMALS_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Number_lists.h>
-#include <CGAL/Restricted_laplacian_3/surface/internal/Corner_groups.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Corner_groups.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 

@@ -4,12 +4,12 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLOR_STITCHER_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLOR_STITCHER_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/input/vector_fields.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/vector_fields.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 #include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>

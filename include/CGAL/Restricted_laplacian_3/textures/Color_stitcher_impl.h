@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>

@@ -4,11 +4,11 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLORED_SCAN_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLORED_SCAN_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_point_set.h>
-#include <CGAL/Restricted_laplacian_3/surface/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/textures/shared/color_values.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
 

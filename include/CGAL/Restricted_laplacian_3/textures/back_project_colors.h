@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_BACK_PROJECT_COLORS_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_BACK_PROJECT_COLORS_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/internal/Stored_entries.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_PROGRESS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/parameters.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 
 #include <algorithm>
 #include <functional>

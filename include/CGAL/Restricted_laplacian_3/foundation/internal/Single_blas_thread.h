@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_SINGLE_BLAS_THREAD_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_SINGLE_BLAS_THREAD_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {

@@ -4,8 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_PARALLEL_FOR_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_PARALLEL_FOR_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 
 #include <cstddef>
 

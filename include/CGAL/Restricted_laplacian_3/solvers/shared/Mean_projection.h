@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_SHARED_MEAN_PROJECTION_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>
 
 #include <Eigen/Core>

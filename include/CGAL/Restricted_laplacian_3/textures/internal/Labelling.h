@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_LABELLING_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_INTERNAL_LABELLING_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/compiled.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 
 #include <boost/range/iterator_range_core.hpp>
 

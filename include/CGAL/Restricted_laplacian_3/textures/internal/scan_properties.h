@@ -6,8 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
+#include <CGAL/Restricted_laplacian_3/input/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Nearest_points.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Point_neighborhood.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
