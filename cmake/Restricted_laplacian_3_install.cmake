@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # What `cmake --install` installs: the component `headers`, in which nothing depends on the processor,
-# so all that is not a header goes below share/, and the component `compiled`, the library, if it is
-# built. Nothing names a path of this machine, so the installation can be moved.
+# so all that is not a header goes below share/; the component `compiled`, the library, if it is built;
+# `programs`, with the viewer; and `distributed`, programs for several machines. Nothing names a path of this
+# machine, so the installation can be moved.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -13,10 +14,9 @@ install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCH
 
 # find_package()
 set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/Restricted_laplacian_3")
-set(viewer_in_package "${CMAKE_INSTALL_DATADIR}/Restricted_laplacian_3/viewer.html")
 configure_package_config_file(cmake/Restricted_laplacian_3Config.cmake.in
   "${PROJECT_BINARY_DIR}/Restricted_laplacian_3Config.cmake" INSTALL_DESTINATION "${package_dir}"
-  PATH_VARS viewer_in_package NO_SET_AND_CHECK_MACRO)
+  NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/Restricted_laplacian_3ConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(TARGETS Restricted_laplacian_3 EXPORT Restricted_laplacian_3Targets
@@ -74,10 +74,11 @@ if(TARGET Restricted_laplacian_3_compiled)
     DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT compiled)
 endif()
 
-# the viewer for HTML pages, which programs and examples of users put their surfaces into
+# the viewer for HTML pages, which programs put their surfaces into
 if(TARGET viewer)
   get_property(viewer GLOBAL PROPERTY RESTRICTED_LAPLACIAN_3_VIEWER)
-  install(FILES "${viewer}" DESTINATION "${CMAKE_INSTALL_DATADIR}/Restricted_laplacian_3" OPTIONAL)
+  install(FILES "${viewer}" DESTINATION "${CMAKE_INSTALL_DATADIR}/Restricted_laplacian_3"
+    COMPONENT programs OPTIONAL)
 endif()
 
 # documentation

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Packages of what is installed, made by `cpack` in the build folder: a Debian package of the headers,
-# one of the compiled library, and an archive of both. The target `package_source` makes an archive of the sources.
+# one of the compiled library and one of the programs, and an archive of all of them. The target
+# `package_source` makes an archive of the sources.
 
 if(CMAKE_VERSION VERSION_LESS 3.19 OR NOT RESTRICTED_LAPLACIAN_3_INSTALL)
   message(STATUS "Packages are off: they need CMake 3.19 and RESTRICTED_LAPLACIAN_3_INSTALL")
@@ -20,6 +21,11 @@ set(CPACK_COMPONENTS_ALL headers)
 set(CPACK_PACKAGE_FILE_NAME "Restricted_laplacian_3-${PROJECT_VERSION}-noarch")
 if(TARGET Restricted_laplacian_3_compiled)
   list(APPEND CPACK_COMPONENTS_ALL compiled)
+  set(CPACK_PACKAGE_FILE_NAME
+    "Restricted_laplacian_3-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
+endif()
+if(TARGET solve_poisson)
+  list(APPEND CPACK_COMPONENTS_ALL programs)
   set(CPACK_PACKAGE_FILE_NAME
     "Restricted_laplacian_3-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
 endif()
@@ -42,7 +48,7 @@ set(CPACK_DEBIAN_HEADERS_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_HEADERS_PACKAGE_RECOMMENDS
   "libsuitesparse-dev, libopenblas-dev, libspectra-dev, libtbb-dev")
-set(CPACK_DEBIAN_HEADERS_PACKAGE_SUGGESTS "cmake, libcgal-demo, libopenmesh-dev, libpng-dev, zlib1g-dev")
+set(CPACK_DEBIAN_HEADERS_PACKAGE_SUGGESTS "cmake, libcgal-demo, libopenmesh-dev")
 if(RESTRICTED_LAPLACIAN_3_BUILD_DOC)
   string(APPEND CPACK_DEBIAN_HEADERS_PACKAGE_RECOMMENDS ", libjs-mathjax")
 endif()
@@ -66,6 +72,19 @@ set(CPACK_DEBIAN_COMPILED_DESCRIPTION
 "The functions that do not depend on types of the caller, compiled: programs
 that are linked with this library compile in less time and memory than with
 the headers alone.")
+
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME restricted-laplacian-3)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION math)
+find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
+mark_as_advanced(DPKG_SHLIBDEPS)
+if(DPKG_SHLIBDEPS)
+  set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
+endif()
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION
+"Programs for the command line that solve Poisson problems on surfaces, compute
+spectra, descriptors, curvature and distances, fit functions, and color meshes
+from scans. They read triangle meshes and oriented points in the usual formats,
+and write tables, meshes, and pages to turn surfaces around in a browser.")
 set(CPACK_PRE_BUILD_SCRIPTS "${PROJECT_SOURCE_DIR}/cmake/Restricted_laplacian_3_debian.cmake")
 
 # All but what .gitignore lists.

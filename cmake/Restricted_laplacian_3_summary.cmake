@@ -65,22 +65,22 @@ endif()
 summarize_package("Node.js and npm" "${npm_program}" "${npm_program}"
   "HTML pages (--html) are off")
 summarize_package("zlib" "${ZLIB_FOUND}" "${ZLIB_VERSION_STRING}"
-  "examples with a command line are off")
+  "programs for the command line are off")
 summarize_package("program_options" "${Boost_PROGRAM_OPTIONS_FOUND}" "Boost ${Boost_VERSION}"
-  "examples with a command line are off")
+  "programs for the command line are off")
 summarize_package("Catch2" "${Catch2_FOUND}" "${Catch2_VERSION}" "unit tests are off")
 summarize_package("Google Benchmark" "${benchmark_FOUND}" "${benchmark_VERSION}"
   "micro-benchmarks are off")
 summarize_package("hypre" "${HYPRE_INCLUDE_DIR}" "${HYPRE_INCLUDE_DIR}"
   "the benchmark against BoomerAMG is off")
 summarize_package("Doxygen" "${DOXYGEN_FOUND}" "${DOXYGEN_VERSION}" "the manual is off")
-if(builds_programs)
+if(needs_meshes)
   summarize_package("CGAL's data" "${RESTRICTED_LAPLACIAN_3_DATA_DIR}"
     "${RESTRICTED_LAPLACIAN_3_DATA_DIR}" "tests on its meshes are skipped")
   summarize_package("shared meshes" "${RESTRICTED_LAPLACIAN_3_SHARED_MESHES}"
     "${RESTRICTED_LAPLACIAN_3_SHARED_MESHES}" "tests on them are skipped")
 endif()
-foreach(part TESTS EXAMPLES BENCHMARKS VIEWER DOC)
+foreach(part PROGRAMS TESTS EXAMPLES BENCHMARKS VIEWER DOC)
   string(TOLOWER "${part}" name)
   summarize("${name}" "${RESTRICTED_LAPLACIAN_3_BUILD_${part}}")
 endforeach()

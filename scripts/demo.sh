@@ -16,7 +16,7 @@ bash scripts/install_dependencies.sh --programs
 cmake -S . -B build
 cmake --build build --parallel "${JOBS:-2}" --target viewer solve_poisson laplace_spectrum draw_mesh
 
-programs=$PWD/build/examples/Restricted_laplacian_3
+programs=$PWD/build/bin
 mesh=../build/data/meshes/bunny00.off
 pages=true
 if [[ ! -e build/viewer/viewer.html ]]; then

@@ -103,7 +103,7 @@ fi
 
 # what needs MPI
 rm -r "$package/include/CGAL/$name/distributed" "$package/test/$name/distributed" \
-  "$package/examples/$name/distributed"
+  "$package/examples/$name/distributed_surface.cpp"
 # The license belongs to CGAL's package Installation.
 license=Installation/include/CGAL/license
 mkdir -p "$cgal/$license"
@@ -132,7 +132,8 @@ done >>CMakeLists.txt
 
 cd "$package/benchmark/$name"
 rm -rf results plots compile_times *.sh
-grep -lE '"[./]*tools/' -- *.cpp support/*.h | xargs -r rm -f
+mkdir "$package/programs"
+cp -R "$root/programs/support" "$package/programs" # what benchmarks share with programs
 cmake_lists Benchmark NO_TESTING
 
 # CGAL's documentation system has its own layout, and checks of its own.

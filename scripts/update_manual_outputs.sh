@@ -2,11 +2,11 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Usage: scripts/update_manual_outputs.sh [--check] PROGRAM_DIR DATA_DIR
+# Usage: scripts/update_manual_outputs.sh [--check] BUILD_DIR DATA_DIR
 #
 # The files of doc/Restricted_laplacian_3/outputs, which the manual shows, hold commands, each after
 # "$ ", and what they print. Runs the commands, in the order of the names of the files and in one
-# folder that begins as DATA_DIR, CGAL's meshes, with the programs of PROGRAM_DIR; and writes what
+# folder that begins as DATA_DIR, CGAL's meshes, with the programs and examples of BUILD_DIR; and writes what
 # they print now. A new file needs its commands only. With --check writes nothing, and fails if a
 # command fails, or prints other lines than those of its file. Lines are compared word by word:
 #
@@ -36,16 +36,16 @@ if [[ $# != 2 || ! -d $1 || ! -d $2 ]]; then
   sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
-programs=$(cd "$1" && pwd)
-if [[ $is_check == true && ! -x $programs/draw_mesh ]]; then
-  echo "SKIPPED: there is no $programs/draw_mesh"
+build=$(cd "$1" && pwd)
+if [[ $is_check == true && ! -x $build/bin/draw_mesh ]]; then
+  echo "SKIPPED: there is no $build/bin/draw_mesh"
   exit
 fi
 outputs=$(cd "$(dirname "${BASH_SOURCE[0]}")/../doc/Restricted_laplacian_3/outputs" && pwd)
 
 source "$(dirname "${BASH_SOURCE[0]}")/mesh_folder.sh"
 enter_mesh_folder "$2"
-PATH="$programs:$PATH"
+PATH="$build/bin:$build/examples/Restricted_laplacian_3:$PATH"
 
 # run_commands FILE: the commands of a file, each with what it prints now. A backslash at the end of
 # a line continues a command.

@@ -25,8 +25,8 @@
 //
 // usage: gradient_integration [OPTION]... [MESH]...
 
-#include "../../examples/Restricted_laplacian_3/support/mesh_output.h"
-#include "../../examples/Restricted_laplacian_3/support/vertex_data.h"
+#include "../../programs/support/mesh_output.h"
+#include "../../programs/support/vertex_data.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -91,7 +91,7 @@ struct Colored_mesh {
     const std::string file = find_path(mesh_name);
     if(!CGAL::IO::read_polygon_soup(file, points, triangles))
       throw std::runtime_error("cannot read " + file);
-    colors = examples::read_colors(file);
+    colors = programs::read_colors(file);
     solution.resize(points.size());
     const RL::Triangulated_surface_3 surface = RL::read_surface(points, triangles);
     area = surface.area();
@@ -141,8 +141,8 @@ void write(const Options& o, const Colored_mesh& m, const Row& row) {
     return;
   const RL::Triangulated_surface_3 surface = RL::read_surface(m.points, m.triangles);
   const std::string file = o.folder + "/" + m.name;
-  examples::write_mesh(file + ".ply", surface, m.colors);
-  examples::write_mesh(file + "_d" + std::to_string(row.depth) + "_" + row.method + ".ply", surface,
+  programs::write_mesh(file + ".ply", surface, m.colors);
+  programs::write_mesh(file + "_d" + std::to_string(row.depth) + "_" + row.method + ".ply", surface,
                        m.solution);
 }
 

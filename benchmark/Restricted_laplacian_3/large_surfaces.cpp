@@ -17,7 +17,7 @@
 // unknowns; the root mean square of the values, or the sum of the squares of the eigenvalues, a
 // check that all problems are the same.
 
-#include "../../examples/Restricted_laplacian_3/support/program.h"
+#include "../../programs/support/program.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/refined_mesh.h"
@@ -61,7 +61,7 @@ struct Record {
 };
 
 std::vector<Record> measure(const Run& run) {
-  examples::keep_memory();
+  programs::keep_memory();
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(run.threads));

@@ -21,7 +21,7 @@
 //
 // usage: normal_fitting [OPTION]... [MESH]...
 
-#include "../../tools/picture.h"
+#include "../../programs/support/picture.h"
 #include "support/measure.h"
 #include "support/package.h"
 #include "support/vertex_normals.h"
@@ -183,11 +183,11 @@ private:
 void draw(const std::string& file, const RL::Triangulated_surface_3& surface,
           const std::vector<double>& errors) {
   constexpr double decades = 3; // below 1
-  std::vector<examples::Color> colors;
+  std::vector<programs::Color> colors;
   for(double error : errors)
     colors.push_back(
-        examples::color_at(examples::sequential_colors, 1 + std::log10(error) / decades));
-  examples::write_picture(file, surface, colors, errors, examples::Picture_options());
+        programs::color_at(programs::sequential_colors, 1 + std::log10(error) / decades));
+  programs::write_picture(file, surface, colors, errors, programs::Picture_options());
 }
 
 // depth 8, without and with screening

@@ -20,12 +20,12 @@
 //
 // usage: texture_stitching [OPTION]... [MESH]...
 
-#include "../../examples/Restricted_laplacian_3/support/color_error.h"
-#include "../../examples/Restricted_laplacian_3/support/mesh_input.h"
-#include "../../examples/Restricted_laplacian_3/support/mesh_output.h"
-#include "../../examples/Restricted_laplacian_3/support/vertex_data.h"
-#include "../../tools/color_pattern.h"
-#include "../../tools/virtual_scanner.h"
+#include "../../programs/support/color_error.h"
+#include "../../programs/support/color_pattern.h"
+#include "../../programs/support/mesh_input.h"
+#include "../../programs/support/mesh_output.h"
+#include "../../programs/support/vertex_data.h"
+#include "../../programs/support/virtual_scanner.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -51,7 +51,7 @@
 namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
 using namespace benchmarks;
-using examples::Color;
+using programs::Color;
 
 namespace {
 
@@ -72,21 +72,21 @@ struct Mesh {
 };
 
 Mesh read(const std::string& name, const std::string& path) {
-  RL::Triangulated_surface_3 surface = examples::read_mesh(path).surface;
+  RL::Triangulated_surface_3 surface = programs::read_mesh(path).surface;
   std::vector<Color> colors =
-      examples::has_colors(path) ? examples::read_colors(path) : examples::color_pattern(surface);
+      programs::has_colors(path) ? programs::read_colors(path) : programs::color_pattern(surface);
   return {std::filesystem::path(name).stem(), std::move(surface), std::move(colors)};
 }
 
 std::vector<RL::Colored_scan> bake(const Mesh& mesh, const Options& o, double lamp) {
-  const examples::Virtual_scanner scanner(mesh.surface, mesh.colors);
-  const auto cameras = examples::cameras_around(mesh.surface, o.views, CGAL_PI / 6, o.resolution);
-  examples::Random random(0);
-  const std::vector<double> exposures = examples::spread_exposures(o.views, o.range, random);
-  const auto lightings = examples::make_lightings(exposures, o.tint, lamp, random);
+  const programs::Virtual_scanner scanner(mesh.surface, mesh.colors);
+  const auto cameras = programs::cameras_around(mesh.surface, o.views, CGAL_PI / 6, o.resolution);
+  programs::Random random(0);
+  const std::vector<double> exposures = programs::spread_exposures(o.views, o.range, random);
+  const auto lightings = programs::make_lightings(exposures, o.tint, lamp, random);
   std::vector<RL::Colored_scan> scans;
   for(std::size_t i = 0; i < cameras.size(); ++i) {
-    examples::Virtual_scan scan = scanner.scan(cameras[i], lightings[i], false, 0, i);
+    programs::Virtual_scan scan = scanner.scan(cameras[i], lightings[i], false, 0, i);
     scans.emplace_back(scan.surface, std::move(scan.colors), cameras[i].to_world,
                        RL::Point_3(0, 0, 0), o.threads > 1);
   }
@@ -110,7 +110,7 @@ RL::Color_stitching_options options_of(const std::string& method, const Options&
 struct Row {
   std::string method;
   double alpha = 0, seconds = 0, nearest_contrast = 0;
-  examples::Color_error error;
+  programs::Color_error error;
   RL::Stitched_colors report;
 };
 
@@ -132,7 +132,7 @@ void write(const Mesh& mesh, const Options& o, double lamp, int depth, const std
   char file[512];
   std::snprintf(file, sizeof file, "%s/%s_d%d_lamp%g_%s.ply", o.meshes_folder.c_str(),
                 mesh.name.c_str(), depth, lamp, method.c_str());
-  examples::write_mesh(file, mesh.surface, colors);
+  programs::write_mesh(file, mesh.surface, colors);
 }
 
 void run(const Mesh& mesh, const Options& o, double lamp, int depth) {
@@ -160,7 +160,7 @@ void run(const Mesh& mesh, const Options& o, double lamp, int depth) {
           row.seconds = timer.time();
           const RL::Vertex_colors found =
               row.method == "nearest" ? stitcher.nearest_colors() : stitcher.chosen_colors();
-          row.error = examples::color_error(mesh.surface, found, mesh.colors);
+          row.error = programs::color_error(mesh.surface, found, mesh.colors);
           if(nearest_contrast == 0)
             nearest_contrast = row.error.seam_contrast();
           row.nearest_contrast = nearest_contrast;
@@ -178,7 +178,7 @@ void run(const Mesh& mesh, const Options& o, double lamp, int depth) {
       row.report = stitcher.stitch();
       row.seconds = space_seconds + timer.time();
       const RL::Vertex_colors found = {row.report.colors, stitcher.scans_of_vertices()};
-      row.error = examples::color_error(mesh.surface, found, mesh.colors);
+      row.error = programs::color_error(mesh.surface, found, mesh.colors);
       row.nearest_contrast = nearest_contrast;
       print(mesh, o, lamp, space, row);
       write(mesh, o, lamp, depth, method, found.colors);

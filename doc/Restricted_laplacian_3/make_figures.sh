@@ -4,7 +4,7 @@
 
 # Usage: make_figures.sh BUILD_DIR OUTPUT_DIR
 #
-# Makes the pictures of the manual that show what the example programs write, from CGAL's meshes. The
+# Makes the pictures of the manual that show what programs and examples write, from CGAL's meshes. The
 # other ones come from the benchmarks: plots/texture_stitching.sh, and the files plots/*.gp with the
 # results. The drawings (*.svg) are made by hand. Needs ImageMagick.
 
@@ -16,7 +16,8 @@ if [[ $# != 2 ]]; then
 fi
 mkdir -p "$2"
 outputs=$(cd "$(dirname "${BASH_SOURCE[0]}")/outputs" && pwd)
-programs=$(cd "$1/examples/Restricted_laplacian_3" && pwd)
+build=$(cd "$1" && pwd)
+PATH="$build/bin:$build/examples/Restricted_laplacian_3:$PATH"
 data=$(cd "$1/data" && pwd)
 output=$(cd "$2" && pwd)
 folder=$(mktemp -d)
@@ -31,8 +32,8 @@ draw() {
     look+=("$1" "$2")
     shift 2
   done
-  "$programs/$1" "$2" --quiet --output "$picture.ply" "${@:3}"
-  "$programs/draw_mesh" "$picture.ply" "$picture.png" "${look[@]}"
+  "$1" "$2" --quiet --output "$picture.ply" "${@:3}"
+  draw_mesh "$picture.ply" "$picture.png" "${look[@]}"
 }
 
 # side_by_side FIGURE HEIGHT PICTURE...
@@ -124,7 +125,7 @@ for i in 1 2 4; do
 done
 side_by_side soup 300 soup_{1,2,4}.png
 
-"$programs/smooth_surface" "$meshes/femur.off" smooth.ply >smooth.txt
+smooth_surface "$meshes/femur.off" smooth.ply >smooth.txt
 draw rough estimate_curvature "$meshes/femur.off"
 draw smooth estimate_curvature smooth.ply
 side_by_side smoothing 300 {rough,smooth}.png
@@ -138,11 +139,11 @@ for name in solve_poisson laplace_spectrum spectral_descriptors fit_function est
   awk '/^\$ / { shown = 1 } shown { sub(/^\$ /, ""); print } !/\\$/ { shown = 0 }' \
     "$outputs/$name.txt"
 done >commands.sh
-PATH=$programs:$PATH bash -e commands.sh >output.txt
+bash -e commands.sh >output.txt
 for picture in "u --isolines 20" "u5 --isolines 12" hks normals mean colored; do
   read -r name look <<<"$picture"
   # shellcheck disable=SC2086
-  "$programs/draw_mesh" "$name.ply" "$name.png" $look
+  draw_mesh "$name.ply" "$name.png" $look
 done
 montage u.png u5.png hks.png normals.png mean.png colored.png -resize 300x -geometry +12+6 -tile 3x \
   -depth 8 -strip "$output/programs.png"

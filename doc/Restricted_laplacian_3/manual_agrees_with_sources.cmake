@@ -59,7 +59,7 @@ string(REGEX REPLACE " +(;|$)" "\\1" in_manual "${in_manual}")
 string(REGEX REPLACE " +(;|$)" "\\1" in_sources "${in_sources}")
 require_same("rooms" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
 
-# example programs
+# examples
 all_matches("${doc}/examples.txt" "\\\\example Restricted_laplacian_3/([a-z0-9_]+\\.cpp)" in_manual)
 file(GLOB in_sources RELATIVE "${examples}" "${examples}/*.cpp")
 require_same("examples" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
@@ -74,21 +74,21 @@ endforeach()
 all_matches("${doc}/DoxygenLayout.xml" "url=\"@ref ([A-Za-z_]+)\"" in_navigation)
 require_same("pages in DoxygenLayout.xml" IN_MANUAL ${in_navigation} IN_SOURCES ${in_manual})
 
-# programs, what they print, and their --help
+# programs and examples, what they print, and the --help of programs
 all_matches("${doc}/Programs.txt" "\\\\ref Restricted_laplacian_3/([a-z0-9_]+\\.cpp)" in_manual)
-require_same("programs on the page about them" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
-file(GLOB tools "${ROOT}/tools/*.cpp")
+require_same("examples on the page of the programs" IN_MANUAL ${in_manual} IN_SOURCES ${in_sources})
+file(GLOB programs "${ROOT}/programs/*.cpp")
 set(in_outputs "")
-foreach(source IN LISTS in_sources tools)
+foreach(source IN LISTS in_sources programs)
   get_filename_component(output "${source}" NAME_WE)
   string(APPEND output ".txt")
   list(APPEND in_outputs ${output})
   get_filename_component(source "${source}" ABSOLUTE BASE_DIR "${examples}")
-  file(STRINGS "${source}" includes REGEX "^#include \"[^\"]*support/command_line\\.h\"")
-  if(includes)
+  if(source IN_LIST programs)
     list(APPEND in_outputs help_${output})
   endif()
 endforeach()
+list(REMOVE_ITEM in_outputs distributed_surface.txt) # which runs under mpiexec
 file(GLOB files RELATIVE "${doc}/outputs" "${doc}/outputs/*")
 require_same("outputs of programs" IN_MANUAL ${files} IN_SOURCES ${in_outputs})
 set(in_manual "")
@@ -100,9 +100,7 @@ require_same("shown outputs" IN_MANUAL ${in_manual} IN_SOURCES ${files})
 
 # command line options that the manual names
 set(in_sources "")
-file(GLOB files "${examples}/*.cpp" "${examples}/distributed/*.cpp" "${examples}/distributed/*.h"
-  "${examples}/support/*.h"
-  "${examples}/support/*.cpp" "${ROOT}/tools/*.cpp")
+file(GLOB_RECURSE files "${ROOT}/programs/*.cpp" "${ROOT}/programs/*.h")
 foreach(file IN LISTS files)
   all_matches("${file}" "add\\(\"([a-z-]+)\"" found)
   list(APPEND in_sources ${found})

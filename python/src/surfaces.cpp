@@ -5,7 +5,7 @@
 
 #include "functions.h"
 
-#include "../../examples/Restricted_laplacian_3/support/program.h"
+#include "../../programs/support/program.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>

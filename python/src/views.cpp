@@ -5,9 +5,9 @@
 
 #include "module.h"
 
-#include "../../examples/Restricted_laplacian_3/support/program.h"
-#include "../../examples/Restricted_laplacian_3/support/refined_surface.h"
-#include "../../examples/Restricted_laplacian_3/support/viewer_page.h"
+#include "../../programs/support/program.h"
+#include "../../programs/support/refined_surface.h"
+#include "../../programs/support/viewer_page.h"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -23,7 +23,7 @@ namespace python {
 namespace {
 
 using namespace nb::literals;
-using Page = examples::Viewer_page;
+using Page = programs::Viewer_page;
 using Faces = nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 template <class T> std::vector<T> read_rows(const Rows& a) {
@@ -36,7 +36,7 @@ template <class T> std::vector<T> read_rows(const Rows& a) {
 // Arrays have been checked by the caller.
 void add_surface(Page& page, const std::string& name, const Rows& points,
                  const std::optional<Faces>& faces, const std::optional<Rows>& normals) {
-  examples::Viewer_surface& s = page.surfaces.emplace_back();
+  programs::Viewer_surface& s = page.surfaces.emplace_back();
   s.name = name;
   s.points = read_rows<RL::Point_3>(points);
   for(std::size_t i = 0; faces && i < faces->shape(0); ++i)
@@ -61,9 +61,9 @@ std::string html(const Page& page, const std::string& viewer_file) {
   const nb::gil_scoped_release release;
   try {
     std::ostringstream out;
-    examples::write_viewer_page(out, examples::read_viewer(viewer_file), page);
+    programs::write_viewer_page(out, programs::read_viewer(viewer_file), page);
     return out.str();
-  } catch(const examples::Error& e) {
+  } catch(const programs::Error& e) {
     throw RL::Input_error(e.what());
   }
 }
@@ -75,7 +75,7 @@ nb::tuple refined(const RL::Triangulated_surface_3& surface, double longest_side
   std::vector<std::int64_t> faces, at;
   {
     const nb::gil_scoped_release release;
-    const examples::Refined_surface fine = examples::refine(surface, longest_side);
+    const programs::Refined_surface fine = programs::refine(surface, longest_side);
     for(std::size_t v = 0; v < fine.locations.size(); ++v) {
       for(int axis = 0; axis < 3; ++axis)
         points.push_back(fine.surface.point(v)[axis]);

@@ -42,8 +42,18 @@ def sphere() -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.fixture(scope="session")
 def programs() -> pathlib.Path:
-    """The folder of the example programs."""
-    folder = os.environ.get("RESTRICTED_LAPLACIAN_3_PROGRAMS")
-    if not folder or not (pathlib.Path(folder) / "solve_poisson").exists():
-        pytest.skip("SKIPPED: the example programs were not found")
+    """The folder of the programs."""
+    return built("PROGRAMS", "solve_poisson")
+
+
+@pytest.fixture(scope="session")
+def examples() -> pathlib.Path:
+    """The folder of the examples in C++."""
+    return built("EXAMPLES", "first_steps")
+
+
+def built(kind: str, program: str) -> pathlib.Path:
+    folder = os.environ.get("RESTRICTED_LAPLACIAN_3_" + kind)
+    if not folder or not (pathlib.Path(folder) / program).exists():
+        pytest.skip(f"SKIPPED: {program} was not found")
     return pathlib.Path(folder)

@@ -79,10 +79,10 @@ def test_farthest_points(sphere):
     assert len(rl.farthest_points(V[:3], [[0, 1, 2]], 99)) == 3
 
 
-def test_program(programs, tmp_path):
+def test_example(examples, tmp_path):
     path = data_file("elephant.off")
     V, F = read_off(path)
-    printed = subprocess.run([programs / "minimal_distances", path], capture_output=True, check=True,
+    printed = subprocess.run([examples / "minimal_distances", path], capture_output=True, check=True,
                              text=True).stdout.splitlines()
     geodesics = rl.Geodesics(V, F)
     assert printed[0].endswith(f" {geodesics.distances(0).distances.max():.6g}")

@@ -84,7 +84,7 @@ def test_code_of_the_manual(tmp_path, monkeypatch):
     assert names["values"].shape == names["V"].shape
 
 
-def test_first_steps(programs, tmp_path):
+def test_first_steps(examples, tmp_path):
     if not pathlib.Path(rl.__file__).with_name("viewer.html").exists():
         pytest.skip("SKIPPED: this build has no viewer: it needs Node.js")
     printed = subprocess.run([sys.executable, pathlib.Path(__file__).parents[1] / "examples/first_steps.py"],
@@ -92,7 +92,7 @@ def test_first_steps(programs, tmp_path):
     assert abs(float(printed) / 2 - 1) < 0.01
     # and that of C++
     (tmp_path / "elephant.off").write_bytes(data_file("elephant.off").read_bytes())
-    printed = subprocess.run([programs / "first_steps"], cwd=tmp_path, capture_output=True, check=True).stdout
+    printed = subprocess.run([examples / "first_steps"], cwd=tmp_path, capture_output=True, check=True).stdout
     expected = rl.eigs(rl.read_mesh(tmp_path / "elephant.off"), 50)[0][1]
     assert abs(float(printed) / expected - 1) < 1e-5
     assert (tmp_path / "phi.html").stat().st_size > 1e6

@@ -16,7 +16,7 @@ if [ $# -ne 3 ]; then
   echo "usage: texture_stitching.sh BUILD_DIR MESH_DIR OUTPUT_DIR" >&2
   exit 2
 fi
-programs=$1/examples/Restricted_laplacian_3
+programs=$1/bin
 benchmarks=$1/benchmark/Restricted_laplacian_3
 meshes=$2
 output=$3

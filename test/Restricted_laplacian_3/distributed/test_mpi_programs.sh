@@ -5,12 +5,14 @@
 # Tests what the programs for several machines promise: the results of those for one, one line for an
 # error, and an end of all processes.
 #
-# usage: test_mpi_programs.sh PROGRAM_DIR MPIEXEC
+# usage: test_mpi_programs.sh BUILD_DIR MPIEXEC
 
 set -u -o pipefail
 export LC_ALL=C
 
-programs=$(cd "$1" && pwd)
+build=$(cd "$1" && pwd)
+programs=$build/bin
+PATH="$programs:$build/examples/Restricted_laplacian_3:$PATH"
 checks=$(cd "$(dirname "${BASH_SOURCE[0]}")/../programs" && pwd)/checks.sh
 mpiexec=$2
 folder=$(mktemp -d)
@@ -20,7 +22,7 @@ source "$checks"
 
 # run NUMBER PROGRAM ARGUMENTS...: with so many processes; leaves `out`, `err` and `status`
 run() {
-  timeout 60 "$mpiexec" -n "$1" "$programs/$2" "${@:3}" > out 2> err < /dev/null
+  timeout 60 "$mpiexec" -n "$1" "$(command -v "$2")" "${@:3}" > out 2> err < /dev/null
   status=$?
 }
 

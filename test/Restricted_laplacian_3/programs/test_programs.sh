@@ -2,21 +2,22 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Tests what the example programs promise: exit status, one-line errors, files and their contents.
+# Tests what the programs promise, and that the examples run: exit status, one-line errors, files and their contents.
 #
-# usage: test_programs.sh PROGRAM_DIR DATA_DIR [GROUP]...
+# usage: test_programs.sh BUILD_DIR DATA_DIR [GROUP]...
 #
-# PROGRAM_DIR holds the programs. DATA_DIR holds meshes of CGAL's data; what needs one is skipped,
+# BUILD_DIR holds the programs and examples. DATA_DIR holds meshes of CGAL's data; what needs one is skipped,
 # and said so, if it is not there. The groups, all by default, are the functions test_* below.
 
 set -u -o pipefail
 export LC_ALL=C
 
 if [ $# -lt 2 ] || [ ! -d "$1" ]; then
-  echo "usage: test_programs.sh PROGRAM_DIR DATA_DIR [GROUP]..." >&2
+  echo "usage: test_programs.sh BUILD_DIR DATA_DIR [GROUP]..." >&2
   exit 2
 fi
-programs=$(cd "$1" && pwd)
+build=$(cd "$1" && pwd)
+PATH="$build/bin:$build/examples/Restricted_laplacian_3:$PATH"
 checks=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/checks.sh
 data=$2
 shift 2
@@ -31,7 +32,7 @@ source "$checks"
 # run PROGRAM ARGUMENTS...: leaves the output in the files `out` and `err`, and the exit status in
 # the variable `status`
 run() {
-  "$programs/$1" "${@:2}" > out 2> err < /dev/null
+  "$1" "${@:2}" > out 2> err < /dev/null
   status=$?
 }
 
@@ -200,8 +201,8 @@ test_help() {
 }
 
 # pages need what is bundled by Node.js, and the tool that draws pictures a library
-has_viewer() { [ -e "$programs/../../viewer/viewer.html" ]; }
-has_draw_mesh() { [ -x "$programs/draw_mesh" ]; }
+has_viewer() { [ -e "$build/viewer/viewer.html" ]; }
+has_draw_mesh() { [ -x "$build/bin/draw_mesh" ]; }
 
 # The examples of --help, on the meshes that they name. Those of stitch_colors and draw_mesh read what
 # those of other programs write.
@@ -226,7 +227,7 @@ test_help_examples() {
         rm -f "$file"
         [ "${file%.html}" = "$file" ] || has_viewer || continue 2
       done
-      check "runs: $example" env PATH="$programs:$PATH" bash -c "$example"
+      check "runs: $example" bash -c "$example"
       for file in $files; do
         check "writes $file: $example" [ -s "$file" ]
       done
@@ -580,7 +581,7 @@ test_whole_files() {
   for file in whole.csv whole.ply whole.obj; do
     local option=--output
     [ "$file" != whole.csv ] || option=--csv
-    local solve=("$programs/solve_poisson" ball.off --depth 3 --quiet "$option")
+    local solve=(solve_poisson ball.off --depth 3 --quiet "$option")
     { (ulimit -c 0 -f 4; exec "${solve[@]}" "killed_$file"); status=$?; } > out 2>&1
     check "$file: killed while it writes" [ "$status" -gt 128 ]
     check "no part of $file is taken for the whole" [ ! -e "killed_$file" ]
@@ -621,7 +622,7 @@ test_files_and_options() {
   check "the file is as before" cmp mesh.ply before.ply
   succeeds solve_poisson mesh.ply --depth 4 --output folder/link.ply --overwrite --rhs x
   check "it is replaced on request" eval "! cmp -s mesh.ply before.ply && [ -L folder/link.ply ]"
-  if [ -x "$programs/bake_scans" ]; then
+  if [ -x "$build/bin/bake_scans" ]; then
     succeeds bake_scans before.ply scans --views 2 --resolution 32
     fails "truth.ply' is read, and FOLDER would replace it" bake_scans scans/truth.ply scans --views 2
   fi
@@ -631,9 +632,9 @@ test_files_and_options() {
   rows=$(numbers table.csv | wc -l)
   succeeds solve_poisson sphere.off --depth 4 --csv /dev/stdout
   check "a table, and nothing else" same_values table.csv out "$rows"
-  "$programs/solve_poisson" sphere.off --depth 4 --csv /dev/stdout | cat > piped.csv
+  solve_poisson sphere.off --depth 4 --csv /dev/stdout | cat > piped.csv
   check "through a pipe, too" same_values table.csv piped.csv "$rows"
-  "$programs/solve_poisson" sphere.off --depth 4 --csv /dev/stderr 2> error.csv > out
+  solve_poisson sphere.off --depth 4 --csv /dev/stderr 2> error.csv > out
   check "on the error stream" same_values table.csv error.csv "$rows"
   check "beside what is printed" grep -q "^maximum" out
   succeeds solve_poisson sphere.off --depth 4 --output /dev/stdout

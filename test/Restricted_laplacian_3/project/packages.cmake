@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Makes all packages of the project ROOT, which is built in BUILD_DIR, and unpacks them into
-# OUTPUT_DIR/deb (both Debian packages), OUTPUT_DIR/archive and OUTPUT_DIR/source. The first two must
-# hold what is installed in PREFIX, and the last one what belongs to the sources. If there is a
-# LIBRARY, its package is for ARCHITECTURE, and DEPENDS is what it depends on besides the headers.
+# OUTPUT_DIR/deb (those of Debian), OUTPUT_DIR/archive and OUTPUT_DIR/source. The first two must hold what
+# is installed in PREFIX, those of Debian without the programs for several machines, and the last one what
+# belongs to the sources. If there is a LIBRARY, its package is for ARCHITECTURE, as that of the programs, and DEPENDS is
+# what it depends on besides the headers.
 # Without DPKG_DEB the Debian packages are only made; with LINTIAN they must have no error.
 
 cmake_minimum_required(VERSION 3.19)
@@ -71,6 +72,7 @@ file(ARCHIVE_EXTRACT INPUT "${OUTPUT_DIR}/packages/${CPACK_PACKAGE_FILE_NAME}.ta
   DESTINATION "${OUTPUT_DIR}/archive")
 contents("${OUTPUT_DIR}/archive/${CPACK_PACKAGE_FILE_NAME}" found)
 require_same("the archive" "${installed}" "${found}")
+list(FILTER installed EXCLUDE REGEX "^bin/[a-z_]+_mpi ")
 
 # The sources: where Git knows better than this test what belongs to them, all of that
 file(ARCHIVE_EXTRACT INPUT "${OUTPUT_DIR}/packages/${name}-source.tar.gz"
@@ -112,6 +114,12 @@ if(LIBRARY)
   set(compiled_deb "${OUTPUT_DIR}/packages/${compiled_package}_${VERSION}-1_${ARCHITECTURE}.deb")
   list(APPEND debs "${compiled_deb}")
 endif()
+set(programs_package restricted-laplacian-3)
+set(programs_deb "")
+if("programs" IN_LIST CPACK_COMPONENTS_ALL)
+  set(programs_deb "${OUTPUT_DIR}/packages/${programs_package}_${VERSION}-1_${ARCHITECTURE}.deb")
+  list(APPEND debs "${programs_deb}")
+endif()
 foreach(file IN LISTS debs)
   if(NOT EXISTS "${file}")
     message(FATAL_ERROR "there is no ${file}")
@@ -136,6 +144,26 @@ if(NOT number EQUAL 4)
 endif()
 list(FILTER found EXCLUDE REGEX "${of_debian}|/html/mathjax/")
 
+# Programs, which have lost their symbols, and the viewer are in their package and nowhere else.
+set(of_programs "^(bin|share/Restricted_laplacian_3)/")
+set(expected "${installed}")
+list(FILTER expected INCLUDE REGEX "${of_programs}")
+list(FILTER installed EXCLUDE REGEX "${of_programs}")
+if(programs_deb)
+  run("${DPKG_DEB}" -x "${programs_deb}" "${OUTPUT_DIR}/programs_deb")
+  contents("${OUTPUT_DIR}/programs_deb/usr" found_of_programs)
+  list(TRANSFORM expected REPLACE "^(bin/.*) [0-9a-f]+$" "\\1")
+  list(TRANSFORM found_of_programs REPLACE "^(bin/.*) [0-9a-f]+$" "\\1")
+  foreach(document IN ITEMS copyright changelog.gz changelog.Debian.gz)
+    if(NOT found_of_programs MATCHES "share/doc/${programs_package}/${document} ")
+      message(SEND_ERROR "the Debian package of the programs lacks ${document}")
+    endif()
+  endforeach()
+  list(FILTER found_of_programs EXCLUDE REGEX "^share/doc/")
+  require_same("the Debian package of the programs" "${expected}" "${found_of_programs}")
+  run("${OUTPUT_DIR}/programs_deb/usr/bin/solve_poisson" --version)
+endif()
+
 # What depends on the processor is in the package of the library and nowhere else.
 if(LIBRARY)
   set(of_library "(\\.a|\\.so|\\.so\\.[0-9.]+|/[^/]*_compiled[^/]*\\.(cmake|pc)) ")
@@ -154,7 +182,7 @@ require_same("the Debian package" "${installed}" "${found}")
 
 # require_fields(deb [NAME=value]...)
 function(require_fields deb)
-  foreach(field IN LISTS ARGN ITEMS "Version=${VERSION}-1" "Section=libdevel"
+  foreach(field IN LISTS ARGN ITEMS "Version=${VERSION}-1"
       "Maintainer=Ada Lovelace <ada@debian.org>")
     string(REGEX MATCH "^([A-Za-z]+)=(.*)$" ignored "${field}")
     set(expected "${CMAKE_MATCH_2}")
@@ -168,6 +196,7 @@ endfunction()
 
 require_fields("${deb}"
   "Package=${package}"
+  "Section=libdevel"
   "Architecture=all"
   "Depends=libcgal-dev (>= 5.5), libeigen3-dev (>= 3.4)")
 execute_process(COMMAND "${DPKG_DEB}" --field "${deb}" Recommends OUTPUT_VARIABLE value)
@@ -177,9 +206,17 @@ endif()
 if(LIBRARY)
   require_fields("${compiled_deb}"
     "Package=${compiled_package}"
+    "Section=libdevel"
     "Architecture=${ARCHITECTURE}"
     "Depends=${package} (= ${VERSION}-1)${DEPENDS}"
     "Recommends=libopenblas-dev")
+endif()
+
+if(programs_deb)
+  require_fields("${programs_deb}"
+    "Package=${programs_package}"
+    "Section=math"
+    "Architecture=${ARCHITECTURE}")
 endif()
 
 if(LINTIAN)

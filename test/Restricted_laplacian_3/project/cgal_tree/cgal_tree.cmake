@@ -106,7 +106,7 @@ if(EXISTS "${CGAL_DIR}/include/CGAL/config.h")
 endif()
 foreach(options IN ITEMS "${include_options}" "-I${ROOT}/include")
   execute_process(COMMAND "${CXX_COMPILER}" -std=c++17 ${options} ${cgal_include_dir}
-      -DCGAL_LICENSE_ERROR -E -x c++ -include CGAL/${name}/foundation/compiled.h /dev/null
+      -DCGAL_LICENSE_ERROR -E -x c++ -include CGAL/${name}/foundation/internal/compiled.h /dev/null
     ERROR_VARIABLE errors OUTPUT_QUIET)
   if(NOT errors MATCHES "package ${name} under the terms of the GPLv3")
     message(SEND_ERROR "CGAL_LICENSE_ERROR has no effect:\n${errors}")

@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef RESTRICTED_LAPLACIAN_3_PROGRAMS_SPACE_H
+#define RESTRICTED_LAPLACIAN_3_PROGRAMS_SPACE_H
+
+// What programs do with a spline space: make it, describe it, and integrate over its surface.
+
+#include "command_line.h"
+#include "program.h"
+#include "table.h"
+
+#include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
+#include <CGAL/Restricted_laplacian_3/integration/cubature.h>
+#include <CGAL/Restricted_laplacian_3/patches/Smooth_geometry.h>
+#include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
+#include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+#include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace programs {
+
+// The surface that the options take a mesh for.
+inline RL::Triangulated_surface_3 with_geometry(RL::Triangulated_surface_3 surface,
+                                                const Space_options& o) {
+  if(o.geometry == "flat")
+    return surface;
+  require(!surface.is_point_set(), "--geometry smooth needs a mesh with triangles, not points");
+  RL::Smooth_geometry geometry;
+  geometry.crease_angle = o.crease_angle;
+  return RL::curved_surface(std::move(surface), geometry);
+}
+
+// The function with values at the vertices, between them as the options say.
+template <class T>
+RL::Cubic_surface_function<T> vertex_function(const RL::Triangulated_surface_3& surface,
+                                              std::vector<T> values, const Common_options& o) {
+  if(o.vertex_data == "linear" || surface.is_point_set())
+    return RL::Cubic_surface_function<T>(std::move(values));
+  RL::Smooth_geometry geometry;
+  geometry.crease_angle = o.space.crease_angle;
+  return RL::Cubic_surface_function<T>(surface, std::move(values), geometry);
+}
+
+// The space that the options ask for, with their way to integrate.
+inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
+                                     const Common_options& o) {
+  std::optional<double> cube_scale, joining_tolerance, maximum_memory;
+  if(o.space.cube_scale > 0)
+    cube_scale = o.space.cube_scale;
+  if(o.space.joining_tolerance >= 0)
+    joining_tolerance = o.space.joining_tolerance;
+  if(o.space.maximum_gigabytes > 0)
+    maximum_memory = 1e9 * o.space.maximum_gigabytes;
+  const RL::Spline_space_3 space(
+      surface,
+      RL::parameters::octree_depth(o.space.octree_depth)
+          .cube_scale(cube_scale)
+          .joining_tolerance(joining_tolerance)
+          .maximum_memory(maximum_memory)
+          .paper_space(o.space.paper_space)
+          .split_elements(surface.is_point_set() ? o.space.split_point_set : o.space.split_elements)
+          .concurrency_tag(CGAL::Parallel_if_available_tag()));
+  if(o.assembly != "monte-carlo")
+    return space;
+  return space.integrated_by(RL::Monte_carlo(
+      space.octree(), static_cast<std::size_t>(o.samples), static_cast<std::uint64_t>(o.seed),
+      o.sampling == "stratified" ? RL::Sampling::stratified : RL::Sampling::independent));
+}
+
+// `meaning` is what the number of connected components, if it is not 1, means for the result.
+inline void add_space(Summary& summary, const RL::Spline_space_3& space,
+                      const std::string& meaning) {
+  const RL::Octree_3& octree = space.octree();
+  summary.add("depth", space.depth());
+  summary.add("dimension", space.dimension());
+  if(space.surface().is_smooth())
+    summary.add_explained("folded faces", space.surface().patches().number_of_folded_faces(),
+                          ", they remain flat");
+  summary.add_detail("cells", octree.number_of_cells(space.depth()));
+  summary.add_detail("sheets", octree.number_of_sheets(space.depth()));
+  summary.add_detail("split_elements", space.number_of_split_elements(space.depth()));
+  // the whole surface is in the one cell of level 0
+  if(!space.is_split())
+    return;
+  const std::size_t components = octree.number_of_sheets(0);
+  summary.add_explained("components", components,
+                        components == 1 ? "" : ", the surface is disconnected: " + meaning);
+}
+
+} // namespace programs
+
+#endif // RESTRICTED_LAPLACIAN_3_PROGRAMS_SPACE_H
