@@ -103,11 +103,10 @@ Eigen::MatrixXd table(const std::vector<RL::Surface_curvature>& curvatures) {
 Outcome estimate(Job& job, const Options& o) {
   const RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
   const double h = space.octree().cell_width(space.depth());
-  const auto np =
-      solver_parameters(o).curvature_method(method(o)).callback(job.step("fitting by", space));
+  const auto np = solver_parameters(o).method(method(o)).progress(job.step("fitting by", space));
   const RL::Curvature_field field =
       o.smoothing < 0 ? RL::estimate_curvature(space, np)
-                      : RL::estimate_curvature(space, np.smoothing_weight(o.smoothing * h * h));
+                      : RL::estimate_curvature(space, np.smoothing(o.smoothing * h * h));
   const RL::Fit_report& report = field.report();
   job.add_solve(report);
   if(!report.root_mean_square_errors.empty())

@@ -133,7 +133,7 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
   all.setup_seconds = fit.setup_seconds;
   all.assembly_seconds = fit.assembly_seconds;
   all.solve_seconds += fit.solve_seconds;
-  all.normal_stabilization = fit.normal_stabilization;
+  all.stabilization = fit.stabilization;
   for(double error : fit.root_mean_square_errors)
     all.root_mean_square_errors.push_back(error);
 }
@@ -177,12 +177,11 @@ Outcome fit(Job& job, const Options& o) {
   const Functions functions = o.normals ? normals(job.surface) : properties(job.surface, o);
   const RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
   const double h = space.octree().cell_width(space.depth());
-  const auto np =
-      solver_parameters(o).smoothing_weight(o.smoothing * h * h).refinement_steps(o.refinements);
+  const auto np = solver_parameters(o).smoothing(o.smoothing * h * h).refinements(o.refinements);
   const RL::Function_fit fit = fit_all(space, np, functions, job, o);
 
   job.add_solve(fit);
-  job.summary.add_detail("stabilization", fit.normal_stabilization);
+  job.summary.add_detail("stabilization", fit.stabilization);
   job.summary.add("rms_error", fit.root_mean_square_error());
 
   Outcome result;

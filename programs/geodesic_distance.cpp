@@ -73,12 +73,13 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("farthest", po::value(&farthest)->value_name("N"),
       "N more sources: each is the vertex that is farthest from those before; the first one is the "
       "first vertex with a face, if there is no other source");
-  add("join", po::value(&o.space.joining_tolerance)->value_name("T"),
-      "vertices on the boundary are one with those at a distance of T or less, in the unit of the "
+  add("joining-tolerance", po::value(&o.space.joining_tolerance)->value_name("T"),
+      "--join for short: vertices on the boundary are one with those at a distance of T or less, "
+      "in the unit of the "
       "coordinates, and faces are divided where such a vertex lies on a side");
   add("exact", po::bool_switch(&o.exact),
       "exact up to rounding, in more time; by default errors are of the order of 0.01 %");
-  add("memory", po::value(&o.space.maximum_gigabytes)->value_name("GB"),
+  add("maximum-memory", po::value(&o.space.maximum_gigabytes)->value_name("GB"),
       "end if windows of rays would take more memory; by default that of the machine");
   po::options_description lines("Lines", help_width);
   add = lines.add_options();
@@ -95,8 +96,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   po::options_description output =
       spline_output_options(o, "vertex, distance, nearest", "the properties distance and nearest");
   add = output.add_options();
-  add("depth",
-      po::value<int>()->value_name("D")->notifier([&o](int d) { o.space.octree_depth = d; }),
+  add("depth", po::value<int>()->value_name("D")->notifier([&o](int d) { o.space.depth = d; }),
       "depth of the octree of the spline, for --refine (default: that of the other programs)");
   all.add(problem)
       .add(point_options(o, o))
@@ -225,7 +225,7 @@ Outcome measure(Job& job, const Options& o) {
   for(std::size_t v : o.sources)
     sources.add_vertex(v);
   if(o.farthest > 0) {
-    options.callback = job.progress.step("choosing vertices far from each other");
+    options.progress = job.progress.step("choosing vertices far from each other");
     for(std::size_t v : solver.farthest_points(o.farthest, sources, options))
       all.push_back(v);
   }
@@ -234,7 +234,7 @@ Outcome measure(Job& job, const Options& o) {
     sources.add_vertex(all[i], static_cast<std::uint32_t>(i));
   if(o.boundary)
     sources.add_boundary(static_cast<std::uint32_t>(all.size()));
-  options.callback = job.progress.step("propagating distances");
+  options.progress = job.progress.step("propagating distances");
   const double begin = job.seconds();
   const RL::Geodesic_distances found = solver.distances(sources, options);
   job.summary.add_detail("rays_seconds", setup_seconds);

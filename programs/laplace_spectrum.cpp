@@ -50,7 +50,8 @@ have no meaning.
 struct Options : Common_options, Point_options, Eigensolver_options {
   int count = 20;
   int eigenfunction = 1;
-  std::string operator_name = "restricted", mass = "full";
+  std::string operator_name = "restricted";
+  bool lumped_mass = false;
 };
 
 // returns false if there is nothing more to do
@@ -61,8 +62,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "number of eigenvalues, with multiplicities");
   add("operator", po::value(&o.operator_name)->value_name("NAME")->default_value(o.operator_name),
       "restricted: B-splines restricted to the surface; cotangent: for comparison");
-  add("mass", po::value(&o.mass)->value_name("lumped|full")->default_value(o.mass),
-      "mass matrix of --operator cotangent");
+  add("lumped-mass", po::bool_switch(&o.lumped_mass),
+      "the mass matrix of --operator cotangent is diagonal");
   add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
       "index, from 0, of the eigenfunction for --output; --html has all of them, and shows this "
       "one first");
@@ -79,17 +80,15 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
     return false;
   require(o.count > 0, "the argument of --count must be positive");
   require_choice("operator", o.operator_name, {"restricted", "cotangent"});
-  require_choice("mass", o.mass, {"lumped", "full"});
   require(o.refine == 0 || o.operator_name == "restricted", "--refine needs --operator restricted");
-  require(given["mass"].defaulted() || o.operator_name == "cotangent",
-          "--mass needs --operator cotangent");
+  require_effect(given, {"lumped-mass"}, o.operator_name == "cotangent", "--operator cotangent");
   require_effect(given,
-                 {"eigensolver", "tolerance", "stabilization", "depth", "cube-scale", "unsplit",
-                  "join", "memory", "paper", "assembly", "split-points"},
+                 {"eigensolver", "tolerance", "stabilization", "depth", "cube-scale", "no-split",
+                  "joining-tolerance", "maximum-memory", "paper", "assembly", "split"},
                  o.operator_name == "restricted", "--operator restricted");
   require_effect(given, {"eigenfunction"}, !o.output.empty() || !o.html.empty(),
                  "--output or --html");
-  check_eigensolver_options(o, given, o.space.paper_space);
+  check_eigensolver_options(o, given, o.space.paper);
   if(given["eigenfunction"].defaulted())
     o.eigenfunction = std::min(o.eigenfunction, o.count - 1);
   require(o.eigenfunction >= 0 && o.eigenfunction < o.count,
@@ -136,13 +135,13 @@ RL::Eigenpairs solve_cotangent(Job& job, const Options& o, Outcome& result) {
   job.summary.add("dimension", surface.number_of_vertices());
   job.progress.show("assembling");
   const double start = job.seconds();
-  const RL::Operators operators = RL::cotangent_operators(surface, o.mass == "lumped");
+  const RL::Operators operators = RL::cotangent_operators(surface, o.lumped_mass);
   const double assembled = job.seconds();
 
   const auto callback = job.progress.step("computing eigenvalues of " +
                                           std::to_string(operators.stiffness.rows()) + " unknowns");
   RL::Eigenpairs pairs = RL::smallest_eigenpairs(operators.stiffness, operators.mass, o.count,
-                                                 RL::parameters::callback(callback));
+                                                 RL::parameters::progress(callback));
   job.summary.add_detail("assembly_seconds", assembled - start);
   job.summary.add_detail("solve_seconds", job.seconds() - assembled);
   job.summary.add_detail("iterations", pairs.iterations);

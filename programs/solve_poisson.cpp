@@ -157,8 +157,8 @@ Outcome solve(Job& job, const Options& o) {
   RL::Poisson_problem problem(right_hand_side);
   problem.alpha = o.alpha / surface.area();
   problem.solver = np;
-  problem.normal_stabilization = given_number(o.stabilization);
-  problem.callback = job.step("solving for", space);
+  problem.stabilization = given_number(o.stabilization);
+  problem.progress = job.step("solving for", space);
   std::optional<RL::Cubic_surface_function<double>> values, flux;
   if(!o.boundary_property.empty()) {
     values = vertex_function(surface, property(surface, o, o.boundary_property), o);

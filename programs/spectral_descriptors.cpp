@@ -123,7 +123,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require_choice("descriptor", o.descriptor,
                  {"hks", "wks", "gps", "biharmonic", "diffusion", "shape-dna"});
   require(o.count > 0, "the argument of --count must be positive");
-  check_eigensolver_options(o, given, o.space.paper_space);
+  check_eigensolver_options(o, given, o.space.paper);
   require(o.columns > 1, "the argument of --columns must be at least 2");
   require_descriptor(given, o, "columns", {"hks", "wks"});
   require_descriptor(given, o, "time", {"hks", "diffusion"});

@@ -56,7 +56,7 @@ comments.
 )"};
 
 struct Options : Common_options, Solver_options {
-  Options() : Solver_options(RL::Color_stitcher::default_tolerance) { space.octree_depth = 8; }
+  Options() : Solver_options(RL::Color_stitcher::default_tolerance) { space.depth = 8; }
 
   std::vector<std::string> scans;
   std::vector<RL::Scan_pose> scan_poses; // from the scans to MESH
@@ -64,8 +64,8 @@ struct Options : Common_options, Solver_options {
   double alpha = RL::Color_stitcher::default_screening;
   double maximum_distance = 0; // chosen
   double normal_angle = 60;    // degrees
-  bool unoriented = false, leave_out = false;
-  bool keep_exposures = false, linear_light = false, no_details = false;
+  bool no_oriented = false, leave_out = false;
+  bool no_match_exposures = false, linear_light = false, no_details = false;
 };
 
 void read_scan_poses(Options& o) {
@@ -99,11 +99,11 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "largest angle in degrees between the normals of MESH and of a scan that covers it, up to "
       "180; "
       "more than the default for noisy scans");
-  add("unoriented", po::bool_switch(&o.unoriented),
+  add("no-oriented", po::bool_switch(&o.no_oriented),
       "the normals of MESH need not point to the side from which it is seen");
   add("leave-out", po::bool_switch(&o.leave_out),
       "leave out scans that cover no vertex; by default that is an error");
-  add("keep-exposures", po::bool_switch(&o.keep_exposures),
+  add("no-match-exposures", po::bool_switch(&o.no_match_exposures),
       "do not multiply the colors of each scan by factors that make overlapping scans agree");
   add("linear-light", po::bool_switch(&o.linear_light),
       "colors are sRGB: stitch them in linear light");
@@ -143,14 +143,14 @@ auto stitching_parameters(const Options& o, double area) {
     maximum_distance = o.maximum_distance;
   return solver_parameters(o)
       .maximum_distance(maximum_distance)
-      .minimum_normal_cosine(std::cos(o.normal_angle * CGAL_PI / 180))
-      .oriented_surface(!o.unoriented)
-      .gradient_source(o.gradients == "scans" ? RL::Gradient_source::scans
-                                              : RL::Gradient_source::back_projection)
-      .match_exposures(!o.keep_exposures)
+      .normal_angle(o.normal_angle)
+      .oriented(!o.no_oriented)
+      .gradients(o.gradients == "scans" ? RL::Gradient_source::scans
+                                        : RL::Gradient_source::back_projection)
+      .match_exposures(!o.no_match_exposures)
       .linear_light(o.linear_light)
-      .screening_weight(o.alpha / area)
-      .vertex_details(!o.no_details);
+      .alpha(o.alpha / area)
+      .details(!o.no_details);
 }
 
 // why a scan covers no vertex
@@ -162,8 +162,9 @@ std::string reason(const RL::Scan_usage& usage) {
     text << "it comes as near as " << usage.smallest_distance << " to a vertex, and only "
          << usage.maximum_distance << " is near enough; is its pose right?";
   else
-    text << "where it is near, the mesh shows its back or differs in its normals; see --unoriented "
-            "and --normal-angle, or --leave-out";
+    text
+        << "where it is near, the mesh shows its back or differs in its normals; see --no-oriented "
+           "and --normal-angle, or --leave-out";
   return text.str();
 }
 

@@ -53,8 +53,8 @@ void run(const char* name, const Make& make_surface, int depth, int threads, boo
                                   static_cast<std::size_t>(threads));
 #endif
   RL::Spline_space_options options;
-  options.octree_depth = depth;
-  options.split_elements = is_split;
+  options.depth = depth;
+  options.split = is_split;
   options.is_parallel = threads > 1;
   // the best of three: other programs share the machine
   double space_seconds = 1e9, stiffness_seconds = 1e9, all_seconds = 1e9;

@@ -81,7 +81,7 @@ RL::Spline_space_3 space_of(const RL::Triangulated_surface_3& surface, int depth
 }
 
 RL::Curvature_field curvature(const RL::Spline_space_3& space, RL::Curvature_method method) {
-  return RL::estimate_curvature(space, params::curvature_method(method));
+  return RL::estimate_curvature(space, params::method(method));
 }
 
 const std::array<std::pair<const char*, RL::Curvature_method>, 3> methods = {

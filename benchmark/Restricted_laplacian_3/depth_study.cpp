@@ -154,7 +154,7 @@ private:
     const auto limited = limit_threads(threads);
     (void)limited;
     const auto u = m_mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
-    const auto np = params::octree_depth(depth).relative_tolerance(tolerance);
+    const auto np = params::depth(depth).tolerance(tolerance);
     Stopwatch watch;
     const RL::Solve_report report =
         threads > 1 ? RL::solve_poisson(m_mesh, z_coordinate, u,

@@ -81,7 +81,7 @@ Result by_spline(const RL::Triangulated_surface_3& surface, std::size_t source, 
   Result result;
   double begin = seconds_now();
   const RL::Geodesic_solver rays(surface);
-  const RL::Spline_space_3 space(surface, RL::parameters::octree_depth(depth));
+  const RL::Spline_space_3 space(surface, RL::parameters::depth(depth));
   const RL::Geodesic_fitter fitter(space);
   result.setup_seconds = seconds_now() - begin;
   begin = seconds_now();

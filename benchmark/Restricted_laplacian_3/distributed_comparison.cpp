@@ -171,7 +171,7 @@ void run(const RL::Communicator& communicator, const std::string& mesh, int dept
       RL::assemble_load(space.part(), [](const RL::Surface_point& p) { return -p.point.z(); });
   for(double tolerance : tolerances) {
     RL::Poisson_solver_options of_solver;
-    of_solver.relative_tolerance = tolerance;
+    of_solver.tolerance = tolerance;
     const RL::Distributed_poisson_solver solver(space, 0, {}, of_solver);
     Row row = {"patches", tolerance};
     RL::Solve_report report;
@@ -211,7 +211,7 @@ void run_threads(const RL::Communicator& communicator, const std::string& mesh, 
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
   for(double tolerance : tolerances) {
     RL::Poisson_problem problem(f);
-    problem.solver.relative_tolerance = tolerance;
+    problem.solver.tolerance = tolerance;
     problem.solver.is_parallel = threads > 1;
     std::vector<double> assembly, setup, solve;
     Row row = {"threads_" + std::to_string(threads), tolerance};

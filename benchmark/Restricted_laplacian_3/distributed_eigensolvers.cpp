@@ -94,7 +94,7 @@ void print(const RL::Communicator& communicator, double unknowns, double space, 
 RL::Laplace_spectrum spectrum_of(const RL::Spline_space_3& space, int pairs, double tolerance) {
   RL::Laplace_spectrum_options options;
   options.eigensolver = RL::Eigensolver::multigrid;
-  options.multigrid.relative_tolerance = tolerance;
+  options.multigrid.tolerance = tolerance;
   return RL::laplace_eigenpairs(space, pairs, options);
 }
 
@@ -117,7 +117,7 @@ void run(const RL::Communicator& communicator, const Task& task) {
       if(communicator.rank() != 0)
         return;
       RL::Spline_space_options options;
-      options.octree_depth = task.depth;
+      options.depth = task.depth;
       const RL::Spline_space_3 whole(*measured.surface, options);
       reference = spectrum_of(whole, pairs, tolerance_of_reference).eigenvalues;
     });
@@ -126,7 +126,7 @@ void run(const RL::Communicator& communicator, const Task& task) {
         for(const auto& [option, value] : methods.at(name))
           check(PetscOptionsSetValue(nullptr, option.c_str(), value.c_str()));
         RL::Laplace_spectrum_options options;
-        options.multigrid.relative_tolerance = tolerance;
+        options.multigrid.tolerance = tolerance;
         const RL::Distributed_spectrum spectrum = RL::laplace_spectrum(space, pairs, options);
         for(const auto& option : methods.at(name))
           check(PetscOptionsClearValue(nullptr, option.first.c_str()));

@@ -180,7 +180,7 @@ void compare_on_matrices(const Options& o) {
   }
   measure("multigrid_eigenpairs", [&] {
     RL::Multigrid_eigenpairs_options options;
-    options.relative_tolerance = o.tolerance;
+    options.tolerance = o.tolerance;
     options.is_parallel = o.threads > 1;
     return RL::internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), o.pairs,
                                                  options);
@@ -199,7 +199,7 @@ void compare_from_mesh(const Options& o) {
         level_operators(space, RL::internal::coarsest_multigrid_level(space), o);
     const double matrix_seconds = timer.time();
     RL::Multigrid_eigenpairs_options options;
-    options.relative_tolerance = tolerance;
+    options.tolerance = tolerance;
     options.is_parallel = o.threads > 1;
     const RL::Eigenpairs pairs =
         RL::internal::multigrid_eigenpairs_of(space, RL::internal::coarsest_multigrid_level(space),

@@ -9,7 +9,7 @@
 // - guess: nested iteration only, a W-cycle on each level but the finest
 // - w_cycle: and a single W-cycle, without conjugate gradients, as in the paper
 // - converged: conjugate gradients with V-cycles, to the default tolerance of the residual
-// - details_T: the same with vertex_details, all to the tolerance T; details is the number of steps
+// - details_T: the same with details, all to the tolerance T; details is the number of steps
 //   of conjugate gradients on the system of the vertices
 // - cholmod: the cotangent system with one vertex held fast, by CHOLMOD with AMD ordering, which
 //   solves this problem exactly: the gradient of a function that is linear in each triangle is what
@@ -163,14 +163,12 @@ void run(const Options& o, Colored_mesh& m, const std::string& space, int depth)
   const bool is_paper = space == "paper";
   const auto all = [&](const auto& np) {
     return np.concurrency_tag(CGAL::Parallel_if_available_tag())
-        .target_values(m.color_map())
-        .paper_space(is_paper)
-        .octree_depth(depth);
+        .target(m.color_map())
+        .paper(is_paper)
+        .depth(depth);
   };
   const auto cycles = [&](int number) {
-    return all(params::number_of_iterations(number))
-        .stand_alone_multigrid(true)
-        .cycle(RL::Cycle::W);
+    return all(params::maximum_iterations(number)).stand_alone_multigrid(true).cycle(RL::Cycle::W);
   };
   Row row;
   row.depth = depth;
@@ -185,8 +183,7 @@ void run(const Options& o, Colored_mesh& m, const std::string& space, int depth)
   for(double tolerance : o.details) {
     char name[32];
     std::snprintf(name, sizeof name, "details_%.0e", tolerance);
-    integrate(o, m, row, name,
-              all(params::default_values()).relative_tolerance(tolerance).vertex_details(true));
+    integrate(o, m, row, name, all(params::default_values()).tolerance(tolerance).details(true));
   }
 }
 
@@ -234,7 +231,7 @@ bool read_options(int argc, char* argv[], Options& o) {
   add("mesh", list(o.meshes), "PLY files, or names in the folder of shared meshes");
   add("depth", list(o.depths), "6 7 8 9");
   add("space", list(o.spaces), "split paper");
-  add("details", list(o.details), "tolerances with vertex_details; 1e-3 1e-5");
+  add("details", list(o.details), "tolerances with details; 1e-3 1e-5");
   add("threads", po::value(&o.threads)->default_value(o.threads));
   add("write", po::value(&o.folder), "folder for colored meshes, which has to exist");
   add("quick", po::bool_switch(&is_quick), "depths 5 and 6");

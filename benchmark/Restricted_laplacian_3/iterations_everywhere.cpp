@@ -93,8 +93,8 @@ public:
 
 private:
   auto parameters() const {
-    return params::relative_tolerance(m_options.tolerance)
-        .number_of_iterations(m_options.limit)
+    return params::tolerance(m_options.tolerance)
+        .maximum_iterations(m_options.limit)
         .cycle(m_cycle)
         .concurrency_tag(CGAL::Parallel_if_available_tag());
   }
@@ -110,7 +110,7 @@ private:
       load = RL::assemble_load(m_space, RL::Linear_surface_function<double>(m_at_vertices));
     if(m_options.stabilization >= 0)
       return RL::make_poisson_solver(m_space, alpha,
-                                     parameters().normal_stabilization(m_options.stabilization))
+                                     parameters().stabilization(m_options.stabilization))
           .solve(load, x);
     return RL::make_poisson_solver(m_space, alpha, parameters()).solve(load, x);
   }
@@ -133,7 +133,7 @@ private:
     const auto given = [](double x) { return x >= 0 ? std::optional<double>(x) : std::nullopt; };
     return RL::fit_function(m_space, f,
                             parameters()
-                                .normal_stabilization(given(m_options.stabilization))
+                                .stabilization(given(m_options.stabilization))
                                 .energy_tolerance(given(m_options.energy_tolerance)));
   }
 

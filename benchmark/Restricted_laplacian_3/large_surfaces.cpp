@@ -79,7 +79,7 @@ std::vector<Record> measure(const Run& run) {
   r.triangles = static_cast<double>(surface.number_of_faces());
   r.estimate = 1e-9 * RL::estimate_memory(surface, run.depth).total();
   RL::Spline_space_options options;
-  options.octree_depth = run.depth;
+  options.depth = run.depth;
   options.is_parallel = run.threads > 1;
   const RL::Spline_space_3 space(std::move(surface), options);
   r.unknowns = static_cast<double>(space.dimension());

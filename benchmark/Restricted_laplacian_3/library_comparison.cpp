@@ -188,7 +188,7 @@ void compare(int argc, char* argv[]) {
   const auto f = [](const RL::Surface_point& s) { return s.point.z(); };
   for(const int depth : {4, 5, 6, 7}) {
     seconds = seconds_of(
-        [&] { static_cast<void>(RL::solve_poisson(*mesh, f, u, params::octree_depth(depth))); });
+        [&] { static_cast<void>(RL::solve_poisson(*mesh, f, u, params::depth(depth))); });
     for(const Mesh::Vertex_index v : mesh->vertices())
       solution[v.idx()] = u[v];
     print_row("solve_poisson", depth, seconds, {reference.error_of_solution(solution)});
@@ -204,7 +204,7 @@ void compare(int argc, char* argv[]) {
   print_spectrum("spectra_eigs", 0, values);
   for(const int depth : {3, 4, 5, 6}) {
     seconds = seconds_of(
-        [&] { values = RL::laplace_spectrum(*mesh, k, params::octree_depth(depth)).eigenvalues; });
+        [&] { values = RL::laplace_spectrum(*mesh, k, params::depth(depth)).eigenvalues; });
     print_spectrum("laplace_spectrum", depth, values);
   }
 }

@@ -81,8 +81,8 @@ struct Points {
 
 RL::Spline_space_3 space_of(const RL::Triangulated_surface_3& surface, int depth, bool is_split) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
-  options.split_elements = options.split_point_set = is_split;
+  options.depth = depth;
+  options.split = options.split_point_set = is_split;
   return RL::Spline_space_3(surface, options);
 }
 
@@ -174,7 +174,7 @@ void run_eigenvalues() {
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified})
     for(std::size_t number = 10000; number <= 1000000; number *= 10) {
       RL::Monte_carlo_options options;
-      options.number_of_samples = number;
+      options.samples = number;
       options.sampling = sampling;
       options.seed = 1;
       const RL::Estimated_eigenvalues found =

@@ -140,7 +140,7 @@ private:
   }
   static RL::Spline_space_options options(const std::string& kind, int depth, int threads) {
     RL::Spline_space_options result = space_options(depth, kind == "split", threads);
-    result.paper_space = kind == "paper";
+    result.paper = kind == "paper";
     return result;
   }
 

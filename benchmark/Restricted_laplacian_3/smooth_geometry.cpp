@@ -100,7 +100,7 @@ RL::Point_3 on_ellipsoid(RL::Point_3 p, const std::array<double, 3>& axes) {
 Eigen::VectorXd eigenvalues(const RL::Spline_space_3& space, int count, double stabilization) {
   const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(
       space, count + 1,
-      params::normal_stabilization(stabilization).relative_tolerance(1e-5).eigenvalues_only(true));
+      params::stabilization(stabilization).tolerance(1e-5).eigenvalues_only(true));
   return spectrum.eigenvalues.tail(count) * spectrum.area;
 }
 
@@ -108,7 +108,7 @@ void print_row(const std::string& shape, std::size_t triangles, const char* geom
                const RL::Triangulated_surface_3& surface, int depth,
                const Eigen::VectorXd& reference) {
   const double start = seconds_now();
-  const RL::Spline_space_3 space(surface, params::octree_depth(depth));
+  const RL::Spline_space_3 space(surface, params::depth(depth));
   const RL::Operators operators = RL::assemble_operators(space, {}, 1e-5);
   const double assembled = seconds_now();
   const Eigen::VectorXd values = eigenvalues(space, static_cast<int>(reference.size()), 1e-5);
@@ -136,7 +136,7 @@ void run_shape(const std::string& name, const std::vector<RL::Triangulated_surfa
 Eigen::VectorXd reference_of(const Curved_shape& fine, const Projection& projection, int count) {
   constexpr int depth = 7;
   const RL::Triangulated_surface_3 surface = projected(surface_of(fine), projection);
-  const RL::Spline_space_3 space(surface, params::octree_depth(depth));
+  const RL::Spline_space_3 space(surface, params::depth(depth));
   return eigenvalues(space, count, 0) / surface.area();
 }
 
@@ -230,7 +230,7 @@ void run_held_out(const std::string& name, const Mesh& mesh) {
 void run_simplified(const std::string& name, const Mesh& mesh) {
   constexpr int depth = 6, count = 39;
   const auto values = [&](const RL::Triangulated_surface_3& surface) {
-    return eigenvalues(RL::Spline_space_3(surface, params::octree_depth(depth)), count, 1e-5);
+    return eigenvalues(RL::Spline_space_3(surface, params::depth(depth)), count, 1e-5);
   };
   const Eigen::VectorXd original = values(RL::read_surface(mesh));
   const auto change = [&](const RL::Triangulated_surface_3& surface) {
@@ -256,7 +256,7 @@ void run_curvature() {
   for(int depth : {5, 6})
     for(bool is_smooth : {false, true}) {
       const RL::Spline_space_3 space(is_smooth ? RL::curved_surface(flat) : flat,
-                                     params::octree_depth(depth));
+                                     params::depth(depth));
       const std::vector<RL::Surface_curvature> found = RL::estimate_curvature(space).at_vertices();
       std::vector<double> errors;
       for(std::size_t v = 0; v < found.size(); ++v)

@@ -552,7 +552,7 @@ public:
 private:
   RL::Spline_space_options options_of_space(int threads) const {
     RL::Spline_space_options options = space_options(m_depth, m_options.is_split, threads);
-    options.paper_space = m_options.is_paper;
+    options.paper = m_options.is_paper;
     return options;
   }
   // the factor of the mass matrix in units of 1 / length^2

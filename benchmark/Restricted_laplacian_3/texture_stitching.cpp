@@ -99,10 +99,10 @@ bool has(const std::string& method, const std::string& part) {
 
 RL::Color_stitching_options options_of(const std::string& method, const Options& o) {
   RL::Color_stitching_options options;
-  options.gradient_source =
+  options.gradients =
       has(method, "bp") ? RL::Gradient_source::back_projection : RL::Gradient_source::scans;
   options.match_exposures = has(method, "exp");
-  options.vertex_details = has(method, "det");
+  options.details = has(method, "det");
   options.solver.is_parallel = o.threads > 1;
   return options;
 }
@@ -147,7 +147,7 @@ void run(const Mesh& mesh, const Options& o, double lamp, int depth) {
     for(const double alpha :
         o.alphas.empty() ? std::vector<double>{RL::Color_stitcher::default_screening} : o.alphas) {
       RL::Color_stitching_options options = options_of(method, o);
-      options.screening_weight = alpha / mesh.surface.area();
+      options.alpha = alpha / mesh.surface.area();
       timer.reset();
       RL::Color_stitcher stitcher(space, options);
       for(const RL::Colored_scan& scan : scans)

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks what the manual says of named parameters against the code: check_parameters.py --root FOLDER
+"""Checks what the manual says of named parameters against the code: check_parameters.py --root FOLDER [--update]
 
 The names in named_parameters.doxy are those of foundation/internal/parameters.h, each of them is shown with
 a function and on the page of named parameters, and the defaults are those of the code. What Python
-says of its arguments, and takes for them, is the same.
+says of its arguments, and takes for them, is the same. Arguments of Python and options of programs have the
+names of C++, or are among those that C++ does not have; the page of named parameters has the table of them,
+which --update writes.
 """
 
 import argparse
@@ -23,8 +25,20 @@ CONSTANTS = (
     ("problems/Function_fitter.h", "default_tolerance", "of_fits"),
     ("problems/Function_fitter.h", "default_tolerance", "of_curvature"),
 )
+# What has a default in Python, or an option in a program, and is no named parameter of C++: data, places
+# and files; what is returned and shown; and numbers that C++ takes as arguments. `threads` is the
+# `concurrency_tag` of CGAL, which is a type.
+PYTHON_ONLY = """F F areas as_spline barycentric boundary cache check colors count dtype energies exact f faces first
+    guess height isolines labels level lines longest_side name names normalization normals number orthonormal other
+    patterns points processes range refine report return_report scaled scans segments sigma sources stabilize_mass
+    start subdivisions threads times title up v values vertex_normals""".split()
+PROGRAMS_ONLY = """assembly beside boundary boundary-property clip column columns compare count csv descriptor
+    eigenfunction energy exact exposure-range exposures farthest field-of-view flux-property frame help html isolines
+    leave-out light lines no-legend noise normalization normals operator output overwrite path pattern points poses
+    property quiet range refine resolution rhs rhs-property scaled show size source threads time tint truth up verbose
+    version view views""".split()
 # Defaults that depend on others in the code: the constant that holds the usual one.
-USUAL = {"octree_depth": "default_smallest_depth", "cube_scale": "default_cube_scale"}
+USUAL = {"depth": "default_smallest_depth", "cube_scale": "default_cube_scale"}
 
 
 def read_aliases(text):
@@ -77,16 +91,10 @@ def arguments_of_python(package):
 
 def compare_python(root, rows, shown):
     """what Python says of a parameter of C++, and takes for it: one of the defaults that C++ has"""
-    package = root / "python/restricted_laplacian"
-    tree = ast.parse((package / "_errors.py").read_text(encoding="utf-8"))
-    names = next(ast.literal_eval(node.value) for node in tree.body
-                 if isinstance(node, ast.Assign) and node.targets[0].id == "ARGUMENTS")
-    docs, defaults = arguments_of_python(package)
+    docs, defaults = arguments_of_python(root / "python/restricted_laplacian")
     errors, number = [], 0
-    for name, argument in names.items():
-        if name not in rows:
-            continue
-        alias, row = rows[name]
+    for argument in sorted(rows.keys() & {name for name, _, _ in defaults}):
+        alias, row = rows[argument]
         text = re.search(r"\\cgalParamDefault\{(.*?)\\cgalParam", row).group(1)
         if text.startswith("\\1"):
             text = " ".join(re.findall(r"\\named_" + alias + r"\{([^}]*)\}", shown))
@@ -102,16 +110,67 @@ def compare_python(root, rows, shown):
                 found += [(function, a or b) for a, b in figures]
         number += len(found)
         errors += [f"Python's {function} has the default {value} of {argument}, C++ {', '.join(sorted(set(known)))}"
-                   for function, value in found if not any(same(value, v) for v in known)]
+                   for function, value in found if known and not any(same(value, v) for v in known)]
     if number < 12:
         errors.append(f"found only {number} defaults of Python; has their form changed?")
     return errors
 
 
+def words_of_python(package):
+    """the arguments with a default of public functions and methods"""
+    words = set()
+
+    def visit(nodes):
+        for node in nodes:
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                visit(node.body)
+            elif isinstance(node, ast.FunctionDef) and (not node.name.startswith("_") or node.name == "__init__"):
+                own = zip(reversed(node.args.args), reversed(node.args.defaults))
+                only = zip(node.args.kwonlyargs, node.args.kw_defaults)
+                words.update(argument.arg for argument, value in [*own, *only] if value is not None)
+
+    tree = ast.parse((package / "__init__.py").read_text(encoding="utf-8"))
+    public = next(ast.literal_eval(node.value) for node in tree.body
+                  if isinstance(node, ast.Assign) and node.targets[0].id == "__all__")
+    for path in sorted(package.glob("*.py")):
+        visit([node for node in ast.parse(path.read_text(encoding="utf-8")).body
+               if getattr(node, "name", "") in public or path.name == "learning.py"])
+    return words
+
+
+def words_of_programs(doc):
+    """the options of programs, from what --help prints"""
+    return {word for path in doc.glob("outputs/help_*.txt")
+            for word in re.findall(r"^  --([a-z-]+)", path.read_text(encoding="utf-8"), re.M)}
+
+
+def compare_words(names, of_python, of_programs):
+    """words of Python and of programs that C++ does not know; and the table of those that it knows"""
+    errors = [f"Python's argument {word} is no named parameter of C++" for word in sorted(
+        of_python - names - set(PYTHON_ONLY))]
+    errors += [f"the option --{word} is no named parameter of C++" for word in sorted(of_programs - set(PROGRAMS_ONLY))
+               if word.removeprefix("no-").replace("-", "_") not in names]
+    errors += [f"{word} is a named parameter of C++, too" for word in sorted(
+        names & {*PYTHON_ONLY, *(word.replace("-", "_") for word in PROGRAMS_ONLY)})]
+    table = ["| C++ and Python | programs |", "|---|---|"]
+    for name in sorted(names):
+        word = name.replace("_", "-")
+        options = [f"`--{option}`" for option in (word, "no-" + word) if option in of_programs]
+        if options and name in of_python:
+            table.append(f"| `{name}` | {', '.join(options)} |")
+    for name, where in ("C++ and Python", of_python - {w.replace("-", "_").removeprefix("no_") for w in of_programs}), (
+            "C++ and programs", {w.replace("-", "_") for w in of_programs} - of_python):
+        found = ", ".join(f"`{word}`" for word in sorted(names & where))
+        table.append(f"| {found} | only in {name} |")
+    return errors, "\n".join(table)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--root", type=pathlib.Path, required=True)
-    root = parser.parse_args().root
+    parser.add_argument("--update", action="store_true")
+    given = parser.parse_args()
+    root = given.root
     doc = root / "doc/Restricted_laplacian_3"
     headers = {p: p.read_text(encoding="utf-8") for p in sorted((root / HEADERS).rglob("*.h"))}
     aliases = read_aliases((doc / "named_parameters.doxy").read_text(encoding="utf-8"))
@@ -152,6 +211,8 @@ def main():
     number_of_defaults = 0
     for path, text in headers.items():
         known = constants_of(text)
+        for variable in re.findall(r"std::optional<[^;<>]*> (\w+);", text):  # has no default in the code
+            known.pop(variable, None)
         # of the functions that take these options
         takes = [f"const internal::{name}& np" for name in re.findall(r"struct (\w+_options) ", text)]
         users = [t for t in headers.values() if any(take in t for take in takes)]
@@ -180,6 +241,15 @@ def main():
         errors.append(f"found only {number_of_defaults} defaults; has their form changed?")
 
     errors += compare_python(root, rows, shown)
+    found, table = compare_words(names, words_of_python(root / "python/restricted_laplacian"), words_of_programs(doc))
+    errors += found
+    begin, end = "<!-- begin words -->\n", "\n<!-- end words -->"
+    before, rest = page.split(begin)
+    old, after = rest.split(end)
+    if given.update:
+        (doc / "PackageDescription.txt").write_text(before + begin + table + end + after, encoding="utf-8")
+    elif old != table:
+        errors.append("the table of names on the page of named parameters is not that of --update")
     print("\n".join(errors))
     print(f"{len(names)} named parameters, {number_of_defaults} defaults, {len(errors)} errors")
     return 1 if errors else 0

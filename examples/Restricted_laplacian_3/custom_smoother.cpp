@@ -68,10 +68,10 @@ int main(int argc, char* argv[]) {
   }
   try {
     // alpha u - Laplacian u = x, with alpha = 10 / area
-    const RL::Spline_space_3 space(mesh, params::octree_depth(5));
+    const RL::Spline_space_3 space(mesh, params::depth(5));
     const double alpha = 10 / space.surface().area();
     const RL::Operators operators =
-        RL::assemble_operators(space, space.depth(), RL::default_normal_stabilization(space));
+        RL::assemble_operators(space, space.depth(), RL::default_stabilization(space));
     const Sparse_matrix a = operators.stiffness + alpha * operators.mass;
     const Eigen::VectorXd b =
         RL::assemble_load(space, [](const RL::Surface_point& s) { return s.point.x(); });

@@ -41,7 +41,7 @@ void solve(const RL::Communicator& ranks, const std::string& file, int depth) {
   }
   const RL::Distributed_surface surface(ranks, std::move(*slice));
   RL::Spline_space_options options;
-  options.octree_depth = depth;
+  options.depth = depth;
   const RL::Distributed_space space(surface, options);
 
   // Laplacian u = z: each rank assembles the load of its part of the surface

@@ -27,7 +27,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
   Eigen::VectorXd u(V.rows());
   const RL::Solve_report report =
       RL::solve_poisson(V.rowwise(), F.rowwise(), CGAL::make_property_map(f.data()),
-                        CGAL::make_property_map(u.data()), params::octree_depth(5));
+                        CGAL::make_property_map(u.data()), params::depth(5));
   if(!report.converged)
     throw std::runtime_error("the solver did not converge");
   return u;
@@ -37,7 +37,7 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
 // rows belong to splines: vertices come in with the load, and out with the values at the end.
 Eigen::VectorXd diffuse(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
                         const Eigen::VectorXd& f, double time) {
-  const RL::Spline_space_3 space(V.rowwise(), F.rowwise(), params::octree_depth(5));
+  const RL::Spline_space_3 space(V.rowwise(), F.rowwise(), params::depth(5));
   const RL::Operators operators = RL::assemble_operators(space);
   std::cout << V.rows() << " vertices; S has " << operators.stiffness.rows() << " rows\n";
 

@@ -50,7 +50,7 @@ template <typename TriangleMesh> void solve(const char* name, const TriangleMesh
   auto u = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
   const auto z = [](const RL::Surface_point& s) { return s.point.z(); };
 
-  const RL::Solve_report report = RL::solve_poisson(mesh, z, u, params::octree_depth(5));
+  const RL::Solve_report report = RL::solve_poisson(mesh, z, u, params::depth(5));
 
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for(const auto v : vertices(mesh)) {

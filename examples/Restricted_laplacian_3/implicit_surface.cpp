@@ -107,8 +107,7 @@ void refine(Known_surface& s, double size) {
 
 template <class NamedParameters>
 void report(const std::string& name, const Mesh& mesh, const NamedParameters& np) {
-  const RL::Laplace_spectrum s =
-      RL::laplace_spectrum(mesh, 2, np.octree_depth(5).eigenvalues_only(true));
+  const RL::Laplace_spectrum s = RL::laplace_spectrum(mesh, 2, np.depth(5).eigenvalues_only(true));
   std::cout << std::left << std::setw(12) << name << std::right << std::setw(12) << s.area
             << std::setw(12) << s.eigenvalues[1] << '\n';
 }
@@ -128,9 +127,9 @@ int main(int argc, char* argv[]) {
               << "geometry            area  eigenvalue\n"
               << std::setprecision(8);
 
-    report("flat", known.mesh, params::surface_geometry(RL::Surface_geometry::flat));
-    report("smooth", known.mesh, params::surface_geometry(RL::Surface_geometry::smooth));
-    report("projection", known.mesh, params::surface_geometry(known.projection));
+    report("flat", known.mesh, params::geometry(RL::Surface_geometry::flat));
+    report("smooth", known.mesh, params::geometry(RL::Surface_geometry::smooth));
+    report("projection", known.mesh, params::geometry(known.projection));
     return 0;
   } catch(const std::exception& e) {
     std::cerr << "implicit_surface: " << e.what() << '\n';

@@ -30,14 +30,13 @@ int main() try {
 
   // The third square touches the others, but is not joined to them: one constant for each of the
   // two components is in the kernel.
-  const RL::Laplace_spectrum apart =
-      RL::laplace_spectrum(points, triangles, 3, params::octree_depth(5));
+  const RL::Laplace_spectrum apart = RL::laplace_spectrum(points, triangles, 3, params::depth(5));
   std::cout << "as it is: " << apart.eigenvalues.transpose() << '\n';
 
   // Sides of triangles that lie along each other, up to a distance, are joined on request. The
   // surface is now a star of three squares; its first eigenvalue above 0 is pi^2 / 4, twice. Across
   // the common edge one of the two eigenfunctions has a kink, which splines only come near to.
-  const auto joined = params::octree_depth(5).joining_tolerance(1e-9);
+  const auto joined = params::depth(5).joining_tolerance(1e-9);
   const RL::Laplace_spectrum star = RL::laplace_spectrum(points, triangles, 3, joined);
   std::cout << "joined:   " << star.eigenvalues.transpose() << '\n';
 

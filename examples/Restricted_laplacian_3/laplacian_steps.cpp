@@ -25,7 +25,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 void run(const Mesh& mesh) {
   // 1. The space of functions. Its size depends on the depth, not on the number of triangles.
-  const RL::Spline_space_3 space(mesh, params::octree_depth(5));
+  const RL::Spline_space_3 space(mesh, params::depth(5));
   const double area = space.surface().area();
   std::cout << space.dimension() << " functions on a surface of area " << area << '\n';
 

@@ -44,7 +44,7 @@ int main(int argc, char* argv[]) try {
 
   // What does not fit is refused here, before any work.
   const RL::Spline_space_3 space(surface,
-                                 params::octree_depth(depth).maximum_memory(memory).concurrency_tag(
+                                 params::depth(depth).maximum_memory(memory).concurrency_tag(
                                      CGAL::Parallel_if_available_tag()));
   const RL::Poisson_solution solution =
       RL::solve_poisson(space, [](const RL::Surface_point& p) { return p.point.x(); });

@@ -22,7 +22,7 @@ int main(int argc, char* argv[]) try {
     std::cerr << "usage: minimal_curvature MESH\n";
     return 1;
   }
-  const auto np = params::octree_depth(5);
+  const auto np = params::depth(5);
 
   // mean, Gaussian and principal curvatures, principal directions and normals
   auto curvature = mesh.add_property_map<Mesh::Vertex_index, RL::Surface_curvature>("v:c").first;

@@ -20,8 +20,7 @@ int main(int argc, char* argv[]) try {
     std::cerr << "usage: minimal_descriptors MESH\n";
     return 1;
   }
-  const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(mesh, 50, RL::parameters::octree_depth(5));
+  const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(mesh, 50, RL::parameters::depth(5));
 
   // how much heat stays where it is: a row for each vertex, a column for each time
   const Eigen::VectorXd times = RL::heat_kernel_times(spectrum, 5);

@@ -47,12 +47,12 @@ int main(int argc, char* argv[]) try {
     return report.converged;
   };
   const double weight = 1e-3 / RL::read_surface(mesh).area();
-  const auto np = params::octree_depth(5).target_values(known).screening_weight(weight);
+  const auto np = params::depth(5).target(known).alpha(weight);
   const bool converged = print("splines", RL::integrate_gradient_field(mesh, gradients, found, np));
 
   // and with what is smaller than the cells of the splines
   return print("with details",
-               RL::integrate_gradient_field(mesh, gradients, found, np.vertex_details(true))) &&
+               RL::integrate_gradient_field(mesh, gradients, found, np.details(true))) &&
                  converged
              ? 0
              : 1;

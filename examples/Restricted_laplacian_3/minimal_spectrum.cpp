@@ -19,8 +19,7 @@ int main(int argc, char* argv[]) try {
     std::cerr << "usage: minimal_spectrum MESH\n";
     return 1;
   }
-  const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(mesh, 10, RL::parameters::octree_depth(5));
+  const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(mesh, 10, RL::parameters::depth(5));
 
   // eigenvalues are in units of 1 / area; column i of vertex_values is eigenfunction i
   for(Eigen::Index i = 0; i < spectrum.eigenvalues.size(); ++i)

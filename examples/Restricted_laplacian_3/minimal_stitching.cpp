@@ -46,8 +46,7 @@ int main(int argc, char* argv[]) try {
   }
 
   auto colors = mesh.add_property_map<Mesh::Vertex_index, Color>("v:stitched").first;
-  const RL::Stitching_report report =
-      RL::stitch_colors(mesh, scans, colors, params::octree_depth(6));
+  const RL::Stitching_report report = RL::stitch_colors(mesh, scans, colors, params::depth(6));
   std::cout << "mean step of the color between scans: " << report.jump_before << " before, "
             << report.jump_after << " after; without a scan: " << 100 * report.uncovered_area
             << " % of the area\n";

@@ -43,7 +43,7 @@ int main() try {
     return p.point.x() * p.point.x() - p.point.y() * p.point.y();
   };
   bool converged =
-      RL::solve_poisson(mesh, zero, u, params::octree_depth(4).boundary_values(saddle)).converged;
+      RL::solve_poisson(mesh, zero, u, params::depth(4).boundary_values(saddle)).converged;
   std::cout << "boundary values, largest error: "
             << largest_difference(mesh, u,
                                   [](const Point& p) { return p.x() * p.x() - p.y() * p.y(); })
@@ -56,28 +56,23 @@ int main() try {
   converged =
       RL::solve_poisson(
           mesh, zero, u,
-          params::octree_depth(4).boundary_values(-1).has_boundary_value(is_left).boundary_flux(
-              flux))
+          params::depth(4).boundary_values(-1).has_boundary_value(is_left).boundary_flux(flux))
           .converged &&
       converged;
   std::cout << "a value and a flux, largest error: "
             << largest_difference(mesh, u, [](const Point& p) { return p.x(); }) << '\n';
 
   // Laplacian u = 0 with u = 1 in one corner and -1 in the opposite one
-  auto value = mesh.add_property_map<Vertex, double>("v:value", 0).first;
-  auto is_fixed = mesh.add_property_map<Vertex, bool>("v:is_fixed", false).first;
+  auto value = mesh.add_property_map<Vertex, double>("v:value", std::nan("")).first; // free
   for(Vertex v : mesh.vertices()) {
     const Point& p = mesh.point(v);
-    if(std::abs(p.x() + p.y()) == 2) {
-      is_fixed[v] = true;
+    if(std::abs(p.x() + p.y()) == 2)
       value[v] = p.x();
-    }
   }
-  const auto np =
-      params::octree_depth(4).constraint_values(value).vertex_is_constrained_map(is_fixed);
-  converged = RL::solve_poisson(mesh, zero, u, np).converged && converged;
+  converged =
+      RL::solve_poisson(mesh, zero, u, params::depth(4).constraints(value)).converged && converged;
   for(Vertex v : mesh.vertices())
-    if(is_fixed[v])
+    if(!std::isnan(value[v]))
       std::cout << "fixed vertex: wanted " << value[v] << ", got " << u[v] << '\n';
 
   // minimal: integral of |grad u|^2 + w (u - x y)^2, with a large weight w on the left half
@@ -85,9 +80,9 @@ int main() try {
   const auto weighted_target = [&](const RL::Surface_point& p) {
     return weight(p) * p.point.x() * p.point.y();
   };
-  converged = RL::solve_screened_poisson(mesh, weighted_target, weight, u, params::octree_depth(4))
-                  .converged &&
-              converged;
+  converged =
+      RL::solve_screened_poisson(mesh, weighted_target, weight, u, params::depth(4)).converged &&
+      converged;
   double on_the_left = 0;
   for(Vertex v : mesh.vertices())
     if(mesh.point(v).x() < -0.2)

@@ -73,7 +73,7 @@ int main(int argc, char* argv[]) {
     if(!std::ofstream(argv[2], std::ios::app)) // now, not after the work
       throw std::runtime_error(std::string("cannot write ") + argv[2]);
     const double area = PMP::area(mesh);
-    const RL::Solve_report report = smooth_surface(mesh, 1e-4 * area, params::octree_depth(7));
+    const RL::Solve_report report = smooth_surface(mesh, 1e-4 * area, params::depth(7));
     std::cout << "the area falls from " << area << " to " << PMP::area(mesh) << '\n';
     if(!CGAL::IO::write_polygon_mesh(argv[2], mesh))
       throw std::runtime_error(std::string("cannot write ") + argv[2]);

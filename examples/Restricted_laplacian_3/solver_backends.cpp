@@ -44,20 +44,20 @@ private:
 };
 
 void run(const Mesh& mesh) {
-  const RL::Spline_space_3 space(mesh, params::octree_depth(5));
+  const RL::Spline_space_3 space(mesh, params::depth(5));
   const double alpha = 10 / space.surface().area();
 
   // The stabilization is what makes the matrix well conditioned; without it, factorizations and
   // incomplete ones meet pivots that are rounding errors.
   const RL::Operators operators =
-      RL::assemble_operators(space, space.depth(), RL::default_normal_stabilization(space));
+      RL::assemble_operators(space, space.depth(), RL::default_stabilization(space));
   const Sparse_matrix a = operators.stiffness + alpha * operators.mass;
   const Eigen::VectorXd b =
       RL::assemble_load(space, [](const RL::Surface_point& s) { return s.point.x(); });
 
   Eigen::VectorXd reference;
   const RL::Solve_report report =
-      RL::make_poisson_solver(space, alpha, params::relative_tolerance(1e-10)).solve(b, reference);
+      RL::make_poisson_solver(space, alpha, params::tolerance(1e-10)).solve(b, reference);
   if(!report.converged)
     throw std::runtime_error("the multigrid solver " + to_string(report.status));
   const auto norm = [&](const Eigen::VectorXd& x) { return std::sqrt(x.dot(operators.mass * x)); };

@@ -92,9 +92,9 @@ int solve(const RL::Communicator& communicator, const Options& o, const po::vari
   RL::Laplace_spectrum_options options;
   options.eigenvalues_only = o.output.empty() && o.save.empty();
   if(o.stabilization >= 0)
-    options.normal_stabilization = o.stabilization;
+    options.stabilization = o.stabilization;
   if(o.tolerance > 0)
-    options.multigrid.relative_tolerance = o.tolerance;
+    options.multigrid.tolerance = o.tolerance;
   RL::Distributed_spectrum_state state;
   state.known = load_begin(space, o);
   if(!o.save.empty())

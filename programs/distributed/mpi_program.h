@@ -167,8 +167,9 @@ inline void check_mpi_options(const Common_options& o, const po::variables_map& 
   for(const auto& [argument, file] : this_run().outputs)
     require(!is_standard_output(file), argument + " needs a file, into which all processes write");
   require(o.space.geometry == "flat", "--geometry smooth is not possible on several processes");
-  require(!o.space.paper_space, "--paper is not possible on several processes");
-  require(given.count("memory") == 0, "--memory is not possible on several processes");
+  require(!o.space.paper, "--paper is not possible on several processes");
+  require(given.count("maximum-memory") == 0,
+          "--maximum-memory is not possible on several processes");
 }
 
 // Runs a program that reads its options, and then does what they say:
@@ -215,13 +216,13 @@ inline RL::Distributed_surface read_distributed(const RL::Communicator& communic
 inline RL::Spline_space_options distributed_options(const RL::Distributed_surface& surface,
                                                     const Common_options& o) {
   RL::Spline_space_options result;
-  result.octree_depth = o.space.octree_depth;
+  result.depth = o.space.depth;
   if(o.space.cube_scale > 0)
     result.cube_scale = o.space.cube_scale;
   if(o.space.joining_tolerance >= 0)
     result.joining_tolerance = o.space.joining_tolerance;
-  result.paper_space = o.space.paper_space;
-  result.split_elements = o.space.split_elements;
+  result.paper = o.space.paper;
+  result.split = o.space.split;
   result.split_point_set = surface.is_point_set() && o.space.split_point_set;
   return result;
 }
@@ -232,7 +233,7 @@ inline void add_space(Summary& summary, const RL::Distributed_space& space,
   summary.add("depth", depth);
   summary.add("dimension", space.dimension(depth));
   summary.add_detail("sheets", space.number_of_sheets(depth));
-  summary.add_detail("split_elements", space.level(depth).number_of_split_elements);
+  summary.add_detail("split", space.level(depth).number_of_split_elements);
   if(!space.part().is_split())
     return;
   const std::uint64_t components = space.number_of_sheets(0);

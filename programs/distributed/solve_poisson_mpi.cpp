@@ -143,7 +143,7 @@ int solve(const RL::Communicator& communicator, const Options& o, const po::vari
                          : "components do not influence each other");
   const double space_seconds = timer.time();
   RL::Poisson_solver_options solver_options;
-  solver_options.relative_tolerance = o.tolerance;
+  solver_options.tolerance = o.tolerance;
   solver_options.cycle = o.cycle == "v" ? RL::Cycle::V : RL::Cycle::W;
   const auto stabilization =
       o.stabilization < 0 ? std::nullopt : std::optional<double>(o.stabilization);

@@ -21,11 +21,11 @@ po::options_description space_options(Common_options& o) {
   po::options_description description("Finite elements", help_width);
   auto add = description.add_options();
   auto* depth = po::value<int>()->value_name("D");
-  depth->notifier([&o](int value) { o.space.octree_depth = value; });
-  if(o.space.octree_depth)
-    depth->default_value(*o.space.octree_depth);
+  depth->notifier([&o](int value) { o.space.depth = value; });
+  if(o.space.depth)
+    depth->default_value(*o.space.depth);
   add("depth", depth,
-      o.space.octree_depth
+      o.space.depth
           ? "depth of the octree: 2^D cells along each side of the domain cube"
           : "depth of the octree: 2^D cells along each side of the domain cube (default: the "
             "smallest from 5 to 8 at which sides of triangles are at least half as long as cells "
@@ -33,15 +33,16 @@ po::options_description space_options(Common_options& o) {
   add("cube-scale", po::value(&o.space.cube_scale)->value_name("S"),
       "side of the domain cube over the longest side of the bounding box "
       "(default: 1.1, or 1.2 with --paper)");
-  add("unsplit", po::bool_switch(),
+  add("no-split", po::bool_switch(),
       "do not split elements; by default an element is split into one for each connected "
       "component of the surface in its support. Parts of the surface that are near to each "
       "other are connected then");
-  add("join", po::value(&o.space.joining_tolerance)->value_name("T"),
-      "join sides of faces that have no other face, where they run along each other at a "
+  add("joining-tolerance", po::value(&o.space.joining_tolerance)->value_name("T"),
+      "--join for short: join sides of faces that have no other face, where they run along each "
+      "other at a "
       "distance of T or less, in the unit of the coordinates; unsplit elements do not depend on "
       "this");
-  add("memory", po::value(&o.space.maximum_gigabytes)->value_name("GB"),
+  add("maximum-memory", po::value(&o.space.maximum_gigabytes)->value_name("GB"),
       "refuse what would take more memory, before any work; by default that of the machine");
   add("geometry", po::value(&o.space.geometry)->value_name("KIND")->default_value(o.space.geometry),
       "flat: the surface consists of the triangles; smooth: it is a smooth one through the "
@@ -51,7 +52,7 @@ po::options_description space_options(Common_options& o) {
       po::value(&o.space.crease_angle)->value_name("A")->default_value(o.space.crease_angle),
       "for --geometry smooth: edges at which normals of faces differ by more than A degrees are "
       "creases");
-  add("paper", po::bool_switch(&o.space.paper_space),
+  add("paper", po::bool_switch(&o.space.paper),
       "the space of the paper: only elements that are centered in the 2^D grid, unsplit");
   return description;
 }
@@ -187,11 +188,16 @@ bool parse_arguments(int argc, char* argv[], const Help& help,
                      po::variables_map& given) {
   po::options_description all;
   all.add(visible).add(arguments);
+  for(const auto& option : all.options())
+    this_run().options.insert(option->long_name());
+  std::vector<std::string> words(argv + 1, argv + argc);
+  for(std::string& word : words)
+    if(word == "--join" || word.rfind("--join=", 0) == 0)
+      word.replace(2, 4, "joining-tolerance");
   // no guessing: a mistyped option is an error, not another option
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-  po::store(
-      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-      given);
+  po::store(po::command_line_parser(words).options(all).positional(positional).style(style).run(),
+            given);
   if(given.count("help")) {
     std::cout << "usage: " << help.usage << '\n'
               << help.description << "\nThe value after = is the default.\n"
@@ -238,21 +244,20 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
 
   require(given.count("mesh") == 1, "no mesh is given; --help shows the options");
   require_positive(given, "cube-scale", o.space.cube_scale);
-  require_positive(given, "memory", o.space.maximum_gigabytes);
-  if(given.count("unsplit")) // a program with a space
-    o.space.split_elements = !given["unsplit"].as<bool>();
-  require(given.count("join") == 0 ||
+  require_positive(given, "maximum-memory", o.space.maximum_gigabytes);
+  if(given.count("no-split")) // a program with a space
+    o.space.split = !given["no-split"].as<bool>();
+  require(given.count("joining-tolerance") == 0 ||
               (o.space.joining_tolerance >= 0 && std::isfinite(o.space.joining_tolerance)),
-          "the argument of --join must be a number that is not negative");
+          "the argument of --joining-tolerance must be a number that is not negative");
   require(o.space.geometry == "flat" || o.space.geometry == "smooth",
           "the argument of --geometry must be flat or smooth");
   require(o.vertex_data == "linear" || o.vertex_data == "smooth",
           "the argument of --vertex-data must be linear or smooth");
   require_effect(given, {"crease-angle"}, o.space.geometry == "smooth" || o.vertex_data == "smooth",
                  "--geometry smooth or --vertex-data smooth");
-  require_effect(given, {"join"},
-                 given.count("paper") == 0 || (o.space.split_elements && !o.space.paper_space),
-                 "split elements");
+  require_effect(given, {"joining-tolerance"},
+                 given.count("paper") == 0 || (o.space.split && !o.space.paper), "split elements");
   require(!o.quiet || !(o.verbose || o.progress), "--quiet excludes --verbose and --progress");
   if(given.count("assembly"))
     check_integration_options(o, given);

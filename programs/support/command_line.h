@@ -25,11 +25,11 @@ constexpr unsigned int help_width = 92;
 
 // Of the spline space, see make_space().
 struct Space_options {
-  std::optional<int> octree_depth; // that of the surface, see RL::default_octree_depth()
-  double cube_scale = 0;           // the default
-  double joining_tolerance = -1;   // not joined
-  double maximum_gigabytes = 0;    // those of the machine
-  bool paper_space = false, split_elements = true, split_point_set = false;
+  std::optional<int> depth;      // that of the surface, see RL::default_depth()
+  double cube_scale = 0;         // the default
+  double joining_tolerance = -1; // not joined
+  double maximum_gigabytes = 0;  // those of the machine
+  bool paper = false, split = true, split_point_set = false;
   std::string geometry = "flat";
   double crease_angle = 40;
 };
@@ -109,8 +109,8 @@ MESH is a file of one of the formats off, obj, ply, stl, vtk (legacy PolyData) a
 surface is taken as it is in the file: nothing is merged, cut or turned. It continues across
 an edge from each of its faces to each other one, any number of them, whatever their
 orientation. Vertices at the same place remain different vertices, and the edges between
-them different edges, unless --join is given. Faces that are not triangles are triangulated,
-and faces without area are left out of all integrals.
+them different edges, unless --joining-tolerance is given. Faces that are not triangles are
+triangulated, and faces without area are left out of all integrals.
 )";
 
 // Reads a command line. Arguments without a name fill the options of `arguments`, which --help does

@@ -14,7 +14,7 @@ namespace internal {
 
 RL::Mesh_file read_file(const std::string& file, const Callback& callback) {
   check_input(file);
-  RL::Mesh_file mesh = RL::read_mesh_file(file, RL::parameters::callback(callback));
+  RL::Mesh_file mesh = RL::read_mesh_file(file, RL::parameters::progress(callback));
   if(this_run().is_quiet)
     return mesh;
   for(const std::string& warning : mesh.warnings)

@@ -21,7 +21,7 @@ po::options_description point_options(Point_options& p, Common_options& o) {
   auto add = options.add_options();
   add("neighbors", po::value(&p.neighbors)->value_name("K")->default_value(p.neighbors),
       "number of neighbors of a point from which the area that it stands for is estimated");
-  add("split-points", po::bool_switch(&o.space.split_point_set),
+  add("split", po::bool_switch(&o.space.split_point_set),
       "split elements by components of points that are linked by distance and normals");
   return options;
 }
@@ -34,7 +34,7 @@ Mesh_input read_mesh_or_points(const std::string& file, int neighbors, const Cal
   const std::vector<RL::Vector_3> normals = internal::normals_of(RL::read_vertex_properties(file));
   require(!normals.empty(), "'" + file + "' has neither faces nor normals");
   const auto np = RL::parameters::normal_map(CGAL::make_property_map(normals))
-                      .number_of_neighbors(neighbors)
+                      .neighbors(neighbors)
                       .concurrency_tag(CGAL::Parallel_if_available_tag());
   try {
     return {RL::read_point_set(mesh.points, np), false};
@@ -50,7 +50,7 @@ Mesh_input read_mesh_or_points(const Common_options& o, const Point_options& p,
   Mesh_input input = read_mesh_or_points(o.mesh, p.neighbors, callback);
   if(!input.surface.is_point_set())
     require(given["neighbors"].defaulted() && !o.space.split_point_set,
-            "--neighbors and --split-points need a set of points");
+            "--neighbors and --split need a set of points");
   return input;
 }
 

@@ -28,9 +28,9 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <memory>
 #include <new>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -57,11 +57,12 @@ inline void require(bool condition, const std::string& message) {
 }
 
 // What the options say of a run: whether it prints errors only; which files it writes, each with
-// the option that names it; and whether one that is read may be among them, by an option that the
-// program has.
+// the option that names it; whether one that is read may be among them, by an option that the
+// program has; and all options.
 struct Run {
   bool is_quiet = false, has_overwrite = false, may_overwrite_input = false;
   std::vector<std::pair<std::string, std::string>> outputs;
+  std::set<std::string> options; // names of those that the program has
 };
 inline Run& this_run() {
   static Run run;
@@ -85,30 +86,15 @@ inline void print_error(const std::string& program, std::string message) {
   std::cerr << program << ": " << message << std::endl;
 }
 
-// What an error in a parameter of the library says to users of a program: they know its option.
+// What an error in a parameter of the library says to users of a program: they know an option of
+// the same name.
 inline std::string message_of(const RL::Parameter_error& e) {
-  static const std::map<std::string, std::string> options = {
-      {"alpha", "alpha"},
-      {"crease_angle", "crease-angle"},
-      {"cube_scale", "cube-scale"},
-      {"eigensolver", "eigensolver"},
-      {"energy_tolerance", "energy-tolerance"},
-      {"joining_tolerance", "join"},
-      {"k", "count"},
-      {"maximum_distance", "maximum-distance"},
-      {"maximum_memory", "memory"},
-      {"normal_stabilization", "stabilization"},
-      {"number_of_neighbors", "neighbors"},
-      {"number_of_samples", "samples"},
-      {"octree_depth", "depth"},
-      {"refinement_steps", "refinements"},
-      {"relative_tolerance", "tolerance"},
-      {"screening_weight", "alpha"},
-      {"smoothing_weight", "smoothing"}};
-  const auto option = options.find(e.parameter());
+  std::string option = e.parameter();
+  std::replace(option.begin(), option.end(), '_', '-');
   const std::string message = e.what();
-  return option == options.end() ? message
-                                 : "--" + option->second + message.substr(e.parameter().size());
+  return this_run().options.count(option) == 0
+             ? message
+             : "--" + option + message.substr(e.parameter().size());
 }
 
 // Lets the heap grow in large steps, and keep what it has. By default the C library of Linux gives

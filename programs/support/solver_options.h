@@ -58,9 +58,9 @@ inline std::optional<double> given_number(double x) {
 
 // the named parameters that they stand for
 inline auto solver_parameters(const Solver_options& o) {
-  return RL::parameters::relative_tolerance(o.tolerance)
+  return RL::parameters::tolerance(o.tolerance)
       .energy_tolerance(given_number(o.energy_tolerance))
-      .normal_stabilization(given_number(o.stabilization))
+      .stabilization(given_number(o.stabilization))
       .concurrency_tag(CGAL::Parallel_if_available_tag());
 }
 

@@ -60,14 +60,13 @@ inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
   if(o.space.maximum_gigabytes > 0)
     maximum_memory = 1e9 * o.space.maximum_gigabytes;
   const RL::Spline_space_3 space(
-      surface,
-      RL::parameters::octree_depth(o.space.octree_depth)
-          .cube_scale(cube_scale)
-          .joining_tolerance(joining_tolerance)
-          .maximum_memory(maximum_memory)
-          .paper_space(o.space.paper_space)
-          .split_elements(surface.is_point_set() ? o.space.split_point_set : o.space.split_elements)
-          .concurrency_tag(CGAL::Parallel_if_available_tag()));
+      surface, RL::parameters::depth(o.space.depth)
+                   .cube_scale(cube_scale)
+                   .joining_tolerance(joining_tolerance)
+                   .maximum_memory(maximum_memory)
+                   .paper(o.space.paper)
+                   .split(surface.is_point_set() ? o.space.split_point_set : o.space.split)
+                   .concurrency_tag(CGAL::Parallel_if_available_tag()));
   if(o.assembly != "monte-carlo")
     return space;
   return space.integrated_by(RL::Monte_carlo(
@@ -86,7 +85,7 @@ inline void add_space(Summary& summary, const RL::Spline_space_3& space,
                           ", they remain flat");
   summary.add_detail("cells", octree.number_of_cells(space.depth()));
   summary.add_detail("sheets", octree.number_of_sheets(space.depth()));
-  summary.add_detail("split_elements", space.number_of_split_elements(space.depth()));
+  summary.add_detail("split", space.number_of_split_elements(space.depth()));
   // the whole surface is in the one cell of level 0
   if(!space.is_split())
     return;

@@ -78,10 +78,10 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
                                                           : RL::Eigensolver::automatic;
   options.eigenvalues_only = eigenvalues_only;
   if(o.stabilization >= 0)
-    options.normal_stabilization = o.stabilization;
+    options.stabilization = o.stabilization;
   if(o.tolerance > 0)
-    options.multigrid.relative_tolerance = o.tolerance;
-  options.multigrid.callback = job.step("computing eigenvalues of", space);
+    options.multigrid.tolerance = o.tolerance;
+  options.multigrid.progress = job.step("computing eigenvalues of", space);
   const RL::Laplace_spectrum spectrum = RL::laplace_eigenpairs(space, count, options);
   job.summary.add_detail("assembly_seconds", spectrum.report.assembly_seconds);
   job.summary.add_detail("solve_seconds", spectrum.report.solve_seconds);

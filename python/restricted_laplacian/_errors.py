@@ -8,24 +8,6 @@ from __future__ import annotations
 from typing import Any, Optional
 
 # what the parameters of the C++ library are called here
-ARGUMENTS = {
-    "alpha": "alpha",
-    "cube_scale": "cube_scale",
-    "crease_angle": "crease_angle",
-    "energy_tolerance": "energy_tolerance",
-    "joining_tolerance": "joining_tolerance",
-    "k": "k",
-    "maximum_memory": "maximum_memory",
-    "normal_stabilization": "stabilization",
-    "number_of_iterations": "max_iterations",
-    "number_of_neighbors": "neighbors",
-    "octree_depth": "depth",
-    "refinement_steps": "refinements",
-    "relative_tolerance": "tolerance",
-    "screening_weight": "weight",
-    "smoothing_weight": "smoothing",
-    "vertex_normal_map": "vertex_normals",
-}
 
 
 class InputError(ValueError):
@@ -67,11 +49,9 @@ def make_error(kind: str, message: str, name: str, value: Any) -> Exception:
     """An exception for one of the C++ library: its class, message, and what it names."""
     if kind == "Canceled":
         return Canceled(message)
-    if name == "argument" and value in ARGUMENTS:
-        argument = ARGUMENTS[value]
-        if message.startswith(value):
-            message = argument + message[len(value):]
-        value = argument
+    if value == "vertex_normal_map":
+        value = "vertex_normals"
+        message = message.replace("vertex_normal_map", value, 1)
     error = InputError(message)
     if name:
         setattr(error, name, value)

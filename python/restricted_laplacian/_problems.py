@@ -94,7 +94,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
                   boundary_flux: Any = None, constraints: Any = None,
                   constraint_weight: Optional[float] = None, tolerance: Optional[float] = None,
                   energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
-                  cycle: str = "v", smoother: str = "patch", max_iterations: Optional[int] = None,
+                  cycle: str = "v", smoother: str = "patch", maximum_iterations: Optional[int] = None,
                   normals: Any = None, depth: Optional[int] = None,
                   joining_tolerance: Optional[float] = None, geometry: Any = None,
                   vertex_data: Optional[str] = None, threads: Optional[int] = None,
@@ -129,7 +129,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
         what is missed. By default they are met exactly.
     tolerance : float, optional
         Residual over right-hand side: 1e-3, or 1e-8 with prescribed values.
-    energy_tolerance, stabilization, cycle, smoother, max_iterations : as for PoissonSolver
+    energy_tolerance, stabilization, cycle, smoother, maximum_iterations : as for PoissonSolver
         When the iteration ends, and what it is.
     threads : int, optional
         All processors by default. Results do not depend on it.
@@ -171,7 +171,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
     True
     """
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
-                             max_iterations)
+                             maximum_iterations)
     return _solve(V, F, f, 0, boundary_values, boundary_flux, constraints, constraint_weight,
                   options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
@@ -186,7 +186,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
                            tolerance: Optional[float] = None,
                            energy_tolerance: Optional[float] = None,
                            stabilization: Optional[float] = None, cycle: str = "v",
-                           smoother: str = "patch", max_iterations: Optional[int] = None,
+                           smoother: str = "patch", maximum_iterations: Optional[int] = None,
                            normals: Any = None, depth: Optional[int] = None,
                            joining_tolerance: Optional[float] = None, geometry: Any = None,
                            vertex_data: Optional[str] = None, threads: Optional[int] = None,
@@ -205,7 +205,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
         A positive number in units of 1 / area; or weights that are not negative, given as f is.
     boundary_values, boundary_flux, constraints, constraint_weight : as for solve_poisson
         What is prescribed.
-    tolerance, energy_tolerance, stabilization, cycle, smoother, max_iterations : as for PoissonSolver
+    tolerance, energy_tolerance, stabilization, cycle, smoother, maximum_iterations : as for PoissonSolver
         When the iteration ends, and what it is.
     threads, progress, check, return_report, as_spline : as for solve_poisson
         How the work is done, and what is returned.
@@ -239,7 +239,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
     if np.ndim(alpha) == 0 and not callable(alpha) and not float(alpha) > 0:
         raise argument_error("alpha", f"must be positive, and is {alpha}")
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
-                             max_iterations)
+                             maximum_iterations)
     return _solve(V, F, f, alpha, boundary_values, boundary_flux, constraints, constraint_weight,
                   options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
@@ -250,7 +250,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
 @takes_surface
 def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, refinements: int = 0,
                  tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
-                 stabilization: Optional[float] = None, max_iterations: Optional[int] = None,
+                 stabilization: Optional[float] = None, maximum_iterations: Optional[int] = None,
                  normals: Any = None, depth: Optional[int] = None,
                  joining_tolerance: Optional[float] = None, geometry: Any = None,
                  vertex_data: Optional[str] = None, threads: Optional[int] = None,
@@ -269,7 +269,7 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
         Weight of the squared gradient, in units of squared length.
     refinements : int, default 0
         How often what the fit leaves is fitted and added.
-    tolerance, energy_tolerance, stabilization, max_iterations : as for PoissonSolver
+    tolerance, energy_tolerance, stabilization, maximum_iterations : as for PoissonSolver
         When the iteration ends, and how much is stabilized; by default what does not show.
     threads, progress, check, return_report, as_spline : as for solve_poisson
         How the work is done, and what is returned. The report has ``root_mean_square_errors``.
@@ -303,7 +303,7 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
                      vertex_data=vertex_data)
     own = space._function(f, "f")
     options = solver_options(tolerance, energy_tolerance, stabilization,
-                             max_iterations=max_iterations, smoothing=smoothing,
+                             maximum_iterations=maximum_iterations, smoothing=smoothing,
                              refinements=refinements)
     x, report = _core.fit_function(space._space, own, options, number_of_threads(threads),
                                    listener(progress))
@@ -342,7 +342,7 @@ class Curvature(NamedTuple):
 def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Optional[float] = None,
               refinements: Optional[int] = None, tolerance: Optional[float] = None,
               energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
-              max_iterations: Optional[int] = None, normals: Any = None,
+              maximum_iterations: Optional[int] = None, normals: Any = None,
               depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
               geometry: Any = None, threads: Optional[int] = None, progress: Progress = None,
               check: bool = True, return_report: bool = False) -> Any:
@@ -361,7 +361,7 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
         squared width of a cell, and 0 on surfaces with a boundary and on points.
     refinements : int, optional
         How often what the smoothed fit leaves is fitted and added; by default once.
-    tolerance, energy_tolerance, stabilization, max_iterations : as for PoissonSolver
+    tolerance, energy_tolerance, stabilization, maximum_iterations : as for PoissonSolver
         Of the fit.
     threads, progress, check, return_report : as for solve_poisson
         How the work is done, and what is returned.
@@ -396,7 +396,7 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
     space = space_of(V, F, threads, normals=normals, depth=depth,
                      joining_tolerance=joining_tolerance, geometry=geometry)
     options = solver_options(tolerance, energy_tolerance, stabilization,
-                             max_iterations=max_iterations, smoothing=smoothing,
+                             maximum_iterations=maximum_iterations, smoothing=smoothing,
                              refinements=refinements)
     table, report = _core.curvature(space._space, method, options, number_of_threads(threads),
                                     listener(progress))
@@ -406,10 +406,10 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
 
 
 @takes_surface
-def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = None, weight: Any = None,
+def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = None, alpha: Any = None,
                        mean: Any = None, details: bool = False, tolerance: Optional[float] = None,
                        energy_tolerance: Optional[float] = None,
-                       stabilization: Optional[float] = None, max_iterations: Optional[int] = None,
+                       stabilization: Optional[float] = None, maximum_iterations: Optional[int] = None,
                        normals: Any = None, depth: Optional[int] = None,
                        joining_tolerance: Optional[float] = None, geometry: Any = None,
                        vertex_data: Optional[str] = None, threads: Optional[int] = None,
@@ -427,13 +427,13 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
         for K fields; or a callable on points. Only the part along the surface counts.
     target : array_like or callable, optional
         Values to which the result is drawn, (n,) or (n, K).
-    weight : float, array_like or callable, optional
+    alpha : float, array_like or callable, optional
         How strongly, in units of 1 / area.
     mean : float or array_like, optional
         Of the result, 0 by default; for K fields (K,).
     details : bool, default False
         Whether to correct the values at the vertices by what splines do not resolve.
-    tolerance, energy_tolerance, stabilization, max_iterations : as for PoissonSolver
+    tolerance, energy_tolerance, stabilization, maximum_iterations : as for PoissonSolver
         When the iteration ends, and what it is; the tolerance is 1e-5 by default.
     threads, progress, check, return_report : as for solve_poisson
         How the work is done, and what is returned. The report has ``root_mean_square_residuals``.
@@ -468,15 +468,15 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
     field = space._function(v, "v", True)
     own_target = None if target is None else space._function(target, "target")
     number, function = None, None
-    if weight is not None and np.ndim(weight) == 0 and not callable(weight):
-        number = float(weight)
-    elif weight is not None:
-        function = space._function(weight, "weight")
+    if alpha is not None and np.ndim(alpha) == 0 and not callable(alpha):
+        number = float(alpha)
+    elif alpha is not None:
+        function = space._function(alpha, "alpha")
     means = None
     if mean is not None:
         means = np.atleast_1d(numbers(mean, "mean", np.float64)).ravel()
     options = solver_options(tolerance, energy_tolerance, stabilization,
-                             max_iterations=max_iterations)
+                             maximum_iterations=maximum_iterations)
     values, _, report = _core.integrate_gradient(
         space._space, field, own_target, number, function, means, bool(details), options,
         number_of_threads(threads), listener(progress))

@@ -664,7 +664,7 @@ class PoissonSolver:
         Of multigrid.
     smoother : {"patch", "point"}
         Of multigrid: small systems of splines near each other, or one spline after the other.
-    max_iterations : int, optional
+    maximum_iterations : int, optional
         Of conjugate gradients, 1000 by default.
     progress : bool or callable, optional
         See `solve_poisson`.
@@ -683,16 +683,16 @@ class PoissonSolver:
 
     def __init__(self, space: Space, alpha: float = 0, *, tolerance: Optional[float] = None,
                  energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
-                 cycle: str = "v", smoother: str = "patch", max_iterations: Optional[int] = None,
+                 cycle: str = "v", smoother: str = "patch", maximum_iterations: Optional[int] = None,
                  progress: Progress = None) -> None:
         self.space, self.alpha = space, float(alpha)
         self._options = dict(tolerance=tolerance, energy_tolerance=energy_tolerance,
                              stabilization=stabilization, cycle=cycle, smoother=smoother,
-                             max_iterations=max_iterations)
+                             maximum_iterations=maximum_iterations)
         self._solver = _core.make_solver(
             space._space, float(alpha),
             solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
-                           max_iterations),
+                           maximum_iterations),
             space._threads, listener(progress))
 
     def __reduce__(self) -> tuple:
@@ -737,7 +737,7 @@ class PoissonSolver:
 
 
 def solver_options(tolerance: Any, energy_tolerance: Any, stabilization: Any, cycle: str = "v",
-                   smoother: str = "patch", max_iterations: Optional[int] = None,
+                   smoother: str = "patch", maximum_iterations: Optional[int] = None,
                    **more: Any) -> dict:
     """Options of the C++ library."""
     for name, value, choices in (("cycle", cycle, ("v", "w")),
@@ -745,7 +745,7 @@ def solver_options(tolerance: Any, energy_tolerance: Any, stabilization: Any, cy
         if value not in choices:
             raise argument_error(name, f"must be one of {choices}, and is {value!r}")
     options = dict(tolerance=tolerance, energy_tolerance=energy_tolerance,
-                   stabilization=stabilization, max_iterations=max_iterations, **more)
+                   stabilization=stabilization, maximum_iterations=maximum_iterations, **more)
     for name, value in options.items():
         if value is not None and name != "gradients":
             try:

@@ -79,21 +79,21 @@ class Spectrum(Viewable):
 
 
 @takes_surface
-def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto",
+def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto",
                      eigenvalues_only: bool = False, orthonormal: str = "surface", tolerance: Optional[float] = None,
-                     max_iterations: Optional[int] = None,
+                     maximum_iterations: Optional[int] = None,
                      stabilization: Optional[float] = None, normals: Any = None,
                      depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
                      geometry: Any = None, threads: Optional[int] = None, progress: Progress = None,
                      check: bool = True, return_report: bool = False) -> Any:
-    """The k smallest eigenvalues of minus the Laplacian, and eigenfunctions.
+    """The smallest eigenvalues of minus the Laplacian, and eigenfunctions.
 
     Parameters
     ----------
     V, F, normals, depth, joining_tolerance, geometry : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
-    k : int, default 50
+    count : int, default 50
         Number of eigenvalues, with multiplicities and zeros.
     eigensolver : {"auto", "multigrid", "shift-invert"}
         The faster one by default; if multigrid stalls, a factorization (shift-invert) where memory
@@ -109,7 +109,7 @@ def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "
     tolerance : float, optional
         Residual, 1e-3 by default, or 2.5e-3 with `eigenvalues_only`; errors of eigenvalues are
         about its square.
-    max_iterations : int, optional
+    maximum_iterations : int, optional
         Of multigrid, on each level; 100 by default.
     stabilization : float, optional
         1e-5 by default.
@@ -143,22 +143,22 @@ def laplace_spectrum(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "
     if eigensolver not in ("auto", "multigrid", "shift-invert"):
         raise argument_error("eigensolver", f"must be auto, multigrid or shift-invert, and is "
                              f"{eigensolver!r}")
-    if isinstance(k, bool) or not isinstance(k, (int, np.integer)):
-        raise argument_error("k", f"must be a whole number, and is {k!r}")
+    if isinstance(count, bool) or not isinstance(count, (int, np.integer)):
+        raise argument_error("count", f"must be a whole number, and is {count!r}")
     if orthonormal not in ("surface", "vertices"):
         raise argument_error("orthonormal", f"must be surface or vertices, and is {orthonormal!r}")
     space = space_of(V, F, threads, normals=normals, depth=depth,
                      joining_tolerance=joining_tolerance, geometry=geometry)
     values, at_vertices, vectors, area, report = _core.eigenpairs(
-        space._space, int(k), eigensolver, True, bool(eigenvalues_only),
-        solver_options(tolerance, None, stabilization, max_iterations=max_iterations),
+        space._space, int(count), eigensolver, True, bool(eigenvalues_only),
+        solver_options(tolerance, None, stabilization, maximum_iterations=maximum_iterations),
         number_of_threads(threads), listener(progress))
     if orthonormal == "vertices" and not eigenvalues_only:
         at_vertices, vectors = _orthonormal_at_vertices(space, at_vertices, vectors)
     spectrum = Spectrum(values, at_vertices, vectors, area, space, Report(report))
     advice = {"multigrid": '; eigensolver="shift-invert" may find all of them, or a larger '
-                           "tolerance or max_iterations",
-              "shift-invert": "; a smaller k, or another depth, may help"}
+                           "tolerance or maximum_iterations",
+              "shift-invert": "; a smaller count, or another depth, may help"}
     return checked(spectrum, report, check, return_report, advice[report["eigensolver"]])
 
 
@@ -182,22 +182,22 @@ def _orthonormal_at_vertices(space: Space, functions: np.ndarray, coefficients: 
 
 
 @takes_surface
-def eigs(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto", orthonormal: str = "surface",
-         tolerance: Optional[float] = None, max_iterations: Optional[int] = None,
+def eigs(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto", orthonormal: str = "surface",
+         tolerance: Optional[float] = None, maximum_iterations: Optional[int] = None,
          stabilization: Optional[float] = None, normals: Any = None, depth: Optional[int] = None,
          joining_tolerance: Optional[float] = None, geometry: Any = None,
          threads: Optional[int] = None, progress: Progress = None,
          check: bool = True, return_report: bool = False) -> Any:
-    """The k smallest eigenvalues of minus the Laplacian, and eigenfunctions at the vertices.
+    """The smallest eigenvalues of minus the Laplacian, and eigenfunctions at the vertices.
 
     Parameters
     ----------
     V, F, normals, depth, joining_tolerance, geometry : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
-    k : int, default 50
+    count : int, default 50
         Number of eigenvalues, with multiplicities and zeros.
-    eigensolver, orthonormal, tolerance, max_iterations, stabilization : as for laplace_spectrum
+    eigensolver, orthonormal, tolerance, maximum_iterations, stabilization : as for laplace_spectrum
         How they are computed.
     threads, progress, check, return_report : as for solve_poisson
         How the work is done, and what is returned.
@@ -227,8 +227,8 @@ def eigs(V: Any, F: Any = None, k: int = 50, *, eigensolver: str = "auto", ortho
     >>> l.round(1) + 0.
     array([0., 2., 2., 2., 6., 6., 6., 6., 6.])
     """
-    s = laplace_spectrum(V, F, k, eigensolver=eigensolver, orthonormal=orthonormal, tolerance=tolerance,
-                         max_iterations=max_iterations, stabilization=stabilization, normals=normals,
+    s = laplace_spectrum(V, F, count, eigensolver=eigensolver, orthonormal=orthonormal, tolerance=tolerance,
+                         maximum_iterations=maximum_iterations, stabilization=stabilization, normals=normals,
                          depth=depth, joining_tolerance=joining_tolerance, geometry=geometry,
                          threads=threads, progress=progress, check=check)
     pairs = s.eigenvalues, s.vertex_values

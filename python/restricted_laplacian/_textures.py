@@ -124,7 +124,7 @@ def stitch_colors(V: Any, F: Any = None, scans: Sequence[Scan] = (), *, alpha: O
     options = solver_options(
         tolerance, None, stabilization, alpha=alpha, gradients=gradients,
         maximum_distance=maximum_distance,
-        minimum_normal_cosine=math.cos(math.radians(normal_angle)), oriented=oriented,
+        normal_angle=normal_angle, oriented=oriented,
         match_exposures=match_exposures, linear_light=linear_light, details=details)
     colors, chosen, report = _core.stitch_colors(
         space._space, [scan._scan for scan in scans], options, number_of_threads(threads),

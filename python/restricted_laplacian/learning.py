@@ -9,7 +9,7 @@ and gradient operators in tangent frames.
 >>> import restricted_laplacian as rl
 >>> from restricted_laplacian import learning
 >>> V, F = rl.icosphere(3)
->>> o = learning.precompute(V, F, k=16, depth=4)
+>>> o = learning.precompute(V, F, count=16, depth=4)
 >>> o.eigenvectors.shape, o.gradient_x.shape
 ((642, 16), (642, 642))
 """
@@ -202,7 +202,7 @@ def _neighbors(space: Space, points: np.ndarray) -> np.ndarray:
 
 
 @takes_surface
-def precompute(V: Any, F: Any = None, k: int = 128, *, normals: Any = None,
+def precompute(V: Any, F: Any = None, count: int = 128, *, normals: Any = None,
                depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
                threads: Optional[int] = None, progress: Progress = None, check: bool = True
                ) -> SurfaceOperators:
@@ -213,7 +213,7 @@ def precompute(V: Any, F: Any = None, k: int = 128, *, normals: Any = None,
     V, F, normals, depth, joining_tolerance : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
-    k : int, default 128
+    count : int, default 128
         Number of eigenpairs.
     threads, progress, check : as for solve_poisson
         How the work is done.
@@ -236,13 +236,13 @@ def precompute(V: Any, F: Any = None, k: int = 128, *, normals: Any = None,
     --------
     >>> import restricted_laplacian as rl
     >>> from restricted_laplacian import learning
-    >>> learning.precompute(rl.icosphere(3), k=16, depth=4).vertex_areas.shape
+    >>> learning.precompute(rl.icosphere(3), count=16, depth=4).vertex_areas.shape
     (642,)
     """
     space = V if isinstance(V, Space) else Space(V, F, normals=normals, depth=depth,
                                                  joining_tolerance=joining_tolerance,
                                                  threads=threads)
-    spectrum = laplace_spectrum(space, None, k, threads=threads, progress=progress, check=check)
+    spectrum = laplace_spectrum(space, None, count, threads=threads, progress=progress, check=check)
     surface = space._surface
     points = surface.points()
     frames = tangent_frames(surface.vertex_normals())
@@ -251,18 +251,18 @@ def precompute(V: Any, F: Any = None, k: int = 128, *, normals: Any = None,
                             surface.vertex_areas(), frames, x, y)
 
 
-def _key(file: pathlib.Path, k: int, depth: Optional[int], joining_tolerance: Optional[float]
+def _key(file: pathlib.Path, count: int, depth: Optional[int], joining_tolerance: Optional[float]
          ) -> str:
     h = hashlib.sha256(file.read_bytes())
-    h.update(repr((k, depth, joining_tolerance, __version__)).encode())
+    h.update(repr((count, depth, joining_tolerance, __version__)).encode())
     return h.hexdigest()[:32]
 
 
-def _precompute_file(file: pathlib.Path, cached: pathlib.Path, k: int, depth: Optional[int],
+def _precompute_file(file: pathlib.Path, cached: pathlib.Path, count: int, depth: Optional[int],
                      joining_tolerance: Optional[float]) -> Optional[str]:
     """What went wrong, if something did."""
     try:
-        result = precompute(*read_mesh(file), k, depth=depth, joining_tolerance=joining_tolerance,
+        result = precompute(*read_mesh(file), count, depth=depth, joining_tolerance=joining_tolerance,
                             threads=1)
     except Exception as e:  # all that one mesh can do must not end the others
         return f"{type(e).__name__}: {e}"
@@ -334,7 +334,7 @@ class Precomputed:
 
 
 def precompute_folder(folder: Union[str, "os.PathLike[str]"],
-                      cache: Union[str, "os.PathLike[str]"], k: int = 128, *,
+                      cache: Union[str, "os.PathLike[str]"], count: int = 128, *,
                       patterns: Sequence[str] = ("*.off", "*.obj", "*.ply", "*.stl"),
                       depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
                       processes: Optional[int] = None,
@@ -351,7 +351,7 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
         Of the meshes, and folders in it.
     cache : str or os.PathLike
         Folder for the results; made if it is not there.
-    k, depth, joining_tolerance : as for precompute
+    count, depth, joining_tolerance : as for precompute
         Of all meshes.
     patterns : sequence of str
         Names of files; off, obj, ply and stl by default.
@@ -377,7 +377,7 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
     --------
     >>> from restricted_laplacian import learning
     >>> if __name__ == "__main__":
-    ...     shapes = learning.precompute_folder("meshes", "cache", k=128)  # doctest: +SKIP
+    ...     shapes = learning.precompute_folder("meshes", "cache", count=128)  # doctest: +SKIP
     """
     if getattr(multiprocessing.current_process(), "_inheriting", False):
         # a process of an earlier call, which reads the script; that call says what is wrong
@@ -391,12 +391,12 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
     result = Precomputed({}, {})
     jobs: list[_Job] = []
     for mesh in meshes:
-        cached = own_cache / (_key(mesh, k, depth, joining_tolerance) + ".npz")
+        cached = own_cache / (_key(mesh, count, depth, joining_tolerance) + ".npz")
         if cached.exists():
             result.files[mesh] = cached
         else:
             jobs.append((mesh, cached))
-    options = (k, depth, joining_tolerance)
+    options = (count, depth, joining_tolerance)
 
     def take(job: _Job, failure: Optional[str]) -> None:
         if failure is None:

@@ -80,7 +80,7 @@ struct Query {
     options.maximum_memory = maximum_memory;
     options.is_parallel = threads != 1;
     return python::run(threads, progress, [&](const std::function<bool(double)>& callback) {
-      options.callback = callback;
+      options.progress = callback;
       return work(options);
     });
   }

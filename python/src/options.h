@@ -40,9 +40,9 @@ inline std::string text_of(const nb::dict& options, const char* name, const std:
 
 inline RL::Poisson_solver_options solver_options(const nb::dict& options, int threads) {
   RL::Poisson_solver_options o;
-  o.relative_tolerance = number_of(options, "tolerance");
+  o.tolerance = number_of(options, "tolerance");
   o.energy_tolerance = number_of(options, "energy_tolerance").value_or(0);
-  if(const auto limit = whole_number_of(options, "max_iterations"))
+  if(const auto limit = whole_number_of(options, "maximum_iterations"))
     o.maximum_iterations = *limit;
   o.cycle = text_of(options, "cycle", "v") == "w" ? RL::Cycle::W : RL::Cycle::V;
   o.smoother = text_of(options, "smoother", "patch") == "point" ? RL::Smoother_type::point

@@ -57,7 +57,7 @@ nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
   if(boundary_flux)
     problem.boundary_flux = *boundary_flux;
   problem.solver = solver_options(options, threads);
-  problem.normal_stabilization = number_of(options, "stabilization");
+  problem.stabilization = number_of(options, "stabilization");
   if(constrained) {
     // of each: vertex, value
     problem.vertex_values.assign(surface.number_of_vertices(),
@@ -78,7 +78,7 @@ nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
     problem.vertex_weight = constraint_weight;
   }
   RL::Poisson_solution solution = run(threads, progress, [&](const auto& callback) {
-    problem.callback = callback;
+    problem.progress = callback;
     return RL::solve_poisson_problem(recorded(space, {&f, alpha_function, boundary_values}),
                                      problem);
   });
@@ -89,7 +89,7 @@ nb::dict fit_report_of(const RL::Fit_report& report) {
   nb::dict result = report_of(report);
   result["root_mean_square_errors"] =
       array_of_rows(std::vector<double>(report.root_mean_square_errors), 1);
-  result["stabilization"] = report.normal_stabilization;
+  result["stabilization"] = report.stabilization;
   return result;
 }
 
@@ -97,9 +97,9 @@ RL::Function_fit_options fit_options(const nb::dict& options, int threads) {
   RL::Function_fit_options o;
   o.solver = solver_options(options, threads);
   o.solver.energy_tolerance = 0; // relative to the solution
-  o.smoothing_weight = number_of(options, "smoothing").value_or(0);
-  o.refinement_steps = whole_number_of(options, "refinements").value_or(0);
-  o.normal_stabilization = number_of(options, "stabilization");
+  o.smoothing = number_of(options, "smoothing").value_or(0);
+  o.refinements = whole_number_of(options, "refinements").value_or(0);
+  o.stabilization = number_of(options, "stabilization");
   o.energy_tolerance = number_of(options, "energy_tolerance");
   return o;
 }
@@ -123,15 +123,15 @@ nb::tuple curvature(const Space& space, const std::string& method, const nb::dic
                                         : RL::Curvature_method::coordinates;
   o.solver = solver_options(options, threads);
   o.solver.energy_tolerance = 0;
-  o.smoothing_weight = number_of(options, "smoothing");
-  o.refinement_steps = whole_number_of(options, "refinements");
-  o.normal_stabilization = number_of(options, "stabilization");
+  o.smoothing = number_of(options, "smoothing");
+  o.refinements = whole_number_of(options, "refinements");
+  o.stabilization = number_of(options, "stabilization");
   o.energy_tolerance = number_of(options, "energy_tolerance");
   RL::Fit_report report;
   // mean, Gaussian, two principal values, two directions, normal
   constexpr std::size_t width = 13;
   std::vector<double> rows = run(threads, progress, [&](const auto& callback) {
-    o.callback = callback;
+    o.progress = callback;
     const RL::Curvature_field field = RL::estimate_curvature(space, o);
     report = field.report();
     std::vector<double> result;
@@ -170,7 +170,7 @@ nb::tuple integrate_gradient(const Space& space, const Function& v, const Functi
   if(mean)
     o.screening.mean =
         Eigen::Map<const Eigen::VectorXd>(mean->data(), static_cast<Eigen::Index>(mean->size()));
-  o.normal_stabilization = number_of(options, "stabilization");
+  o.stabilization = number_of(options, "stabilization");
   o.solver = solver_options(options, threads);
   Eigen::MatrixXd values;
   RL::internal::Gradient_solution solution = run(threads, progress, [&](const auto& callback) {
@@ -196,12 +196,11 @@ nb::tuple integrate_gradient(const Space& space, const Function& v, const Functi
 RL::Poisson_solver make_solver(const Space& space, double alpha, const nb::dict& options,
                                int threads, const nb::object& progress) {
   const RL::Poisson_solver_options o = solver_options(options, threads);
-  const double c =
-      number_of(options, "stabilization").value_or(RL::default_normal_stabilization(space));
+  const double c = number_of(options, "stabilization").value_or(RL::default_stabilization(space));
   return run(threads, progress, [&](const auto& callback) {
     RL::internal::Elliptic_operator elliptic;
     elliptic.reaction = alpha;
-    elliptic.normal_stabilization = c;
+    elliptic.stabilization = c;
     return RL::internal::elliptic_solver(space, elliptic, o, RL::internal::Progress(callback));
   });
 }
@@ -212,7 +211,7 @@ nb::tuple solve(const RL::Poisson_solver& solver, const Rows& b, const std::opti
   const Eigen::MatrixXd loads = matrix_of(b);
   Eigen::MatrixXd x;
   RL::Solve_options o;
-  o.relative_tolerance = tolerance;
+  o.tolerance = tolerance;
   if(guess) {
     x = matrix_of(*guess);
     o.has_first_guess = true;
@@ -220,7 +219,7 @@ nb::tuple solve(const RL::Poisson_solver& solver, const Rows& b, const std::opti
       throw RL::Parameter_error("guess", "has another shape than the right-hand side");
   }
   const RL::Solve_report report = run(threads, progress, [&](const auto& callback) {
-    o.callback = callback;
+    o.progress = callback;
     return solver.solve(loads, x, o);
   });
   return nb::make_tuple(array_of_matrix(std::move(x)), report_of(report));

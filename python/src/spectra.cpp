@@ -31,13 +31,13 @@ nb::tuple eigenpairs(const RL::Spline_space_3& space, int k, const std::string& 
                   : eigensolver == "shift-invert" ? RL::Eigensolver::shift_invert
                                                   : RL::Eigensolver::automatic;
   o.eigenvalues_only = eigenvalues_only;
-  o.normal_stabilization = number_of(options, "stabilization");
+  o.stabilization = number_of(options, "stabilization");
   if(const auto tolerance = number_of(options, "tolerance"))
-    o.multigrid.relative_tolerance = *tolerance;
-  if(const auto limit = whole_number_of(options, "max_iterations"))
+    o.multigrid.tolerance = *tolerance;
+  if(const auto limit = whole_number_of(options, "maximum_iterations"))
     o.multigrid.maximum_iterations = *limit;
   RL::Laplace_spectrum s = run(threads, progress, [&](const auto& callback) {
-    o.multigrid.callback = callback;
+    o.multigrid.progress = callback;
     return with_values ? RL::laplace_spectrum(space, k, o) : RL::laplace_eigenpairs(space, k, o);
   });
   nb::dict report = report_of(s.report);

@@ -146,7 +146,7 @@ Surface surface_of(const std::string& file, RL::Mesh_file& mesh) {
 Surface read_mesh(const std::string& file, const nb::object& progress) {
   std::vector<std::string> warnings;
   Surface surface = run(1, progress, [&](const auto& callback) {
-    RL::Mesh_file mesh = RL::read_mesh_file(file, RL::parameters::callback(callback));
+    RL::Mesh_file mesh = RL::read_mesh_file(file, RL::parameters::progress(callback));
     warnings = std::move(mesh.warnings);
     return surface_of(file, mesh);
   });
@@ -164,7 +164,7 @@ Surface read_mesh_of_bytes(const std::string& file, const nb::bytes& bytes) {
 // names, types and values
 nb::list read_vertex_properties(const std::string& file, const nb::object& progress) {
   std::vector<RL::Vertex_property> properties = run(1, progress, [&](const auto& callback) {
-    return RL::read_vertex_properties(file, RL::parameters::callback(callback));
+    return RL::read_vertex_properties(file, RL::parameters::progress(callback));
   });
   nb::list result;
   for(RL::Vertex_property& p : properties)
@@ -195,13 +195,13 @@ RL::Spline_space_3 make_space(const Surface& surface, std::optional<int> depth,
                               std::optional<double> joining_tolerance, std::optional<bool> split,
                               bool paper, std::optional<double> maximum_memory, int threads) {
   RL::Spline_space_options o;
-  o.octree_depth = depth;
+  o.depth = depth;
   o.cube_scale = cube_scale;
   o.joining_tolerance = joining_tolerance;
-  o.paper_space = paper;
+  o.paper = paper;
   o.maximum_memory = maximum_memory;
   if(split)
-    o.split_elements = o.split_point_set = *split;
+    o.split = o.split_point_set = *split;
   o.is_parallel = threads != 1;
   return run(threads, nb::none(), [&](const auto&) { return RL::Spline_space_3(surface, o); });
 }

@@ -47,17 +47,17 @@ nb::tuple stitch_colors(const RL::Spline_space_3& space,
   RL::Color_stitching_options o;
   if(const auto distance = number_of(options, "maximum_distance"))
     o.back_projection.maximum_distance = *distance;
-  if(const auto cosine = number_of(options, "minimum_normal_cosine"))
-    o.back_projection.minimum_normal_cosine = *cosine;
-  o.back_projection.oriented_surface = number_of(options, "oriented").value_or(1) != 0;
-  o.gradient_source = text_of(options, "gradients", "back-projection") == "scans"
-                          ? RL::Gradient_source::scans
-                          : RL::Gradient_source::back_projection;
+  if(const auto angle = number_of(options, "normal_angle"))
+    o.back_projection.normal_angle = *angle;
+  o.back_projection.oriented = number_of(options, "oriented").value_or(1) != 0;
+  o.gradients = text_of(options, "gradients", "back-projection") == "scans"
+                    ? RL::Gradient_source::scans
+                    : RL::Gradient_source::back_projection;
   o.match_exposures = number_of(options, "match_exposures").value_or(1) != 0;
   o.linear_light = number_of(options, "linear_light").value_or(0) != 0;
-  o.vertex_details = number_of(options, "details").value_or(1) != 0;
-  o.screening_weight = number_of(options, "alpha");
-  o.normal_stabilization = number_of(options, "stabilization");
+  o.details = number_of(options, "details").value_or(1) != 0;
+  o.alpha = number_of(options, "alpha");
+  o.stabilization = number_of(options, "stabilization");
   o.solver = solver_options(options, threads);
   std::vector<std::uint32_t> scans_of_vertices;
   RL::Stitched_colors stitched = run(threads, progress, [&](const auto& callback) {

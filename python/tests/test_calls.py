@@ -88,8 +88,8 @@ def test_meshes_of_other_libraries(mesh, kind):
     other = MESHES[kind](V, F)
     options = {} if kind == "a space" else {"depth": DEPTH}
     expected = rl.eigs(V, F, 5, depth=DEPTH)
-    for found in (rl.eigs(other, 5, **options), rl.eigs(other, k=5, **options),
-                  rl.eigs(other, None, 5, **options), rl.eigs(V=other, k=5, **options)):
+    for found in (rl.eigs(other, 5, **options), rl.eigs(other, count=5, **options),
+                  rl.eigs(other, None, 5, **options), rl.eigs(V=other, count=5, **options)):
         assert all(np.array_equal(a, b) for a, b in zip(found, expected))
     u = rl.solve_poisson(V, F, V[:, 2], depth=DEPTH)
     assert np.array_equal(rl.solve_poisson(other, V[:, 2], **options), u)
@@ -169,7 +169,7 @@ def test_masks_are_vertices(mesh):
         assert e.value.argument == "sources"
 
 
-@pytest.mark.parametrize("name", ["f", "target", "weight", "v"])
+@pytest.mark.parametrize("name", ["f", "target", "alpha", "v"])
 def test_what_is_no_number_is_named_as_the_user_counts(mesh, name):
     V, F = mesh
     space = rl.Space(V, F, depth=DEPTH)
@@ -179,7 +179,7 @@ def test_what_is_no_number_is_named_as_the_user_counts(mesh, name):
             return rl.solve_poisson(space, values)
         if name == "v":
             return rl.integrate_gradient(space, np.stack([values] * 3, axis=1))
-        return rl.integrate_gradient(space, V[F].mean(axis=1), **{"weight": 1.0, name: abs(values)})
+        return rl.integrate_gradient(space, V[F].mean(axis=1), **{"alpha": 1.0, name: abs(values)})
     at_vertices = V[:, 2] + 2
     at_vertices[5] = np.nan
     with pytest.raises(rl.InputError, match=f"{name} is nan at vertex 5") as e:
@@ -334,14 +334,14 @@ def test_eigenfunctions_that_are_orthonormal_at_vertices(mesh, of_points):
 
     def error(u):
         return abs(u.T @ (M @ u) - np.eye(k)).max()
-    plain = rl.laplace_spectrum(**surface, k=k, depth=4)
-    s = rl.laplace_spectrum(**surface, k=k, depth=4, orthonormal="vertices")
+    plain = rl.laplace_spectrum(**surface, count=k, depth=4)
+    s = rl.laplace_spectrum(**surface, count=k, depth=4, orthonormal="vertices")
     assert of_points or error(plain.vertex_values) > 1e-3
     assert error(s.vertex_values) < 1e-12
     assert np.array_equal(s.eigenvalues, plain.eigenvalues)
     assert abs(s.functions().at_vertices() - s.vertex_values).max() < 1e-10
     assert abs(s.vertex_values[:, :9] - plain.vertex_values[:, :9]).max() < 0.05
-    assert same(rl.eigs(**surface, k=k, depth=4, orthonormal="vertices")[1], s.vertex_values)
+    assert same(rl.eigs(**surface, count=k, depth=4, orthonormal="vertices")[1], s.vertex_values)
     with pytest.raises(rl.InputError, match="must be surface or vertices"):
         rl.eigs(V, F, 5, orthonormal="mass")
     with pytest.raises(rl.InputError, match="do not tell"):

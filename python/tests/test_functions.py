@@ -269,10 +269,10 @@ def test_reports_and_convergence(sphere):
     u, report = rl.solve_poisson(V, F, V[:, 2], return_report=True)
     assert report.converged and report.iterations >= 1 and report["status"] == "converged"
     with pytest.raises(rl.ConvergenceError) as e:
-        rl.solve_poisson(V, F, V[:, 2] ** 3, tolerance=1e-13, max_iterations=1)
+        rl.solve_poisson(V, F, V[:, 2] ** 3, tolerance=1e-13, maximum_iterations=1)
     assert isinstance(e.value, RuntimeError)
     assert e.value.report.iterations == 1 and e.value.result.shape == (len(V),)
-    u = rl.solve_poisson(V, F, V[:, 2] ** 3, tolerance=1e-13, max_iterations=1, check=False)
+    u = rl.solve_poisson(V, F, V[:, 2] ** 3, tolerance=1e-13, maximum_iterations=1, check=False)
     assert np.array_equal(u, e.value.result)
 
 
@@ -414,7 +414,7 @@ def test_projections():
 def test_spectra_say_how_they_were_computed():
     V, F = rl.icosphere(5)
     space = rl.Space(V, F, depth=5)
-    assert rl.laplace_spectrum(space, k=9).report.eigensolver == "multigrid"
-    assert rl.laplace_spectrum(rl.Space(V, F, depth=3), k=9).report.eigensolver == "shift-invert"
+    assert rl.laplace_spectrum(space, count=9).report.eigensolver == "multigrid"
+    assert rl.laplace_spectrum(rl.Space(V, F, depth=3), count=9).report.eigensolver == "shift-invert"
     with pytest.raises(rl.ConvergenceError, match='largest number.*eigensolver="shift-invert"'):
-        rl.eigs(space, k=9, max_iterations=1, tolerance=1e-6)
+        rl.eigs(space, count=9, maximum_iterations=1, tolerance=1e-6)

@@ -26,7 +26,7 @@ def write_off(path, V, F):
 
 def test_operators_at_vertices(sphere):
     V, F = sphere
-    o = learning.precompute(V, F, k=9)
+    o = learning.precompute(V, F, count=9)
     assert o.eigenvalues[1:4] == pytest.approx([2, 2, 2], rel=2e-3)
     assert o.vertex_areas.sum() == pytest.approx(rl.Space(V, F).area, rel=1e-12)
     gram = o.eigenvectors.T @ (o.vertex_areas[:, None] * o.eigenvectors)
@@ -44,14 +44,14 @@ def test_operators_at_vertices(sphere):
 
 def test_operators_at_points():
     V, _ = rl.icosphere(4)
-    o = learning.precompute(V, normals=V, k=4, depth=3)
+    o = learning.precompute(V, normals=V, count=4, depth=3)
     found = np.stack([o.gradient_x @ V[:, 2], o.gradient_y @ V[:, 2]], axis=1)
     assert abs(found - o.frames[:, :2, 2]).max() < 0.05
 
 
 def test_vertices_without_faces(sphere):
     V, F = sphere
-    o = learning.precompute(np.vstack([V, [[5, 5, 5]]]), F, k=3)
+    o = learning.precompute(np.vstack([V, [[5, 5, 5]]]), F, count=3)
     assert not o.eigenvectors[-1].any() and not o.frames[-1].any() and o.vertex_areas[-1] == 0
     assert np.isfinite(o.gradient_x.data).all() and not o.gradient_x[[-1]].count_nonzero()
 

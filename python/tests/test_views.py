@@ -189,7 +189,7 @@ def test_results(sphere, tmp_path):
 
 def test_points(sphere):
     V, _ = sphere
-    spectrum = rl.laplace_spectrum(V, normals=V, k=3, depth=4)
+    spectrum = rl.laplace_spectrum(V, normals=V, count=3, depth=4)
     s, = decoded(spectrum.view().html())["surfaces"]
     assert s["faces"] == 0 and abs(s["normals"] - V).max() < 1 / 127
     d = rl.Geodesics(V, normals=V).function(0)

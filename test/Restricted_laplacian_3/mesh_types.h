@@ -82,7 +82,7 @@ std::vector<double> solution(const FaceGraph& tm, const NamedParameters& np) {
 }
 
 template <class FaceGraph> std::vector<double> solution(const FaceGraph& tm) {
-  return solution(tm, params::octree_depth(3).relative_tolerance(1e-6));
+  return solution(tm, params::depth(3).tolerance(1e-6));
 }
 
 /// the solution on a `Surface_mesh` of double precision
@@ -108,7 +108,7 @@ inline double relative_difference(const std::vector<double>& a,
 /// double precision.
 template <class FaceGraph> void check_mesh_type(const FaceGraph& tm) {
   const shapes::Triangles expected = surface();
-  const RL::Spline_space_3 space(tm, params::octree_depth(3));
+  const RL::Spline_space_3 space(tm, params::depth(3));
   const RL::Triangulated_surface_3& read = space.surface();
   REQUIRE(read.number_of_vertices() == expected.points.size());
   REQUIRE(read.number_of_faces() == expected.faces.size());

@@ -37,7 +37,7 @@ double z(const RL::Surface_point& p) { return p.point.z(); }
 
 RL::Spline_space_3 space_at_depth(const shapes::Triangles& t, int depth) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
+  options.depth = depth;
   return RL::Spline_space_3(RL::Triangulated_surface_3(t.points, t.faces), options);
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("coordinates_that_are_not_finite_are_named", "[input]") {
   Mesh mesh = shapes::mesh(shapes::sphere(2));
   const Mesh::Vertex_index lonely = mesh.add_vertex(RL::Point_3(not_a_number, 1e9, 0));
   Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
-  CHECK(RL::solve_poisson(mesh, z, u, params::octree_depth(3)).converged);
+  CHECK(RL::solve_poisson(mesh, z, u, params::depth(3)).converged);
   CHECK(std::isnan(u[lonely]));
   CHECK(std::isfinite(u[Mesh::Vertex_index(0)]));
 }
@@ -117,38 +117,31 @@ TEST_CASE("parameters_outside_their_domain_are_named", "[input]") {
   Mesh mesh = shapes::mesh(shapes::sphere(2));
   Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
   for(int depth : {-1, 0, 21, 1000})
-    CHECK(refused_parameter([&] { RL::Spline_space_3(mesh, params::octree_depth(depth)); }) ==
-          "octree_depth");
+    CHECK(refused_parameter([&] { RL::Spline_space_3(mesh, params::depth(depth)); }) == "depth");
   for(double scale : {0., -1., 0.99, 1e7, not_a_number, infinity})
     CHECK(refused_parameter([&] { RL::Spline_space_3(mesh, params::cube_scale(scale)); }) ==
           "cube_scale");
   // far too many cells: refused at once, before memory is filled
   for(int depth : {16, 20})
-    CHECK(refused_parameter([&] { RL::Spline_space_3(mesh, params::octree_depth(depth)); }) ==
-          "octree_depth");
+    CHECK(refused_parameter([&] { RL::Spline_space_3(mesh, params::depth(depth)); }) == "depth");
   for(double tolerance : {0., -1., 1., not_a_number})
     CHECK(refused_parameter([&] {
-            static_cast<void>(RL::solve_poisson(
-                mesh, z, u, params::octree_depth(2).relative_tolerance(tolerance)));
-          }) == "relative_tolerance");
+            static_cast<void>(RL::solve_poisson(mesh, z, u, params::depth(2).tolerance(tolerance)));
+          }) == "tolerance");
   CHECK(refused_parameter([&] {
-          static_cast<void>(
-              RL::solve_poisson(mesh, z, u, params::octree_depth(2).smoothing_steps(0)));
+          static_cast<void>(RL::solve_poisson(mesh, z, u, params::depth(2).smoothing_steps(0)));
         }) == "smoothing_steps");
   CHECK(refused_parameter([&] {
-          static_cast<void>(
-              RL::solve_poisson(mesh, z, u, params::octree_depth(2).number_of_iterations(-1)));
-        }) == "number_of_iterations");
+          static_cast<void>(RL::solve_poisson(mesh, z, u, params::depth(2).maximum_iterations(-1)));
+        }) == "maximum_iterations");
   for(double alpha : {0., -1., not_a_number, infinity})
     CHECK(refused_parameter([&] {
-            static_cast<void>(
-                RL::solve_screened_poisson(mesh, z, alpha, u, params::octree_depth(2)));
+            static_cast<void>(RL::solve_screened_poisson(mesh, z, alpha, u, params::depth(2)));
           }) == "alpha");
   for(int k : {-1, 0, 5000})
-    CHECK(refused_parameter([&] { RL::laplace_spectrum(mesh, k, params::octree_depth(2)); }) ==
-          "k");
+    CHECK(refused_parameter([&] { RL::laplace_spectrum(mesh, k, params::depth(2)); }) == "count");
 
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
   for(int level : {-1, 4}) {
     CHECK(refused_parameter([&] { RL::assemble_mass_matrix(space, level); }) == "level");
     CHECK(refused_parameter([&] { RL::assemble_load(space, z, level); }) == "level");
@@ -159,7 +152,7 @@ TEST_CASE("parameters_outside_their_domain_are_named", "[input]") {
   CHECK(refused_parameter([&] { RL::prolongation_matrix(space, 3); }) == "level");
   CHECK(refused_parameter([&] { RL::Spline_function_3(space, Eigen::VectorXd::Zero(5)); }) ==
         "coefficients");
-  CHECK(refused_parameter([&] { RL::Monte_carlo(space.octree(), 0, 1); }) == "number_of_samples");
+  CHECK(refused_parameter([&] { RL::Monte_carlo(space.octree(), 0, 1); }) == "samples");
 
   const RL::Spline_function_3 one(space, Eigen::VectorXd::Ones(space.dimension()));
   RL::Surface_location location;
@@ -188,7 +181,7 @@ TEST_CASE("values_that_are_not_finite_are_named", "[input]") {
     return boost::make_iterator_property_map(numbers.begin(),
                                              boost::typed_identity_property_map<std::size_t>());
   };
-  const auto depth = params::octree_depth(2);
+  const auto depth = params::depth(2);
   // the parameter that the user gave, and a face at the culprit
   const auto check = [&](const char* name, const std::function<void()>& solve) {
     INFO(name);
@@ -216,7 +209,7 @@ TEST_CASE("values_that_are_not_finite_are_named", "[input]") {
     check("f", [&] { static_cast<void>(RL::solve_poisson(mesh, f, u, depth.boundary_values(z))); });
     check("f", [&] {
       static_cast<void>(RL::solve_poisson(
-          mesh, f, u, params::octree_depth(2).concurrency_tag(CGAL::Parallel_if_available_tag())));
+          mesh, f, u, params::depth(2).concurrency_tag(CGAL::Parallel_if_available_tag())));
     });
     check("f", [&] { static_cast<void>(RL::solve_screened_poisson(mesh, f, 1., u, depth)); });
     check("f", [&] {
@@ -227,10 +220,9 @@ TEST_CASE("values_that_are_not_finite_are_named", "[input]") {
     check("alpha", [&] { static_cast<void>(RL::solve_screened_poisson(mesh, z, f, u, depth)); });
     check("boundary_values",
           [&] { static_cast<void>(RL::solve_poisson(mesh, z, u, depth.boundary_values(f))); });
-    check("target_values", [&] {
+    check("target", [&] {
       RL::integrate_gradient_field(
-          mesh, [](const RL::Surface_point&) { return RL::Vector_3(1, 0, 0); }, u,
-          depth.target_values(f));
+          mesh, [](const RL::Surface_point&) { return RL::Vector_3(1, 0, 0); }, u, depth.target(f));
     });
     check("v", [&] {
       RL::integrate_gradient_field(
@@ -246,7 +238,7 @@ TEST_CASE("values_that_are_not_finite_are_named", "[input]") {
 }
 
 TEST_CASE("values_are_not_written_to_another_mesh", "[input]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::octree_depth(2));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::depth(2));
   const RL::Spline_function_3 one(space, Eigen::VectorXd::Ones(space.dimension()));
   for(int n : {1, 3}) {
     Mesh other = shapes::mesh(shapes::sphere(n));
@@ -258,8 +250,8 @@ TEST_CASE("values_are_not_written_to_another_mesh", "[input]") {
 TEST_CASE("non_convergence_is_reported", "[input]") {
   Mesh mesh = shapes::mesh(shapes::sphere(3));
   Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
-  const RL::Solve_report report = RL::solve_poisson(
-      mesh, z, u, params::octree_depth(4).relative_tolerance(1e-9).number_of_iterations(1));
+  const RL::Solve_report report =
+      RL::solve_poisson(mesh, z, u, params::depth(4).tolerance(1e-9).maximum_iterations(1));
   CHECK_FALSE(report.converged);
   CHECK(report.iterations == 1);
   CHECK(report.relative_residual > 1e-9);
@@ -270,8 +262,7 @@ TEST_CASE("trivial_right_hand_sides", "[input]") {
   Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
   for(double constant : {0., 1., 0.1, -1e10}) {
     const RL::Solve_report report = RL::solve_poisson(
-        mesh, [constant](const RL::Surface_point&) { return constant; }, u,
-        params::octree_depth(4));
+        mesh, [constant](const RL::Surface_point&) { return constant; }, u, params::depth(4));
     CHECK(report.converged);
     CHECK(report.iterations == 0);
     for(Mesh::Vertex_index v : mesh.vertices())
@@ -284,7 +275,7 @@ TEST_CASE("trivial_right_hand_sides", "[input]") {
   // the mean of a screened solution is exact, however small alpha is
   for(double alpha : {1e-12, 1e-6, 1., 1e6}) {
     static_cast<void>(RL::solve_screened_poisson(
-        mesh, [](const RL::Surface_point&) { return 3.; }, alpha, u, params::octree_depth(4)));
+        mesh, [](const RL::Surface_point&) { return 3.; }, alpha, u, params::depth(4)));
     for(Mesh::Vertex_index v : mesh.vertices())
       REQUIRE(u[v] * alpha == Approx(3).epsilon(1e-9));
   }
@@ -322,8 +313,7 @@ TEST_CASE("scale_and_place_do_not_matter", "[input]") {
           1e-7);
     Mesh mesh = shapes::mesh(t);
     Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
-    const RL::Solve_report report =
-        RL::solve_poisson(mesh, z, u, params::octree_depth(3).relative_tolerance(1e-4));
+    const RL::Solve_report report = RL::solve_poisson(mesh, z, u, params::depth(3).tolerance(1e-4));
     CHECK(report.converged);
     // Laplacian u = z on a sphere of radius r: u = -r^2 z / 2
     for(Mesh::Vertex_index v : mesh.vertices())
@@ -360,12 +350,12 @@ TEST_CASE("small_and_flat_surfaces", "[input]") {
     for(int depth = 1; depth <= 6; ++depth) {
       Mesh mesh = shapes::mesh(t);
       Vertex_map u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
-      const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+      const RL::Spline_space_3 space(mesh, params::depth(depth));
       const RL::Operators operators = RL::assemble_operators(space);
       // corners near a wall are moved by up to 1.5e-14, which counts for the needle
       CHECK(std::abs(operators.mass.sum() - space.surface().area()) <= 1e-12);
       const auto x = [](const RL::Surface_point& p) { return p.point.x(); };
-      const RL::Solve_report report = RL::solve_poisson(mesh, x, u, params::octree_depth(depth));
+      const RL::Solve_report report = RL::solve_poisson(mesh, x, u, params::depth(depth));
       CHECK(report.converged);
       for(Mesh::Vertex_index v : mesh.vertices())
         REQUIRE(std::isfinite(u[v]));
@@ -376,9 +366,9 @@ TEST_CASE("components_have_a_mean_of_their_own", "[input]") {
   const shapes::Triangles sphere = shapes::sphere(3);
   const shapes::Triangles two = shapes::joined(sphere, transformed(sphere, 1, {4, 0, 0}));
   Mesh mesh = shapes::mesh(two);
-  const RL::Spline_space_3 space(mesh, params::octree_depth(5));
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space), 0,
-                                                            params::relative_tolerance(1e-4));
+  const RL::Spline_space_3 space(mesh, params::depth(5));
+  const RL::Poisson_solver solver =
+      RL::make_poisson_solver(space, RL::assemble_operators(space), 0, params::tolerance(1e-4));
   CHECK(solver.kernel_dimension() == 2);
   // f = 1 on one sphere, -1 on the other: the mean is 0, but not that of each
   const auto f = [](const RL::Surface_point& p) {

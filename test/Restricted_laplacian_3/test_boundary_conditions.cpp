@@ -39,7 +39,7 @@ constexpr double free_value = std::numeric_limits<double>::quiet_NaN();
 /// \param has_value where values are prescribed; the conormal derivative is elsewhere
 double error_at_depth(const Triangles& t, const Harmonic& u,
                       const std::function<bool(const RL::Point_3&)>& has_value, int depth) {
-  const RL::Spline_space_3 space(t.points, t.faces, params::octree_depth(depth));
+  const RL::Spline_space_3 space(t.points, t.faces, params::depth(depth));
   const auto f = [](const RL::Surface_point&) { return 0.; };
   const auto g = [&](const RL::Surface_point& p) { return u.value(p.point.x(), p.point.y()); };
   const auto flux = [&](const RL::Surface_point& p) {
@@ -54,8 +54,8 @@ double error_at_depth(const Triangles& t, const Harmonic& u,
   }
   if(const RL::Boundary_integration whole(space); with_values.length() < 0.999 * whole.length())
     problem.boundary_flux = flux;
-  problem.solver.relative_tolerance = 1e-9;
-  problem.normal_stabilization = 1e-5; // that of tiny sheets at corners shows in errors of 1e-6
+  problem.solver.tolerance = 1e-9;
+  problem.stabilization = 1e-5; // that of tiny sheets at corners shows in errors of 1e-6
   const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
   REQUIRE(solution.converged);
   CHECK(solution.kernel_dimension == (with_values.length() > 0 ? 0 : 1));
@@ -119,7 +119,7 @@ TEST_CASE("values_on_two_sides_of_a_square", "[boundary_conditions]") {
   };
   for(const int depth : {4, 5, 6})
     for(const RL::Vertex_data data : {RL::Vertex_data::linear, RL::Vertex_data::smooth}) {
-      const auto np = params::octree_depth(depth).vertex_data(data);
+      const auto np = params::depth(depth).vertex_data(data);
       // at depth 6 corners reach 0.09 cells into theirs, where all of the gradient is stabilized
       const double tolerance = depth == 6 ? 1e-2 : 1e-3;
       CAPTURE(depth);
@@ -179,8 +179,8 @@ TEST_CASE("conditions_on_a_smooth_boundary", "[boundary_conditions]") {
                    half.faces.end());
   const auto f = [](const RL::Surface_point& p) { return -2 * p.point.z(); };
   for(const bool is_smooth : {false, true}) {
-    const auto np = params::octree_depth(4).surface_geometry(
-        is_smooth ? RL::Surface_geometry::smooth : RL::Surface_geometry::flat);
+    const auto np = params::depth(4).geometry(is_smooth ? RL::Surface_geometry::smooth
+                                                        : RL::Surface_geometry::flat);
     const RL::Spline_space_3 space(half.points, half.faces, np);
     const RL::Boundary_integration equator(space);
     CHECK(equator.length() == Approx(2 * pi).epsilon(is_smooth ? 1e-4 : 1e-2));
@@ -226,7 +226,7 @@ TEST_CASE("what_is_wrong_with_boundary_conditions_is_said", "[boundary_condition
   auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
   auto all_edges = mesh.add_property_map<Mesh::Edge_index, bool>("e:all", true).first;
   auto no_edge = mesh.add_property_map<Mesh::Edge_index, bool>("e:no", false).first;
-  const auto np = params::octree_depth(3);
+  const auto np = params::depth(3);
   // an edge inside, values nowhere, a flux where values are, or on a closed surface
   CHECK_THROWS_AS(
       RL::solve_poisson(mesh, zero, u, np.boundary_values(0).edge_is_constrained_map(all_edges)),

@@ -82,27 +82,26 @@ TEST_CASE("parts_of_a_progress_are_nested", "[callbacks]") {
 TEST_CASE("poisson_problems_report_progress_and_can_be_canceled", "[callbacks]") {
   shapes::Mesh mesh = shapes::mesh(shapes::sphere(3));
   auto u = mesh.add_property_map<Vertex, double>("v:u").first;
-  const auto np = params::octree_depth(4);
+  const auto np = params::depth(4);
   SECTION("a function on a mesh") {
     check_callback(
         [&](const Callback& callback) {
-          static_cast<void>(RL::solve_poisson(mesh, height, u, np.callback(callback)));
+          static_cast<void>(RL::solve_poisson(mesh, height, u, np.progress(callback)));
         },
         15);
     check_callback(
         [&](const Callback& callback) {
-          static_cast<void>(RL::solve_screened_poisson(mesh, height, 2., u, np.callback(callback)));
+          static_cast<void>(RL::solve_screened_poisson(mesh, height, 2., u, np.progress(callback)));
         },
         15);
   }
   SECTION("prescribed values") {
-    auto is_fixed = mesh.add_property_map<Vertex, bool>("v:fixed", false).first;
-    is_fixed[Vertex(0)] = true;
-    const auto fixed = params::octree_depth(4).constraint_values(u);
+    auto fixed = mesh.add_property_map<Vertex, double>("v:fixed", std::nan("")).first;
+    fixed[Vertex(0)] = 0;
     check_callback(
         [&](const Callback& callback) {
           static_cast<void>(RL::solve_poisson(
-              mesh, height, u, fixed.vertex_is_constrained_map(is_fixed).callback(callback)));
+              mesh, height, u, params::depth(4).constraints(fixed).progress(callback)));
         },
         15);
   }
@@ -115,7 +114,7 @@ TEST_CASE("poisson_problems_report_progress_and_can_be_canceled", "[callbacks]")
         },
         9);
     check_callback(
-        [&](const Callback& callback) { RL::make_poisson_solver(space, 1, np.callback(callback)); },
+        [&](const Callback& callback) { RL::make_poisson_solver(space, 1, np.progress(callback)); },
         10);
     const RL::Poisson_solver solver = RL::make_poisson_solver(space);
     const Eigen::VectorXd one = RL::assemble_load(space, height);
@@ -148,13 +147,12 @@ TEST_CASE("fits_report_progress_and_can_be_canceled", "[callbacks]") {
   auto u = mesh.add_property_map<Vertex, double>("v:u").first;
   check_callback(
       [&](const Callback& callback) {
-        RL::fit_function(mesh, height, u, params::octree_depth(3).callback(callback));
+        RL::fit_function(mesh, height, u, params::depth(3).progress(callback));
       },
       20);
   check_callback(
       [&](const Callback& callback) {
-        RL::fit_function(mesh, height, u,
-                         params::octree_depth(3).refinement_steps(2).callback(callback));
+        RL::fit_function(mesh, height, u, params::depth(3).refinements(2).progress(callback));
       },
       20);
   auto c = mesh.add_property_map<Vertex, RL::Surface_curvature>("v:c").first;
@@ -163,8 +161,7 @@ TEST_CASE("fits_report_progress_and_can_be_canceled", "[callbacks]") {
        RL::Curvature_method::coordinates})
     check_callback(
         [&](const Callback& callback) {
-          RL::estimate_curvature(
-              mesh, c, params::octree_depth(3).curvature_method(method).callback(callback));
+          RL::estimate_curvature(mesh, c, params::depth(3).method(method).progress(callback));
         },
         15);
 }
@@ -177,9 +174,8 @@ TEST_CASE("gradients_and_colors_report_progress_and_can_be_canceled", "[callback
   for(const bool with_details : {false, true})
     check_callback(
         [&](const Callback& callback) {
-          RL::integrate_gradient_field(
-              mesh, upwards, u,
-              params::octree_depth(3).vertex_details(with_details).callback(callback));
+          RL::integrate_gradient_field(mesh, upwards, u,
+                                       params::depth(3).details(with_details).progress(callback));
         },
         15);
 
@@ -190,7 +186,7 @@ TEST_CASE("gradients_and_colors_report_progress_and_can_be_canceled", "[callback
       RL::Colored_scan(mesh, color, params::viewpoint(RL::Point_3(0, 0, -5)))};
   check_callback(
       [&](const Callback& callback) {
-        RL::stitch_colors(mesh, scans, color, params::octree_depth(3).callback(callback));
+        RL::stitch_colors(mesh, scans, color, params::depth(3).progress(callback));
       },
       15);
 }

@@ -198,7 +198,7 @@ TEST_CASE("vertices_are_covered_by_the_rules", "[stitch]") {
             .number_of_facing_vertices == 0);
   CHECK(number(scan_at(0, Point_3(100.5, 0.5, 9.9)), options) == 0);
   CHECK(number(scan_at(0, Point_3(100.5, 0.5, 10.2)), options) == 441);
-  options.oriented_surface = false;
+  options.oriented = false;
   CHECK(number(scan_at(0, Point_3(0.5, 0.5, -1)), options) == 441);
   // normals: a scan that is tilted around the y axis, by 50 and 70 degrees
   options = RL::Back_projection_options();
@@ -395,7 +395,7 @@ TEST_CASE("bad_scans_are_refused", "[stitch]") {
   CHECK_THROWS_WITH(with([](O& o) { o.maximum_distance = scan_nan; }), Catch::Contains("maximum"));
   CHECK_THROWS_WITH(with([](O& o) { o.boundary_width = -1; }), Catch::Contains("boundary_width"));
   CHECK_THROWS_WITH(with([](O& o) { o.minimum_facing_cosine = 1.1; }), Catch::Contains("facing"));
-  CHECK_THROWS_WITH(with([](O& o) { o.minimum_normal_cosine = -2; }), Catch::Contains("normal"));
+  CHECK_THROWS_WITH(with([](O& o) { o.normal_angle = -2; }), Catch::Contains("normal"));
   const RL::Triangulated_surface_3 points({Point_3(0, 0, 0), Point_3(1, 0, 0)},
                                           {Vector_3(0, 0, 1), Vector_3(0, 0, 1)}, {1, 1});
   CHECK_THROWS_WITH(RL::Color_back_projector(points), Catch::Contains("needs triangles"));

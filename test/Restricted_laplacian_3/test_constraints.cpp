@@ -62,7 +62,7 @@ TEST_CASE("boundary_values_are_met_with_order_three", "[constraints]") {
   std::vector<double> errors, boundary_errors;
   for(int depth = 3; depth <= 5; ++depth) {
     const RL::Spline_space_3 space(square.triangles.points, square.triangles.faces,
-                                   params::octree_depth(depth));
+                                   params::depth(depth));
     const RL::Dirichlet_boundary boundary(space);
     CHECK(boundary.length() == Approx(4).epsilon(1e-12));
     const RL::Operators operators = RL::assemble_operators(space);
@@ -75,9 +75,8 @@ TEST_CASE("boundary_values_are_met_with_order_three", "[constraints]") {
       const Eigen::MatrixXd scaled = scale.asDiagonal() * Eigen::MatrixXd(a) * scale.asDiagonal();
       CHECK(RL::internal::symmetric_eigenpairs(scaled, "a").values[0] >= -1e-10);
     }
-    const RL::Poisson_solver solver =
-        RL::make_poisson_solver(space, a, operators.mass * Eigen::VectorXd::Ones(a.cols()), 0,
-                                params::relative_tolerance(1e-8));
+    const RL::Poisson_solver solver = RL::make_poisson_solver(
+        space, a, operators.mass * Eigen::VectorXd::Ones(a.cols()), 0, params::tolerance(1e-8));
     CHECK(solver.kernel_dimension() == 0);
     Eigen::VectorXd eta;
     CHECK(solver.solve(boundary.load(g) - RL::assemble_load(space, f), eta).converged);
@@ -105,7 +104,7 @@ TEST_CASE("boundary_values_through_named_parameters", "[constraints]") {
     g[v] = 1 + 2 * mesh.point(v).x() - mesh.point(v).y() + mesh.point(v).z();
   const auto zero = [](const RL::Surface_point&) { return 0.; };
   const RL::Solve_report report =
-      RL::solve_poisson(mesh, zero, u, params::octree_depth(4).boundary_values(g));
+      RL::solve_poisson(mesh, zero, u, params::depth(4).boundary_values(g));
   CHECK(report.converged);
   CHECK(report.relative_residual <= 1e-6);
   for(Mesh::Vertex_index v : mesh.vertices())
@@ -116,13 +115,13 @@ TEST_CASE("boundary_values_through_named_parameters", "[constraints]") {
       mesh, boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v) {
         return 10 * g[v];
       }),
-      10., u, params::octree_depth(4).boundary_values(g)));
+      10., u, params::depth(4).boundary_values(g)));
   for(Mesh::Vertex_index v : mesh.vertices())
     REQUIRE(u[v] == Approx(g[v]).margin(1e-5));
 
   Mesh closed = shapes::mesh(shapes::sphere(2));
   auto w = closed.add_property_map<Mesh::Vertex_index, double>("v:w").first;
-  CHECK_THROWS_AS(RL::solve_poisson(closed, zero, w, params::octree_depth(3).boundary_values(zero)),
+  CHECK_THROWS_AS(RL::solve_poisson(closed, zero, w, params::depth(3).boundary_values(zero)),
                   RL::Parameter_error);
 }
 
@@ -135,7 +134,7 @@ TEST_CASE("components_without_boundary_keep_their_mean", "[constraints]") {
   const auto g = [](const RL::Surface_point&) { return 7.; };
   std::vector<double> u(t.points.size());
   const RL::Solve_report report = RL::solve_poisson(
-      t.points, t.faces, f, CGAL::make_property_map(u), params::octree_depth(5).boundary_values(g));
+      t.points, t.faces, f, CGAL::make_property_map(u), params::depth(5).boundary_values(g));
   CHECK(report.converged);
   for(std::size_t i = 0; i < u.size(); ++i)
     REQUIRE(u[i] ==
@@ -147,22 +146,15 @@ TEST_CASE("values_at_vertices_are_held", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
   Mesh mesh = shapes::mesh(sphere);
   auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
-  auto value = mesh.add_property_map<Mesh::Vertex_index, double>("v:g", 0).first;
-  auto is_constrained = mesh.add_property_map<Mesh::Vertex_index, bool>("v:c", false).first;
+  auto value = mesh.add_property_map<Mesh::Vertex_index, double>("v:g", std::nan("")).first;
   const Mesh::Vertex_index north(4), south(5);
-  for(const auto& [v, g] : {std::pair<Mesh::Vertex_index, double>{north, 3}, {south, -1}}) {
-    is_constrained[v] = true;
-    value[v] = g;
-  }
+  value[north] = 3;
+  value[south] = -1;
   const auto zero = [](const RL::Surface_point&) { return 0.; };
   double last_miss = 1;
   for(double weight : {1e1, 1e2, 1e4}) {
-    const RL::Solve_report report =
-        RL::solve_poisson(mesh, zero, u,
-                          params::octree_depth(3)
-                              .constraint_values(value)
-                              .constraint_weight(weight)
-                              .vertex_is_constrained_map(is_constrained));
+    const RL::Solve_report report = RL::solve_poisson(
+        mesh, zero, u, params::depth(3).constraints(value).constraint_weight(weight));
     CHECK(report.converged);
     const double miss = std::abs(u[north] - 3);
     CHECK(miss <= 0.5 * last_miss);
@@ -176,7 +168,7 @@ TEST_CASE("values_at_vertices_are_held", "[constraints]") {
         REQUIRE(u[v] == Approx(1).margin(5e-3));
     }
   }
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
   RL::Point_constraints constraints(space);
   RL::Surface_location nowhere;
   nowhere.face = 1000000;
@@ -190,7 +182,7 @@ TEST_CASE("a_value_at_one_vertex_fixes_the_constant_only", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
   for(const int depth : {3, 4}) {
-    const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(depth));
+    const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(depth));
     std::vector<double> expected;
     for(const double g : {0., 1., 100., 1e4, 1e8}) {
       RL::Poisson_problem problem(f);
@@ -220,7 +212,7 @@ TEST_CASE("a_value_at_one_vertex_fixes_the_constant_only", "[constraints]") {
 TEST_CASE("equal_values_at_vertices_give_a_constant", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
   const auto f = [](const RL::Surface_point&) { return 0.; };
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4));
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(4));
   for(const double g : {0., 1. / 3, -1e6})
     for(const std::size_t step : {1, 7, 1000}) {
       RL::Poisson_problem problem(f);
@@ -239,7 +231,7 @@ TEST_CASE("equal_values_at_vertices_give_a_constant", "[constraints]") {
 TEST_CASE("iterations_with_prescribed_values_are_limited", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(4));
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(4));
   RL::Poisson_problem problem(f);
   problem.vertex_values.assign(sphere.points.size(), std::nan(""));
   problem.vertex_values[7] = 1;
@@ -261,7 +253,7 @@ TEST_CASE("boundary_values_may_have_an_offset", "[constraints]") {
     std::vector<double> u(square.points.size());
     const RL::Solve_report report =
         RL::solve_poisson(square.points, square.faces, zero, CGAL::make_property_map(u),
-                          params::octree_depth(5).boundary_values(g));
+                          params::depth(5).boundary_values(g));
     CHECK(report.converged);
     CHECK(report.constraint_error == 0);
     for(std::size_t v = 0; v < u.size(); ++v) {
@@ -279,7 +271,7 @@ TEST_CASE("values_at_vertices_hold_along_the_boundary", "[constraints]") {
   constexpr std::size_t on_square = (n + 1) * (n + 1);
   const auto f = [](const RL::Surface_point& p) { return p.point.x() > 1.5 ? p.point.z() : 0.; };
   for(const int depth : {4, 5, 6}) {
-    const RL::Spline_space_3 space(square.points, square.faces, params::octree_depth(depth));
+    const RL::Spline_space_3 space(square.points, square.faces, params::depth(depth));
     RL::Poisson_problem problem(f);
     problem.vertex_values.assign(square.points.size(), std::nan(""));
     for(std::size_t j = 0; j <= n; ++j) {
@@ -306,8 +298,7 @@ TEST_CASE("values_at_vertices_hold_along_the_boundary", "[constraints]") {
 
 TEST_CASE("values_may_be_prescribed_on_a_part_of_the_boundary", "[constraints]") {
   const Tilted_square square(8);
-  const RL::Spline_space_3 space(square.triangles.points, square.triangles.faces,
-                                 params::octree_depth(4));
+  const RL::Spline_space_3 space(square.triangles.points, square.triangles.faces, params::depth(4));
   const auto is_left = [&](const RL::Surface_point& p) {
     return square.coordinates(p.point)[0] < 1e-9;
   };
@@ -328,7 +319,7 @@ TEST_CASE("values_at_vertices_are_exact_where_functions_have_them", "[constraint
   for(const int depth : {3, 4, 5})
     for(const double scale : {1e-6, 1., 1e6})
       for(const double alpha : {0., 3.}) {
-        const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(depth));
+        const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(depth));
         RL::Poisson_problem problem(f);
         problem.alpha = alpha;
         problem.vertex_values.assign(sphere.points.size(), std::nan(""));
@@ -350,7 +341,7 @@ TEST_CASE("values_at_vertices_are_exact_where_functions_have_them", "[constraint
 
 TEST_CASE("values_with_a_weight_pull_beside_exact_ones", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(3));
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(3));
   const std::vector<RL::Surface_location> locations =
       RL::internal::locations_of_vertices(space.surface());
   RL::Point_constraints constraints(space);
@@ -383,7 +374,7 @@ TEST_CASE("values_with_a_weight_pull_beside_exact_ones", "[constraints]") {
 
 TEST_CASE("values_at_vertices_that_no_function_has_are_told_of", "[constraints]") {
   const Triangles sphere = shapes::sphere(4);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(2));
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(2));
   const auto f = [](const RL::Surface_point&) { return 0.; };
   RL::Poisson_problem problem(f);
   for(std::size_t v = 0; v < sphere.points.size(); ++v)
@@ -405,7 +396,7 @@ TEST_CASE("values_at_vertices_that_no_function_has_are_told_of", "[constraints]"
 
 TEST_CASE("weights_pull_the_solution", "[constraints]") {
   const Triangles sphere = shapes::sphere(4);
-  const auto np = params::octree_depth(4).relative_tolerance(1e-5);
+  const auto np = params::depth(4).tolerance(1e-5);
   std::vector<double> by_number(sphere.points.size()), by_map = by_number, pulled = by_number;
   const auto f = [](const RL::Surface_point& p) { return 8 * p.point.z(); };
   static_cast<void>(RL::solve_screened_poisson(sphere.points, sphere.faces, f, 2.,
@@ -436,6 +427,6 @@ TEST_CASE("weights_pull_the_solution", "[constraints]") {
     CHECK_THROWS_AS(RL::solve_screened_poisson(
                         sphere.points, sphere.faces, f,
                         [bad](const RL::Surface_point&) { return bad; },
-                        CGAL::make_property_map(pulled), params::octree_depth(2)),
+                        CGAL::make_property_map(pulled), params::depth(2)),
                     RL::Parameter_error);
 }

@@ -43,7 +43,7 @@ namespace params = RL::parameters;
 using shapes::Mesh;
 
 RL::Spline_space_3 contract_space(const shapes::Triangles& t, int depth) {
-  return RL::Spline_space_3(t.points, t.faces, params::octree_depth(depth));
+  return RL::Spline_space_3(t.points, t.faces, params::depth(depth));
 }
 
 /// The nodes of a cubature, moved to the unit sphere along their radius: some leave their cell a
@@ -214,7 +214,7 @@ TEST_CASE("models_of_integrations_refuse_surfaces_of_the_other_kind", "[contract
   using shapes::Oriented_point;
   const RL::Spline_space_3 points(
       shapes::sphere_points(500),
-      params::octree_depth(2)
+      params::depth(2)
           .point_map(CGAL::First_of_pair_property_map<Oriented_point>())
           .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>()));
   CHECK(relative_difference(
@@ -313,7 +313,7 @@ TEST_CASE("operators_of_other_patterns_are_added", "[contracts]") {
   const Eigen::VectorXd b = RL::assemble_load(
       space, [](const RL::Surface_point& p) { return p.point.x() + p.point.y() * p.point.z(); });
   const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, lumped, 2, params::relative_tolerance(1e-10));
+      RL::make_poisson_solver(space, lumped, 2, params::tolerance(1e-10));
   CHECK(solver.solve(b, x).converged);
   CHECK((lumped.stiffness * x + 2 * lumped.mass * x - b).norm() < 1e-8 * b.norm());
   // a matrix of another size
@@ -331,8 +331,8 @@ TEST_CASE("screening_by_a_function_keeps_the_mean_as_a_number_does", "[contracts
   const auto solve = [&](const auto& weight, std::vector<double>& u) {
     Mesh copy = mesh;
     auto map = copy.add_property_map<Mesh::Vertex_index, double>("u").first;
-    const RL::Solve_report report = RL::solve_screened_poisson(
-        copy, f, weight, map, params::octree_depth(4).relative_tolerance(1e-8));
+    const RL::Solve_report report =
+        RL::solve_screened_poisson(copy, f, weight, map, params::depth(4).tolerance(1e-8));
     CHECK(report.converged);
     for(const auto v : vertices(copy))
       u[v.idx()] = map[v];
@@ -349,7 +349,7 @@ TEST_CASE("screening_by_a_function_keeps_the_mean_as_a_number_does", "[contracts
 }
 
 TEST_CASE("eigenpairs_do_not_depend_on_the_factorization", "[contracts]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(3));
   const RL::Operators o = RL::assemble_operators(space);
   // with CHOLMOD, where there is one
   const Eigen::VectorXd expected = RL::smallest_eigenpairs(o.stiffness, o.mass, 20).values;
@@ -365,7 +365,7 @@ TEST_CASE("eigenpairs_do_not_depend_on_the_factorization", "[contracts]") {
 }
 
 TEST_CASE("options_of_eigenpairs_do_what_they_say", "[contracts]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), RL::parameters::octree_depth(3));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), RL::parameters::depth(3));
   const RL::Operators o = RL::assemble_operators(space);
   RL::Eigenpairs_options options;
   const RL::Eigenpairs expected = RL::smallest_eigenpairs(o.stiffness, o.mass, 10);
@@ -378,12 +378,12 @@ TEST_CASE("options_of_eigenpairs_do_what_they_say", "[contracts]") {
   CHECK(by_cholmod.values == expected.values);
 #endif
   const RL::Eigenpairs rough =
-      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::relative_tolerance(1e-2));
+      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::tolerance(1e-2));
   CHECK(rough.converged);
   CHECK(rough.residuals.maxCoeff() > 1e2 * expected.residuals.maxCoeff());
   CHECK((rough.values - expected.values).cwiseAbs().maxCoeff() <= 1e-2 * expected.values[9]);
   CHECK_FALSE(
-      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::number_of_iterations(1))
+      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::maximum_iterations(1))
           .converged);
   options.regularization = 1e-9;
   const RL::Eigenpairs regularized = RL::smallest_eigenpairs(o.stiffness, o.mass, 10, options);
@@ -396,7 +396,7 @@ TEST_CASE("options_of_eigenpairs_do_what_they_say", "[contracts]") {
     return ++calls < 5;
   };
   CHECK_THROWS_AS(
-      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::callback(callback)),
+      RL::smallest_eigenpairs(o.stiffness, o.mass, 10, RL::parameters::progress(callback)),
       RL::Canceled);
   CHECK(calls == 5);
 }

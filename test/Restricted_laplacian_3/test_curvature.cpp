@@ -83,7 +83,7 @@ std::vector<RL::Surface_curvature> curvatures(const shapes::Triangles& t,
 
 std::vector<RL::Surface_curvature> curvatures(const shapes::Triangles& t, int depth,
                                               Curvature_method method = Curvature_method::normals) {
-  return curvatures(t, params::octree_depth(depth).curvature_method(method));
+  return curvatures(t, params::depth(depth).method(method));
 }
 
 /// largest |value(i) - expected(i)|
@@ -167,10 +167,10 @@ TEST_CASE("the_mean_curvature_vector_needs_its_boundary_term", "[curvature]") {
   const double r = 2; // an arc of a cylinder along the y axis, outward normals
   const shapes::Triangles arc =
       curved_graph(40, [&](double x, double) { return std::sqrt(r * r - x * x); });
-  const RL::Spline_space_3 space(arc.points, arc.faces, params::octree_depth(3));
+  const RL::Spline_space_3 space(arc.points, arc.faces, params::depth(3));
   const double h = space.octree().cell_width(3);
   const Eigen::MatrixXd values =
-      RL::estimate_curvature(space, params::curvature_method(Curvature_method::coordinates))
+      RL::estimate_curvature(space, params::method(Curvature_method::coordinates))
           .functions()
           .values_at_vertices();
   const auto by_normals = curvatures(arc, 3);
@@ -199,7 +199,7 @@ TEST_CASE("curvature_of_ragged_scans_ends_by_its_own_error", "[curvature]") {
       80, [&](double x, double y) { return 0.2 * std::sin(3 * x * y) + 0.02 * random(); });
   const auto is_lost = [&](const std::array<std::uint32_t, 3>&) { return random() < 0.33; };
   scan.faces.erase(std::remove_if(scan.faces.begin(), scan.faces.end(), is_lost), scan.faces.end());
-  const RL::Spline_space_3 space(scan.points, scan.faces, params::octree_depth(5));
+  const RL::Spline_space_3 space(scan.points, scan.faces, params::depth(5));
   const RL::Curvature_field field = RL::estimate_curvature(space),
                             solved = RL::estimate_curvature(space, params::energy_tolerance(0.));
   CHECK(field.report().converged);
@@ -256,12 +256,11 @@ TEST_CASE("mean_curvature_of_a_fold_is_that_of_its_edge", "[curvature]") {
   const double angle = 0.3;
   const shapes::Triangles fold =
       curved_graph(24, [&](double x, double) { return -std::tan(angle / 2) * std::abs(x); });
-  const RL::Spline_space_3 space(fold.points, fold.faces, params::octree_depth(5));
+  const RL::Spline_space_3 space(fold.points, fold.faces, params::depth(5));
   const double h = space.octree().cell_width(5);
   for(const Curvature_method method :
       {Curvature_method::face_normals, Curvature_method::coordinates}) {
-    const RL::Curvature_field field =
-        RL::estimate_curvature(space, params::curvature_method(method));
+    const RL::Curvature_field field = RL::estimate_curvature(space, params::method(method));
     double sum = 0, largest_outside = 0;
     std::vector<RL::Surface_location> locations;
     std::vector<double> weights;
@@ -292,14 +291,14 @@ TEST_CASE("curvature_on_meshes_with_given_normals", "[curvature]") {
   for(Mesh::Vertex_index v : vertices(mesh))
     n[v] = 5 * (CGAL::ORIGIN - mesh.point(v)); // inward, not of unit length
   n[*vertices(mesh).begin()] = RL::Vector_3(0, 0, 0);
-  RL::estimate_curvature(mesh, c, params::octree_depth(3));
+  RL::estimate_curvature(mesh, c, params::depth(3));
   for(Mesh::Vertex_index v : vertices(mesh))
     CHECK(c[v].mean == Approx(1).epsilon(0.05));
-  RL::estimate_curvature(mesh, c, params::octree_depth(3).vertex_normal_map(n));
+  RL::estimate_curvature(mesh, c, params::depth(3).vertex_normal_map(n));
   for(Mesh::Vertex_index v : vertices(mesh))
     CHECK(c[v].mean == Approx(-1).epsilon(0.1));
   n[*vertices(mesh).begin()] = RL::Vector_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
-  CHECK_THROWS_AS(RL::estimate_curvature(mesh, c, params::octree_depth(3).vertex_normal_map(n)),
+  CHECK_THROWS_AS(RL::estimate_curvature(mesh, c, params::depth(3).vertex_normal_map(n)),
                   RL::Invalid_vertex_error);
 }
 
@@ -367,6 +366,6 @@ TEST_CASE("curvature_of_hostile_input", "[curvature]") {
   CHECK_THROWS_AS(RL::estimate_curvature(line, faces, map), RL::Zero_area_error);
   const std::vector<std::array<int, 3>> none;
   CHECK_THROWS_AS(RL::estimate_curvature(triangle, none, map), RL::Empty_surface_error);
-  CHECK_THROWS_AS(RL::estimate_curvature(triangle, faces, map, params::smoothing_weight(-1.)),
+  CHECK_THROWS_AS(RL::estimate_curvature(triangle, faces, map, params::smoothing(-1.)),
                   RL::Parameter_error);
 }

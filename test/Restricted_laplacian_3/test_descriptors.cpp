@@ -66,7 +66,7 @@ struct Surface_nodes {
 /// a surface without symmetry, its spectrum, and the eigenfunctions at its nodes
 struct Example {
   Example()
-    : space(shapes::mesh(shapes::box(1, 0.8, 0.5, 4, 1)), params::octree_depth(3)),
+    : space(shapes::mesh(shapes::box(1, 0.8, 0.5, 4, 1)), params::depth(3)),
       spectrum(RL::laplace_spectrum(space, 20)), nodes(space),
       values(RL::Spline_functions_3(space, spectrum.pairs.vectors)
                  .values_at_locations(nodes.locations)) {}
@@ -78,7 +78,7 @@ struct Example {
 
 /// the unit sphere with all eigenfunctions of degree 0 .. 6
 RL::Laplace_spectrum spectrum_of_sphere() {
-  return RL::laplace_spectrum(shapes::mesh(shapes::sphere(5)), 49, params::octree_depth(4));
+  return RL::laplace_spectrum(shapes::mesh(shapes::sphere(5)), 49, params::depth(4));
 }
 
 /// squared distance of two rows
@@ -107,7 +107,7 @@ TEST_CASE("many_functions_have_the_values_of_each_of_them", "[descriptors][threa
   // a vertex whose first face has no area
   t.faces.insert(t.faces.begin(), {t.faces[0][0], t.faces[0][0], t.faces[0][1]});
   RL::Spline_space_options options;
-  options.octree_depth = 4;
+  options.depth = 4;
   for(bool is_parallel : {false, true}) {
     options.is_parallel = is_parallel;
     const RL::Spline_space_3 space(RL::read_surface(t.points, t.faces), options);
@@ -138,7 +138,7 @@ TEST_CASE("many_functions_have_the_values_of_each_of_them", "[descriptors][threa
 }
 
 TEST_CASE("values_of_functions_at_vertices_are_those_at_their_locations", "[descriptors]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(4));
   const RL::Triangulated_surface_3& surface = space.surface();
   const RL::Spline_function_3 u(space, random_matrix(space.dimension(), 1));
   const std::vector<double> values = u.values_at_vertices();
@@ -165,7 +165,7 @@ TEST_CASE("a_vertex_whose_first_face_is_lost_has_the_value_of_another", "[descri
     t.faces.push_back({5 * i, 5 * i + 1, 5 * i + 2});
     t.faces.push_back({5 * i, 5 * i + 3, 5 * i + 4});
   }
-  const RL::Spline_space_3 space(t.points, t.faces, params::octree_depth(4));
+  const RL::Spline_space_3 space(t.points, t.faces, params::depth(4));
   const Eigen::MatrixXd coefficients = random_matrix(space.dimension(), 2);
   const Eigen::MatrixXd values = RL::Spline_functions_3(space, coefficients).values_at_vertices();
   const RL::Spline_function_3 u(space, coefficients.col(1));
@@ -191,7 +191,7 @@ TEST_CASE("a_vertex_whose_only_face_is_lost_has_the_value_of_a_neighbor", "[desc
   const RL::Point_3 a(1, 0, 0), b(1, 1, 0), near_b(1 + 8e-15, 1, 0), c(0, 0, 1), far(1, 0.5, 1);
   const std::vector<RL::Point_3> points = {a, b, near_b, c, far};
   const std::vector<std::array<std::uint32_t, 3>> faces = {{0, 1, 3}, {0, 2, 1}, {1, 2, 4}};
-  const RL::Spline_space_3 space(points, faces, params::octree_depth(3).cube_scale(1));
+  const RL::Spline_space_3 space(points, faces, params::depth(3).cube_scale(1));
   for(std::size_t sheet = 0; sheet < space.number_of_sheets(3); ++sheet)
     for(std::uint32_t face : space.octree().faces(sheet))
       REQUIRE(face == 0);
@@ -205,7 +205,7 @@ TEST_CASE("a_vertex_whose_only_face_is_lost_has_the_value_of_a_neighbor", "[desc
 }
 
 TEST_CASE("bad_input_of_many_functions", "[descriptors][input]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::octree_depth(2));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::depth(2));
   const Eigen::MatrixXd coefficients = random_matrix(space.dimension(), 2);
   CHECK(refused_by([&] { RL::Spline_functions_3(space, coefficients.topRows(5)); }) ==
         "coefficients");
@@ -351,7 +351,7 @@ TEST_CASE("shape_dna_does_not_depend_on_size_and_position", "[descriptors]") {
     p = RL::Point_3(q[0] + 20, q[1], q[2] - 5);
   }
   const auto spectrum_of = [](const shapes::Triangles& t) {
-    return RL::laplace_spectrum(shapes::mesh(t), 12, params::octree_depth(4));
+    return RL::laplace_spectrum(shapes::mesh(t), 12, params::depth(4));
   };
   using Normalization = RL::Shape_dna_normalization;
   const RL::Laplace_spectrum a = spectrum_of(shape), b = spectrum_of(shapes::scaled(shape, 7)),
@@ -435,7 +435,7 @@ TEST_CASE("descriptors_of_several_components", "[descriptors]") {
   const shapes::Triangles sphere = shapes::sphere(4);
   const shapes::Triangles two =
       shapes::joined(sphere, shapes::moved(shapes::scaled(sphere, 0.5), {3, 0, 0}));
-  const RL::Spline_space_3 space(shapes::mesh(two), params::octree_depth(5));
+  const RL::Spline_space_3 space(shapes::mesh(two), params::depth(5));
   const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 9);
   CHECK(RL::number_of_zero_eigenvalues(spectrum.eigenvalues) == 2);
   CHECK(RL::number_of_zero_eigenvalues(spectrum) == 2);

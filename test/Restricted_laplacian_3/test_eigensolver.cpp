@@ -73,10 +73,10 @@ RL::Eigenpairs multigrid_pairs(const Level_matrices& m, int k,
 
 /// Compares with a factorization, and checks what the result promises.
 void check_pairs(const Mesh& mesh, int depth, int k) {
-  const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+  const RL::Spline_space_3 space(mesh, params::depth(depth));
   const Level_matrices m = level_matrices(space, 2);
   RL::Multigrid_eigenpairs_options options;
-  options.relative_tolerance = 1e-6;
+  options.tolerance = 1e-6;
   const RL::Eigenpairs pairs = multigrid_pairs(m, k, options);
   const RL::Eigenpairs expected = RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), k);
   CHECK(pairs.converged);
@@ -127,7 +127,7 @@ TEST_CASE("multigrid_eigenpairs_are_those_of_a_factorization", "[eigensolver]") 
 
 TEST_CASE("multigrid_eigenpairs_do_not_miss_copies_of_a_multiple_eigenvalue",
           "[eigensolver][slow]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(4));
   const Level_matrices m = level_matrices(space, 2);
   const Eigen::VectorXd expected =
       RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), 40).values;
@@ -142,7 +142,7 @@ TEST_CASE("multigrid_eigenpairs_do_not_miss_copies_of_a_multiple_eigenvalue",
 TEST_CASE("multigrid_eigenpairs_do_not_depend_on_threads_or_scale", "[eigensolver][threads]") {
   const shapes::Triangles box = shapes::box(1, 0.7, 0.4, 6, 1);
   const auto spectrum = [](const shapes::Triangles& t, bool is_parallel) {
-    const auto np = params::octree_depth(4).eigensolver(RL::Eigensolver::multigrid);
+    const auto np = params::depth(4).eigensolver(RL::Eigensolver::multigrid);
 #ifdef CGAL_LINKED_WITH_TBB
     if(is_parallel)
       return RL::laplace_spectrum(shapes::mesh(t), 20, np.concurrency_tag(CGAL::Parallel_tag()));
@@ -167,21 +167,21 @@ TEST_CASE("multigrid_eigenpairs_do_not_depend_on_threads_or_scale", "[eigensolve
 }
 
 TEST_CASE("multigrid_eigenpairs_say_when_they_have_not_converged", "[eigensolver]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(4));
   const Level_matrices m = level_matrices(space, 2);
   RL::Multigrid_eigenpairs_options options;
   options.maximum_iterations = 1;
   const RL::Eigenpairs few = multigrid_pairs(m, 20, options);
   CHECK_FALSE(few.converged);
   CHECK(few.iterations == 1);
-  CHECK(few.residuals.maxCoeff() > options.relative_tolerance);
+  CHECK(few.residuals.maxCoeff() > options.tolerance);
   CHECK(few.values[1] == Approx(2.00637).epsilon(1e-4)); // our own output
   CHECK((few.vectors.transpose() * m.mass.back() * few.vectors - Eigen::MatrixXd::Identity(20, 20))
             .cwiseAbs()
             .maxCoeff() <= 1e-9);
   // a tolerance that cannot be reached ends the iteration, too
   options.maximum_iterations = 200;
-  options.relative_tolerance = 1e-18;
+  options.tolerance = 1e-18;
   const RL::Eigenpairs best = multigrid_pairs(m, 20, options);
   CHECK(best.status == RL::Solve_status::stalled);
   CHECK(best.iterations < 100); // how many depends on rounding, which processors differ in
@@ -207,7 +207,7 @@ TEST_CASE("pairs_that_come_within_the_number_do_not_stop_the_iteration", "[eigen
       t.faces.push_back({vertex(j, i), vertex(j, i + 1), vertex(j + 1, i + 1)});
       t.faces.push_back({vertex(j, i), vertex(j + 1, i + 1), vertex(j + 1, i)});
     }
-  const RL::Spline_space_3 space(shapes::mesh(t), params::octree_depth(5));
+  const RL::Spline_space_3 space(shapes::mesh(t), params::depth(5));
   const RL::Laplace_spectrum spectrum =
       RL::laplace_eigenpairs(space, 62, params::eigensolver(RL::Eigensolver::multigrid));
   CHECK(spectrum.report.converged);
@@ -254,7 +254,7 @@ TEST_CASE("an_iteration_is_started_anew_once_for_each_growth", "[eigensolver]") 
 }
 
 TEST_CASE("a_start_level_that_cannot_be_solved_is_not_the_end", "[eigensolver]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(5));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(5));
   const Level_matrices intact = level_matrices(space, 2);
   Level_matrices broken = intact;
   // The iteration for 20 pairs begins on level 3. With a negative eigenvalue there is no factor,
@@ -271,9 +271,9 @@ TEST_CASE("a_start_level_that_cannot_be_solved_is_not_the_end", "[eigensolver]")
 
 TEST_CASE("a_factorization_follows_where_multigrid_stalls", "[eigensolver]") {
   // as good as no stabilization, and more accuracy than the cycles have so
-  const auto hard = params::normal_stabilization(1e-16).relative_tolerance(1e-6);
+  const auto hard = params::stabilization(1e-16).tolerance(1e-6);
   const auto mesh = shapes::mesh(shapes::ragged_square(12, 0.3, 1));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(5));
+  const RL::Spline_space_3 space(mesh, params::depth(5));
   REQUIRE(space.dimension() > 5000); // automatic begins with multigrid
   const RL::Laplace_spectrum stalled =
       RL::laplace_eigenpairs(space, 9, hard.eigensolver(RL::Eigensolver::multigrid));
@@ -287,18 +287,17 @@ TEST_CASE("a_factorization_follows_where_multigrid_stalls", "[eigensolver]") {
   CHECK((automatic.eigenvalues - stalled.eigenvalues).cwiseAbs().maxCoeff() <
         1e-6 * automatic.eigenvalues[8]);
   // not where memory does not allow it
-  const RL::Spline_space_3 small(mesh, params::octree_depth(5).maximum_memory(6e7));
+  const RL::Spline_space_3 small(mesh, params::depth(5).maximum_memory(6e7));
   const RL::Laplace_spectrum in_small = RL::laplace_eigenpairs(small, 9, hard);
   CHECK(in_small.eigensolver == RL::Eigensolver::multigrid);
   CHECK(in_small.report.status == RL::Solve_status::stalled);
   // not where the iteration ended as it was asked to
-  const RL::Laplace_spectrum ended = RL::laplace_eigenpairs(space, 9, hard.number_of_iterations(2));
+  const RL::Laplace_spectrum ended = RL::laplace_eigenpairs(space, 9, hard.maximum_iterations(2));
   CHECK(ended.eigensolver == RL::Eigensolver::multigrid);
   CHECK(ended.report.status == RL::Solve_status::iteration_limit);
   CHECK(ended.report.iterations == 2);
   // better, and not good enough
-  const RL::Laplace_spectrum impossible =
-      RL::laplace_eigenpairs(space, 9, hard.relative_tolerance(1e-18));
+  const RL::Laplace_spectrum impossible = RL::laplace_eigenpairs(space, 9, hard.tolerance(1e-18));
   CHECK(impossible.eigensolver == RL::Eigensolver::shift_invert);
   CHECK(impossible.report.status == RL::Solve_status::stalled);
 }
@@ -308,13 +307,13 @@ TEST_CASE("factorizations_use_the_calling_thread", "[eigensolver]") {
   const int before = number_of_blas_threads();
   if(before == 0)
     SKIP_TEST("the BLAS library does not say how many threads it has");
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(4));
   const RL::Operators operators = RL::assemble_operators(space);
   const auto pairs_with = [&](int threads, const std::function<bool(double)>& callback) {
     RL::internal::set_number_of_blas_threads(threads);
     CHECK(number_of_blas_threads() == threads);
     RL::Eigenpairs_options options;
-    options.callback = callback;
+    options.progress = callback;
     RL::Eigenpairs pairs =
         RL::smallest_eigenpairs(operators.stiffness, operators.mass, 10, options);
     CHECK(number_of_blas_threads() == threads);
@@ -350,12 +349,11 @@ TEST_CASE("factorizations_use_the_calling_thread", "[eigensolver]") {
 }
 
 TEST_CASE("values_of_known_products_are_those_of_the_vectors", "[eigensolver]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::box(1, 0.7, 0.4, 6, 1)),
-                                 params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::box(1, 0.7, 0.4, 6, 1)), params::depth(4));
   const Level_matrices m = level_matrices(space, 2);
   RL::Multigrid_eigenpairs_options options;
   for(double tolerance : {1e-2, 1e-6}) {
-    options.relative_tolerance = tolerance;
+    options.tolerance = tolerance;
     options.eigenvalues_only = false;
     const RL::Eigenpairs verified = multigrid_pairs(m, 20, options);
     options.eigenvalues_only = true;
@@ -378,7 +376,7 @@ TEST_CASE("values_of_known_products_are_those_of_the_vectors", "[eigensolver]") 
 
 TEST_CASE("vectors_that_have_converged_are_made_orthonormal", "[eigensolver]") {
   // Combinations of the eigenfunctions of a multiple eigenvalue have small residuals.
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(4));
   Level_matrices m = level_matrices(space, 2);
   const Eigen::Index n = m.mass.back().cols();
   const RL::Eigenpairs exact = RL::smallest_eigenpairs(m.stiffness.back(), m.mass.back(), 16);
@@ -421,8 +419,8 @@ TEST_CASE("eigensolvers_report_progress_and_can_be_canceled", "[eigensolver]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   for(RL::Eigensolver solver : {RL::Eigensolver::multigrid, RL::Eigensolver::shift_invert}) {
     std::vector<double> parts;
-    const auto np = params::octree_depth(4).eigensolver(solver);
-    RL::laplace_spectrum(mesh, 20, np.callback([&parts](double part) {
+    const auto np = params::depth(4).eigensolver(solver);
+    RL::laplace_spectrum(mesh, 20, np.progress([&parts](double part) {
       parts.push_back(part);
       return true;
     }));
@@ -433,7 +431,7 @@ TEST_CASE("eigensolvers_report_progress_and_can_be_canceled", "[eigensolver]") {
     CHECK(std::is_sorted(parts.begin(), parts.end()));
     for(std::size_t calls : {std::size_t(1), parts.size() / 2, parts.size()}) {
       std::size_t call = 0;
-      const auto canceling = np.callback([&call, calls](double) { return ++call < calls; });
+      const auto canceling = np.progress([&call, calls](double) { return ++call < calls; });
       CHECK_THROWS_AS(RL::laplace_spectrum(mesh, 20, canceling), RL::Canceled);
       CHECK(call == calls);
     }
@@ -443,7 +441,7 @@ TEST_CASE("eigensolvers_report_progress_and_can_be_canceled", "[eigensolver]") {
 TEST_CASE("eigensolver_is_chosen_by_size_or_parameter", "[eigensolver]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const auto uses_multigrid = [&mesh](int depth, auto np) {
-    const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(mesh, 3, np.octree_depth(depth));
+    const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(mesh, 3, np.depth(depth));
     CHECK(spectrum.report.converged);
     CHECK(spectrum.eigenvalues[1] == Approx(2).epsilon(1e-2));
     return spectrum.pairs.regularization == 0;
@@ -453,10 +451,9 @@ TEST_CASE("eigensolver_is_chosen_by_size_or_parameter", "[eigensolver]") {
   CHECK(uses_multigrid(5, automatic));
   CHECK(uses_multigrid(4, params::eigensolver(RL::Eigensolver::multigrid)));
   CHECK_FALSE(uses_multigrid(5, params::eigensolver(RL::Eigensolver::shift_invert)));
-  CHECK_FALSE(uses_multigrid(5, params::paper_space(true)));
-  CHECK_THROWS_AS(
-      uses_multigrid(4, params::paper_space(true).eigensolver(RL::Eigensolver::multigrid)),
-      RL::Parameter_error);
+  CHECK_FALSE(uses_multigrid(5, params::paper(true)));
+  CHECK_THROWS_AS(uses_multigrid(4, params::paper(true).eigensolver(RL::Eigensolver::multigrid)),
+                  RL::Parameter_error);
 }
 
 TEST_CASE("equal_eigenvalues_of_many_parts_take_few_iterations", "[eigensolver]") {
@@ -477,7 +474,7 @@ TEST_CASE("equal_eigenvalues_of_many_parts_take_few_iterations", "[eigensolver]"
     }
   }
   const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(shapes::mesh(row), 20, params::octree_depth(6));
+      RL::laplace_spectrum(shapes::mesh(row), 20, params::depth(6));
   CHECK(spectrum.report.converged);
   CHECK(spectrum.pairs.vectors.rows() < 5000);
   CHECK(spectrum.eigensolver == RL::Eigensolver::multigrid);
@@ -488,7 +485,7 @@ TEST_CASE("equal_eigenvalues_of_many_parts_take_few_iterations", "[eigensolver]"
 
 TEST_CASE("multigrid_eigenpairs_refuse_bad_input", "[eigensolver]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const RL::Spline_space_3 space(mesh, params::depth(4));
   const Level_matrices m = level_matrices(space, 2);
   RL::Multigrid_eigenpairs_options options;
   for(int k : {-1, 0})
@@ -498,7 +495,7 @@ TEST_CASE("multigrid_eigenpairs_refuse_bad_input", "[eigensolver]") {
                   RL::Parameter_error);
   for(double tolerance : {0., 1., -1., std::nan("")}) {
     options = {};
-    options.relative_tolerance = tolerance;
+    options.tolerance = tolerance;
     CHECK_THROWS_AS(multigrid_pairs(m, 10, options), RL::Parameter_error);
   }
   options = {};
@@ -524,7 +521,7 @@ TEST_CASE("multigrid_eigenpairs_refuse_bad_input", "[eigensolver]") {
 }
 
 TEST_CASE("stabilization_of_the_mass_matrix_can_be_left_out", "[eigensolver]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(3));
   const RL::Operators plain = RL::assemble_operators(space, 3),
                       both = RL::assemble_operators(space, 3, 0.1),
                       one = RL::assemble_operators(space, 3, 0.1, RL::Stabilized::stiffness);
@@ -639,7 +636,7 @@ TEST_CASE("panel_kernels_for_vector_registers_equal_plain_ones", "[eigensolver]"
 #endif
 
 TEST_CASE("eigensolvers_take_uncompressed_matrices", "[eigensolver]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(4));
   Level_matrices m = level_matrices(space, 2);
   const RL::Eigenpairs by_multigrid = multigrid_pairs(m, 10, {}),
                        by_factorization =
@@ -657,7 +654,7 @@ TEST_CASE("eigensolvers_take_uncompressed_matrices", "[eigensolver]") {
 }
 
 TEST_CASE("eigensolvers_name_a_matrix_with_an_entry_that_is_not_finite", "[eigensolver]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(3));
   for(double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
     for(const char* name : {"s", "m"}) {
       RL::Operators o = RL::assemble_operators(space);
@@ -711,7 +708,7 @@ TEST_CASE("largest_pairs_leave_dependent_directions_out", "[eigensolver]") {
 
 #ifndef NDEBUG
 TEST_CASE("eigensolvers_check_symmetry_in_debug_builds", "[eigensolver]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(3));
   RL::Operators o = RL::assemble_operators(space);
   o.stiffness = o.stiffness.triangularView<Eigen::Upper>();
   CHECK_THROWS_AS(RL::smallest_eigenpairs(o.stiffness, o.mass, 5), CGAL::Precondition_exception);

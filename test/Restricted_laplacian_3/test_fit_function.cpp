@@ -30,7 +30,7 @@ namespace params = RL::parameters;
 using shapes::Mesh;
 
 RL::Spline_space_3 fitting_space(const shapes::Triangles& t, int depth) {
-  return RL::Spline_space_3(t.points, t.faces, params::octree_depth(depth));
+  return RL::Spline_space_3(t.points, t.faces, params::depth(depth));
 }
 
 /// L2 norm of the difference of two spline functions over that of the second
@@ -93,7 +93,7 @@ TEST_CASE("constants_are_fitted_to_rounding", "[fit]") {
   const RL::Spline_space_3 space = fitting_space(two, 4);
   const auto f = [](const RL::Surface_point& p) { return p.point.x() < 2 ? -7. : 1e6; };
   for(double w : {0., 1e-3, 1e6}) {
-    const RL::Function_fit fit = RL::fit_function(space, f, params::smoothing_weight(w));
+    const RL::Function_fit fit = RL::fit_function(space, f, params::smoothing(w));
     CHECK(fit.root_mean_square_error() < 1e-9 * 1e6);
   }
 }
@@ -133,7 +133,7 @@ TEST_CASE("smoothing_leads_from_the_function_to_its_mean", "[fit]") {
   const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
   const auto amplitude = [&](double w, int steps) {
     const RL::Function_fit fit =
-        RL::fit_function(space, x, params::smoothing_weight(w).refinement_steps(steps));
+        RL::fit_function(space, x, params::smoothing(w).refinements(steps));
     CHECK(fit.converged);
     const Eigen::VectorXd centered = fit.coefficients.col(0).array() - 3;
     return std::sqrt(centered.dot(mass * centered) / (space.surface().area() / 3));
@@ -147,7 +147,7 @@ TEST_CASE("smoothing_leads_from_the_function_to_its_mean", "[fit]") {
   }
   CHECK(amplitude(1e4, 0) == Approx(1 / (1 + 2e4)).epsilon(1e-2));
   CHECK(amplitude(1e8, 0) < 1e-6);
-  CHECK(RL::fit_function(space, x, params::smoothing_weight(1e8)).root_mean_square_error() ==
+  CHECK(RL::fit_function(space, x, params::smoothing(1e8)).root_mean_square_error() ==
         Approx(std::sqrt(1. / 3)).epsilon(1e-2));
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("fits_of_normals_take_few_iterations", "[fit][slow]") {
   const RL::Triangulated_surface_3 bunny = RL::read_surface(shapes::read(path));
   for(int depth = 4; depth <= 6; ++depth) {
     RL::Spline_space_options options;
-    options.octree_depth = depth;
+    options.depth = depth;
     const RL::Spline_space_3 space(bunny, options);
     const RL::Function_fit fit =
         RL::fit_function(space, [](const RL::Surface_point& p) { return p.normal; });
@@ -188,7 +188,7 @@ TEST_CASE("fits_end_when_their_iteration_does_not_show", "[fit][slow]") {
     CHECK(best.iterations > fit.iterations);
     CHECK(fit.relative_residual > 1e-8);
     CHECK(best.relative_energy_error < fit.relative_energy_error);
-    CHECK(fit.normal_stabilization == RL::default_fit_stabilization(space));
+    CHECK(fit.stabilization == RL::default_fit_stabilization(space));
     for(std::size_t k = 0; k < fit.root_mean_square_errors.size(); ++k) {
       const double least = best.root_mean_square_errors[k];
       // errors add as squares, and the one that is left is estimated before the last four steps
@@ -209,8 +209,7 @@ TEST_CASE("fits_end_when_their_iteration_does_not_show", "[fit][slow]") {
 
   // by the residual alone
   const RL::Function_fit by_residual = RL::fit_function(
-      space, wave,
-      params::energy_tolerance(0.).normal_stabilization(1e-4).relative_tolerance(1e-6));
+      space, wave, params::energy_tolerance(0.).stabilization(1e-4).tolerance(1e-6));
   CHECK(by_residual.converged);
   CHECK(by_residual.relative_residual <= 1e-6);
 }
@@ -237,13 +236,10 @@ TEST_CASE("errors_of_fits_are_integrals_of_squared_differences", "[fit]") {
   // with smoothing, and with refinement after it
   for(int steps = 0; steps < 3; ++steps)
     for(const double c : {1e-4, 1e-2})
-      check(wave,
-            RL::fit_function(
-                space, wave,
-                params::smoothing_weight(h * h).refinement_steps(steps).normal_stabilization(c)));
+      check(wave, RL::fit_function(space, wave,
+                                   params::smoothing(h * h).refinements(steps).stabilization(c)));
   // by a fitter that had another use for its solver
-  RL::Function_fitter fitter(
-      space, params::smoothing_weight(h * h).normal_stabilization(1e-3).refinement_steps(1));
+  RL::Function_fitter fitter(space, params::smoothing(h * h).stabilization(1e-3).refinements(1));
   fitter.project(RL::assemble_load(space, wave));
   check(wave, fitter.fit(wave));
 }
@@ -252,13 +248,13 @@ TEST_CASE("refinement_fits_what_is_left", "[fit]") {
   const RL::Spline_space_3 space = fitting_space(shapes::sphere(3), 3);
   const double h = space.octree().cell_width(3);
   const auto f = [](const RL::Surface_point& p) { return std::sin(9 * p.point.x()) * p.point.z(); };
-  const auto options = params::smoothing_weight(h * h).relative_tolerance(1e-10);
+  const auto options = params::smoothing(h * h).tolerance(1e-10);
   RL::Function_fit expected = RL::fit_function(space, f, options);
   // by values, not by matrices
   const RL::Spline_function_3 u(space, expected.coefficients);
   const auto left = [&](const RL::Surface_point& p) { return f(p) - u.value(p); };
   expected.coefficients += RL::fit_function(space, left, options).coefficients;
-  const RL::Function_fit fit = RL::fit_function(space, f, options.refinement_steps(1));
+  const RL::Function_fit fit = RL::fit_function(space, f, options.refinements(1));
   const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
   CHECK(fit_difference(mass, fit.coefficients, expected.coefficients) < 1e-8);
 }
@@ -271,13 +267,13 @@ TEST_CASE("stabilization_of_fits_follows_their_smoothing", "[fit]") {
   CHECK(RL::default_fit_stabilization(space, unit) == 1e-4);
   const auto x = [](const RL::Surface_point& p) { return p.point.x(); };
   const auto fit = [&](double w) {
-    return RL::fit_function(space, x, params::smoothing_weight(w * unit));
+    return RL::fit_function(space, x, params::smoothing(w * unit));
   };
-  CHECK(fit(0.01).normal_stabilization == Approx(1e-5));
+  CHECK(fit(0.01).stabilization == Approx(1e-5));
   CHECK(fit(0.01).relative_residual <= 1e-8);
   const RL::Function_fit projected =
       RL::Function_fitter(space).project(RL::assemble_load(space, x));
-  CHECK(projected.normal_stabilization == RL::default_projection_stabilization);
+  CHECK(projected.stabilization == RL::default_projection_stabilization);
   CHECK(projected.relative_residual <= 1e-8);
 }
 
@@ -293,7 +289,7 @@ TEST_CASE("property_maps_are_fitted_on_meshes_and_soups", "[fit]") {
     v[i] = mesh.point(i) - CGAL::ORIGIN;
   }
   // coordinates are in the space, and linear in each triangle
-  const auto np = params::octree_depth(3);
+  const auto np = params::depth(3);
   CHECK(RL::fit_function(mesh, f, u, np).root_mean_square_error() < 1e-6);
   const RL::Fit_report report = RL::fit_function(mesh, v, w, np);
   CHECK(report.root_mean_square_errors.size() == 3);
@@ -318,20 +314,18 @@ TEST_CASE("classes_take_named_parameters_as_functions_do", "[fit]") {
   const shapes::Triangles t = shapes::sphere(2);
   const RL::Spline_space_3 space(
       RL::Triangulated_surface_3(t.points, t.faces),
-      params::cube_scale(none).joining_tolerance(std::optional<double>(0.)).octree_depth(2));
+      params::cube_scale(none).joining_tolerance(std::optional<double>(0.)).depth(2));
   CHECK(space.depth() == 2);
   CHECK(space.options().cube_scale == 1.1);
   CHECK(space.options().joining_tolerance == 0.);
-  RL::Function_fitter fitter(
-      space, params::normal_stabilization(none).smoothing_weight(0.1).relative_tolerance(1e-6));
-  CHECK_FALSE(fitter.options().normal_stabilization);
-  CHECK(fitter.options().smoothing_weight == 0.1);
-  CHECK(fitter.options().solver.relative_tolerance == 1e-6);
-  CHECK(RL::Function_fitter(space).options().solver.relative_tolerance ==
+  RL::Function_fitter fitter(space, params::stabilization(none).smoothing(0.1).tolerance(1e-6));
+  CHECK_FALSE(fitter.options().stabilization);
+  CHECK(fitter.options().smoothing == 0.1);
+  CHECK(fitter.options().solver.tolerance == 1e-6);
+  CHECK(RL::Function_fitter(space).options().solver.tolerance ==
         RL::Function_fitter::default_tolerance);
   CHECK(fitter.fit(smooth_test_function).coefficients ==
-        RL::fit_function(space, smooth_test_function,
-                         params::relative_tolerance(1e-6).smoothing_weight(0.1))
+        RL::fit_function(space, smooth_test_function, params::tolerance(1e-6).smoothing(0.1))
             .coefficients);
 }
 
@@ -344,7 +338,7 @@ TEST_CASE("fits_do_not_depend_on_scales", "[fit]") {
         [&](const RL::Surface_point& p) {
           return value * std::exp(p.point.x() / length) * p.normal.y();
         },
-        params::smoothing_weight(1e-3 * length * length));
+        params::smoothing(1e-3 * length * length));
     CHECK(fit.converged);
     return RL::Spline_functions_3(space, fit.coefficients).values_at_vertices().eval();
   };
@@ -360,13 +354,13 @@ TEST_CASE("fits_of_bad_input_are_refused", "[fit]") {
   const auto refused = [&](const auto& np) {
     CHECK_THROWS_AS(RL::fit_function(space, one, np), RL::Parameter_error);
   };
-  refused(params::smoothing_weight(-1.));
-  refused(params::smoothing_weight(std::numeric_limits<double>::quiet_NaN()));
-  refused(params::refinement_steps(-1));
-  refused(params::normal_stabilization(-1.));
+  refused(params::smoothing(-1.));
+  refused(params::smoothing(std::numeric_limits<double>::quiet_NaN()));
+  refused(params::refinements(-1));
+  refused(params::stabilization(-1.));
   refused(params::energy_tolerance(-0.1));
   refused(params::energy_tolerance(1.));
-  refused(params::relative_tolerance(0.));
+  refused(params::tolerance(0.));
   const auto nan = [](const RL::Surface_point& p) {
     return p.face == 5 ? std::numeric_limits<double>::quiet_NaN() : 1.;
   };

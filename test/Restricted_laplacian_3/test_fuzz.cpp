@@ -176,7 +176,7 @@ bool is_degenerate(const shapes::Triangles& t, double cube_scale) {
 /// `Octree_3::largest_wall_tolerance`.
 bool has_too_few_digits(const shapes::Triangles& t, const RL::Spline_space_options& options) {
   const auto [distance, extent] = distance_and_extent(t);
-  const double cell_width = std::ldexp(*options.cube_scale * extent, -*options.octree_depth);
+  const double cell_width = std::ldexp(*options.cube_scale * extent, -*options.depth);
   return std::ldexp(distance, -50) > RL::Octree_3::largest_wall_tolerance * cell_width;
 }
 
@@ -227,8 +227,7 @@ void check(const RL::Spline_space_3& space) {
   if(surface.area() > 1e-12 * surface.extent() * surface.extent())
     REQUIRE(report.converged);
   const RL::Solve_report of_paper =
-      RL::make_poisson_solver(space, operators, 0, params::number_of_iterations(30))
-          .solve(load, eta);
+      RL::make_poisson_solver(space, operators, 0, params::maximum_iterations(30)).solve(load, eta);
   REQUIRE(eta.allFinite());
   REQUIRE(std::isfinite(of_paper.relative_residual));
 
@@ -270,10 +269,10 @@ TEST_CASE("random_hostile_surfaces", "[fuzz]") {
     Fuzzer fuzzer(seed);
     const shapes::Triangles t = fuzzer.surface();
     RL::Spline_space_options options;
-    options.octree_depth = fuzzer.depth();
+    options.depth = fuzzer.depth();
     options.cube_scale = fuzzer.cube_scale();
     options.joining_tolerance = fuzzer.joining_tolerance();
-    options.split_elements = seed % 4 != 0;
+    options.split = seed % 4 != 0;
     std::optional<RL::Spline_space_3> space;
     try {
       space.emplace(RL::Triangulated_surface_3(t.points, t.faces), options);
@@ -281,7 +280,7 @@ TEST_CASE("random_hostile_surfaces", "[fuzz]") {
       REQUIRE(is_degenerate(t, *options.cube_scale));
     } catch(const RL::Parameter_error& error) {
       INFO(error.what());
-      REQUIRE(error.parameter() == "octree_depth");
+      REQUIRE(error.parameter() == "depth");
       REQUIRE(has_too_few_digits(t, options));
     }
     if(space)

@@ -358,7 +358,7 @@ TEST_CASE("distances_from_many_sources_are_those_from_each", "[geodesic][threads
   for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
     RL::Geodesic_options options(method);
     Distances parts;
-    options.callback = [&, caller = std::this_thread::get_id()](double part) {
+    options.progress = [&, caller = std::this_thread::get_id()](double part) {
       CHECK(caller == std::this_thread::get_id());
       parts.push_back(part);
       return true;
@@ -430,7 +430,7 @@ TEST_CASE("queries_of_distances_may_be_canceled", "[geodesic]") {
   for(const int calls : {1, 2}) {
     RL::Geodesic_options options;
     const auto cancel_at = [&] {
-      options.callback = [&calls, n = 0](double) mutable { return ++n < calls; };
+      options.progress = [&calls, n = 0](double) mutable { return ++n < calls; };
     };
     cancel_at();
     CHECK_THROWS_AS(geodesics.distances(source, options), RL::Canceled);

@@ -216,7 +216,7 @@ TEST_CASE("splines_of_distances_converge_on_a_sphere", "[geodesic_spline]") {
   // of the fit alone, against what is fitted, where neither source nor antipode is near
   std::vector<double> values, slopes;
   for(int depth : {3, 4, 5}) {
-    const RL::Spline_space_3 space(rays.surface(), RL::parameters::octree_depth(depth));
+    const RL::Spline_space_3 space(rays.surface(), RL::parameters::depth(depth));
     const RL::Geodesic_spline u = RL::Geodesic_fitter(space).fit(d);
     CHECK(u.report().converged);
     CHECK(u.report().iterations <= 6);
@@ -246,7 +246,7 @@ TEST_CASE("splines_of_distances_converge_on_a_sphere", "[geodesic_spline]") {
 TEST_CASE("gradients_of_splines_of_distances_are_those_of_their_values", "[geodesic_spline]") {
   const auto t = shapes::grid(6, [](double x, double y) { return RL::Point_3(x, y, 0.2 * x * x); });
   const RL::Geodesic_solver rays = shapes::geodesics(t);
-  const RL::Spline_space_3 space(rays.surface(), RL::parameters::octree_depth(4));
+  const RL::Spline_space_3 space(rays.surface(), RL::parameters::depth(4));
   const RL::Geodesic_spline u =
       RL::Geodesic_fitter(space).fit(distance_from(rays, RL::Geodesic_sources::vertex(8)));
   const double h = space.octree().cell_width(4);
@@ -282,7 +282,7 @@ TEST_CASE("splines_of_distances_leave_out_what_no_source_reaches", "[geodesic_sp
   const shapes::Triangles one = shapes::sphere(3),
                           two = shapes::joined(one, shapes::moved(one, {2.05, 0, 0}));
   const RL::Geodesic_solver rays = shapes::geodesics(two);
-  const RL::Spline_space_3 space(rays.surface(), RL::parameters::octree_depth(5));
+  const RL::Spline_space_3 space(rays.surface(), RL::parameters::depth(5));
   const RL::Geodesic_spline u =
       RL::Geodesic_fitter(space).fit(distance_from(rays, RL::Geodesic_sources::vertex(3)));
   const auto distance = [&](const RL::Point_3& p) {
@@ -297,7 +297,7 @@ TEST_CASE("splines_of_distances_leave_out_what_no_source_reaches", "[geodesic_sp
 TEST_CASE("what_fits_of_distances_refuse_and_tell", "[geodesic_spline]") {
   const RL::Geodesic_solver rays = shapes::geodesics(shapes::sphere(3));
   const RL::Geodesic_function d = distance_from(rays, RL::Geodesic_sources::vertex(0));
-  const RL::Spline_space_3 space(rays.surface(), RL::parameters::octree_depth(4));
+  const RL::Spline_space_3 space(rays.surface(), RL::parameters::depth(4));
   const RL::Geodesic_fitter fitter(space);
   double last = 0;
   const RL::Geodesic_spline u = fitter.fit(d, [&](double done) {
@@ -312,18 +312,18 @@ TEST_CASE("what_fits_of_distances_refuse_and_tell", "[geodesic_spline]") {
                   RL::Parameter_error);
   // options count
   const RL::Geodesic_spline tight =
-      RL::Geodesic_fitter(space, RL::parameters::relative_tolerance(1e-10)).fit(d);
+      RL::Geodesic_fitter(space, RL::parameters::tolerance(1e-10)).fit(d);
   CHECK(tight.report().relative_residual < 1e-10);
   CHECK(u.report().relative_residual > 1e-10);
   CHECK((tight.spline().coefficients() - u.spline().coefficients()).norm() > 0);
   RL::Geodesic_fit_options options;
-  options.normal_stabilization = 1;
+  options.stabilization = 1;
   const RL::Geodesic_spline stiff = RL::Geodesic_fitter(space, options).fit(d);
   CHECK((stiff.spline().coefficients() - u.spline().coefficients()).norm() >
         1e-6 * u.spline().coefficients().norm());
   // the same on several threads
-  const RL::Spline_space_3 parallel(rays.surface(), RL::parameters::octree_depth(4).concurrency_tag(
-                                                        CGAL::Parallel_if_available_tag()));
+  const RL::Spline_space_3 parallel(
+      rays.surface(), RL::parameters::depth(4).concurrency_tag(CGAL::Parallel_if_available_tag()));
   const RL::Geodesic_spline again =
       RL::Geodesic_fitter(parallel,
                           RL::parameters::concurrency_tag(CGAL::Parallel_if_available_tag()))
@@ -339,7 +339,7 @@ TEST_CASE("distances_on_meshes_as_splines", "[geodesic_spline][shared]") {
   const RL::Geodesic_solver rays = shapes::geodesics(t);
   const auto source = RL::Geodesic_sources::vertex(0);
   const std::vector<double> exact = rays.distances(source, RL::Geodesic_method::exact).distances;
-  const RL::Spline_space_3 space(rays.surface(), RL::parameters::octree_depth(7));
+  const RL::Spline_space_3 space(rays.surface(), RL::parameters::depth(7));
   const RL::Geodesic_spline u = RL::Geodesic_fitter(space).fit(distance_from(rays, source));
   const double largest = *std::max_element(exact.begin(), exact.end());
   double sum = 0, worst = 0;
@@ -374,7 +374,7 @@ TEST_CASE("distances_of_points_without_faces", "[geodesic_spline]") {
         std::vector<double>(t.points.size(), 4 * CGAL_PI / static_cast<double>(t.points.size())));
     const RL::Geodesic_solver rays(surface);
     const RL::Geodesic_function d = distance_from(rays, RL::Geodesic_sources::vertex(3));
-    const RL::Spline_space_3 space(surface, RL::parameters::octree_depth(4));
+    const RL::Spline_space_3 space(surface, RL::parameters::depth(4));
     const RL::Geodesic_spline u = RL::Geodesic_fitter(space).fit(d);
     for(std::size_t i = 0; i < t.points.size(); ++i) {
       const RL::Surface_location here = rays.location(i);

@@ -38,7 +38,7 @@ using Jacobian = Eigen::Matrix3d;
 constexpr double field_nan = std::numeric_limits<double>::quiet_NaN();
 
 RL::Spline_space_3 gradient_space(const shapes::Triangles& t, int depth) {
-  return RL::Spline_space_3(t.points, t.faces, params::octree_depth(depth));
+  return RL::Spline_space_3(t.points, t.faces, params::depth(depth));
 }
 
 // three quadrics, which are in the space, and the gradients in space, each a column
@@ -95,7 +95,7 @@ Eigen::RowVector3d weighted_mean(const RL::Spline_space_3& space,
 /// with little stabilization and a small tolerance
 constexpr double small_stabilization = 1e-8;
 template <class Parameters> auto exact(double tolerance, const Parameters& np) {
-  return np.normal_stabilization(small_stabilization).relative_tolerance(tolerance);
+  return np.stabilization(small_stabilization).tolerance(tolerance);
 }
 
 } // namespace
@@ -104,7 +104,7 @@ TEST_CASE("gradients_of_functions_in_the_space_are_integrated", "[gradient]") {
   for(const shapes::Triangles& t : {shapes::sphere(3), shapes::rectangle(2, 1)}) {
     const RL::Spline_space_3 space = gradient_space(t, 3);
     const RL::Gradient_fit fit = RL::integrate_gradient_field(
-        space, quadric_field, exact(1e-9, params::target_values(quadric_target)));
+        space, quadric_field, exact(1e-9, params::target(quadric_target)));
     CHECK(fit.converged);
     CHECK(fit.relative_residual <= 1e-9);
     REQUIRE(fit.root_mean_square_residuals.size() == 3);
@@ -150,16 +150,16 @@ TEST_CASE("fields_are_fitted_in_the_metric_of_the_integration", "[gradient]") {
                                RL::Diffusion_integration(space.integration(), nine));
   // gradients remain gradients
   const RL::Gradient_fit exact_fit = RL::integrate_gradient_field(
-      stretched, quadric_field, exact(1e-9, params::target_values(quadric_target)));
+      stretched, quadric_field, exact(1e-9, params::target(quadric_target)));
   CHECK(largest_difference(space, exact_fit.coefficients, quadrics) < 1e-4);
   // a constant factor of the metric changes the residual by its root, and nothing else
   const Single_field rough = [](const RL::Surface_point& p) {
     return RL::Vector_3(p.point.y(), -p.point.x(), p.point.z() * p.point.x());
   };
   const RL::Gradient_fit plain =
-      RL::integrate_gradient_field(space, rough, exact(1e-9, params::mean_value(0.)));
+      RL::integrate_gradient_field(space, rough, exact(1e-9, params::mean(0.)));
   const RL::Gradient_fit by_nine =
-      RL::integrate_gradient_field(scaled, rough, exact(1e-9, params::mean_value(0.)));
+      RL::integrate_gradient_field(scaled, rough, exact(1e-9, params::mean(0.)));
   const auto values = [&](const RL::Gradient_fit& fit) {
     return RL::Spline_functions_3(space, fit.coefficients).values_at_vertices();
   };
@@ -186,8 +186,7 @@ TEST_CASE("the_part_of_a_field_that_is_no_gradient_is_ignored", "[gradient]") {
         const Eigen::Vector3d n(p.normal.x(), p.normal.y(), p.normal.z());
         return Eigen::Vector3d(quadric_field(p).col(0) + swirling(p) + 7 * n);
       },
-      exact(1e-9, params::target_values(
-                      [](const RL::Surface_point& p) { return quadrics(p.point)[0]; })));
+      exact(1e-9, params::target([](const RL::Surface_point& p) { return quadrics(p.point)[0]; })));
   CHECK(largest_difference(space, fit.coefficients, [](const RL::Point_3& p) {
           return Eigen::Matrix<double, 1, 1>(quadrics(p)[0]);
         }) < 1e-4);
@@ -211,7 +210,7 @@ TEST_CASE("channels_are_integrated_as_one_by_one", "[gradient]") {
   const Single_field other = [](const RL::Surface_point& p) {
     return RL::Vector_3(0, p.point.z(), 2);
   };
-  const auto np = params::relative_tolerance(1e-10);
+  const auto np = params::tolerance(1e-10);
   const RL::Gradient_fit both = RL::integrate_gradient_field(
       space,
       [&](const RL::Surface_point& p) {
@@ -237,7 +236,7 @@ TEST_CASE("channels_are_integrated_as_one_by_one", "[gradient]") {
 TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[gradient]") {
   const shapes::Triangles t = shapes::sphere(2);
   Mesh mesh = shapes::mesh(t);
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
   const auto by_vertex =
       mesh.add_property_map<Mesh::Vertex_index, Jacobian>("v", Jacobian::Zero()).first;
   const auto by_halfedge =
@@ -279,12 +278,12 @@ TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[
 
   // to the end, with means
   const auto u = mesh.add_property_map<Mesh::Vertex_index, std::array<float, 3>>("u", {}).first;
-  const auto np = exact(1e-9, params::mean_value(Eigen::Vector3d(1, 2, 3)));
+  const auto np = exact(1e-9, params::mean(Eigen::Vector3d(1, 2, 3)));
   const RL::Gradient_fit expected = RL::integrate_gradient_field(space, quadric_field, np);
   CHECK(weighted_mean(space, expected.coefficients, [](const RL::Surface_point&) {
           return 1.;
         }).isApprox(Eigen::RowVector3d(1, 2, 3), 1e-10));
-  CHECK(RL::integrate_gradient_field(mesh, by_vertex, u, np.octree_depth(3)).converged);
+  CHECK(RL::integrate_gradient_field(mesh, by_vertex, u, np.depth(3)).converged);
   const Eigen::MatrixXd values =
       RL::Spline_functions_3(space, expected.coefficients).values_at_vertices();
   for(const auto v : vertices(mesh))
@@ -302,7 +301,7 @@ TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {
     const auto weight = RL::function_of_degree(w, degree);
     RL::internal::Elliptic_operator elliptic;
     elliptic.reaction_function = weight;
-    elliptic.normal_stabilization = c;
+    elliptic.stabilization = c;
     return RL::internal::assemble_system(space, 2, elliptic);
   };
   const auto expected = [](const RL::Spline_space_3& space, const Weight& w) {
@@ -319,7 +318,7 @@ TEST_CASE("weighted_systems_are_those_of_weighted_integration", "[gradient]") {
       space, [](const RL::Surface_point&) { return 2.; }, 0, 0.1);
   RL::internal::Elliptic_operator with_number;
   with_number.reaction = 2;
-  with_number.normal_stabilization = 0.1;
+  with_number.stabilization = 0.1;
   const auto of_number = RL::internal::assemble_system(space, 2, with_number);
   CHECK(matrix_difference(one.matrices.back(), of_number.matrices.back()) < 1e-14);
   CHECK(matrix_difference<Eigen::VectorXd>(one.integrals, of_number.integrals) < 1e-14);
@@ -366,8 +365,7 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
       return p.face % 2 * (p.face < half ? alpha : 1e-3 * alpha) / area;
     };
     const RL::Gradient_fit fit = RL::integrate_gradient_field(
-        space, quadric_field,
-        params::screening_weight(RL::function_of_degree(w, 0)).target_values(far_target));
+        space, quadric_field, params::alpha(RL::function_of_degree(w, 0)).target(far_target));
     CHECK(fit.converged);
     CHECK(fit.components_without_weight == 0);
     const Eigen::MatrixXd targets = RL::assemble_component_loads(
@@ -394,9 +392,8 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
       return p.face < half && p.face % 3 == 0 ? Eigen::Vector3d(quadrics(p.point))
                                               : Eigen::Vector3d::Constant(field_nan);
     };
-    const auto np = exact(
-        1e-9,
-        params::screening_weight(RL::function_of_degree(nowhere_else, 0)).target_values(known));
+    const auto np =
+        exact(1e-9, params::alpha(RL::function_of_degree(nowhere_else, 0)).target(known));
     const RL::Gradient_fit filled = RL::integrate_gradient_field(space, quadric_field, np);
     CHECK(filled.converged);
     CHECK(filled.components_without_weight == 1);
@@ -411,7 +408,7 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
           (values.row(static_cast<Eigen::Index>(v)).transpose() - quadrics(two.points[v])).norm() <
           1e-4);
     const RL::Gradient_fit given =
-        RL::integrate_gradient_field(space, quadric_field, np.mean_value(Eigen::Vector3d(5, 6, 7)));
+        RL::integrate_gradient_field(space, quadric_field, np.mean(Eigen::Vector3d(5, 6, 7)));
     CHECK((weighted_mean(space, given.coefficients, second) - Eigen::RowVector3d(5, 6, 7)).norm() <
           1e-9);
     CHECK((weighted_mean(space, given.coefficients, nowhere_else) - of_targets).norm() < 1e-6);
@@ -421,13 +418,13 @@ TEST_CASE("means_are_those_of_the_targets_however_small_the_weight_is", "[gradie
 TEST_CASE("large_weights_give_the_targets", "[gradient]") {
   const RL::Spline_space_3 space = gradient_space(shapes::sphere(3), 3);
   const Field nothing = [](const RL::Surface_point&) { return Jacobian(Jacobian::Zero()); };
-  const auto np = params::target_values(quadric_target);
+  const auto np = params::target(quadric_target);
   for(double alpha : {1e4, 1e8}) {
     const RL::Gradient_fit number =
-        RL::integrate_gradient_field(space, nothing, exact(1e-10, np.screening_weight(alpha)));
+        RL::integrate_gradient_field(space, nothing, exact(1e-10, np.alpha(alpha)));
     const Weight w = [alpha](const RL::Surface_point&) { return alpha; };
     const RL::Gradient_fit function = RL::integrate_gradient_field(
-        space, nothing, exact(1e-10, np.screening_weight(RL::function_of_degree(w, 0))));
+        space, nothing, exact(1e-10, np.alpha(RL::function_of_degree(w, 0))));
     CHECK(number.converged);
     CHECK(function.converged);
     CHECK(largest_difference(space, number.coefficients, quadrics) < 100 / alpha + 1e-4);
@@ -436,7 +433,7 @@ TEST_CASE("large_weights_give_the_targets", "[gradient]") {
   }
   // without a target, the mean pulls
   const RL::Gradient_fit flat = RL::integrate_gradient_field(
-      space, quadric_field, params::screening_weight(1e8).mean_value(Eigen::Vector3d(1, 2, 3)));
+      space, quadric_field, params::alpha(1e8).mean(Eigen::Vector3d(1, 2, 3)));
   CHECK(largest_difference(space, flat.coefficients,
                            [](const RL::Point_3&) { return Eigen::Vector3d(1, 2, 3); }) < 1e-5);
 }
@@ -469,7 +466,7 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
     return error;
   };
   const auto gradients = RL::vertex_gradients(t.points, t.faces, g);
-  const auto np = params::octree_depth(4).target_values(g).relative_tolerance(1e-9);
+  const auto np = params::depth(4).target(g).tolerance(1e-9);
   RL::integrate_gradient_field(t.points, t.faces, gradients, u, np);
   CHECK(largest_error() > 0.1);
   const auto check = [&](const auto& with_details) {
@@ -480,13 +477,13 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
     CHECK(largest_error() < 1e-6);
     CHECK(std::isnan(result.back()[0]));
   };
-  check(np.vertex_details(true));
+  check(np.details(true));
   for(double alpha : {1e-12, 1., 1e6})
-    check(np.screening_weight(alpha).vertex_details(true));
+    check(np.alpha(alpha).details(true));
   std::vector<double> of_faces;
   for(std::size_t i = 0; i < t.faces.size(); ++i)
     of_faces.push_back(i % 3 == 0 ? 0 : 1e-9 * static_cast<double>(i));
-  check(np.screening_weight(RL::Face_function<double>(of_faces)).vertex_details(true));
+  check(np.alpha(RL::Face_function<double>(of_faces)).details(true));
 }
 
 TEST_CASE("details_solve_the_cotangent_system", "[gradient]") {
@@ -530,7 +527,7 @@ TEST_CASE("gradients_on_point_sets_are_integrated", "[gradient]") {
   const auto range = shapes::sphere_points(2000);
   std::vector<double> u(range.size());
   const auto np =
-      params::octree_depth(3)
+      params::depth(3)
           .point_map(CGAL::First_of_pair_property_map<std::pair<RL::Point_3, RL::Vector_3>>())
           .normal_map(CGAL::Second_of_pair_property_map<std::pair<RL::Point_3, RL::Vector_3>>());
   const Single_field field = [](const RL::Surface_point&) { return RL::Vector_3(1, -2, 0); };
@@ -539,20 +536,19 @@ TEST_CASE("gradients_on_point_sets_are_integrated", "[gradient]") {
   CHECK(report.converged);
   for(std::size_t i = 0; i < u.size(); ++i)
     CHECK(u[i] == Approx(range[i].first.x() - 2 * range[i].first.y()).margin(0.02));
-  CHECK_THROWS_AS(RL::integrate_gradient_field(range, field, CGAL::make_property_map(u),
-                                               np.vertex_details(true)),
-                  RL::Input_error);
+  CHECK_THROWS_AS(
+      RL::integrate_gradient_field(range, field, CGAL::make_property_map(u), np.details(true)),
+      RL::Input_error);
 }
 
 TEST_CASE("gradients_are_integrated_the_same_on_any_number_of_threads", "[gradient][threads]") {
   const shapes::Triangles t = shapes::sphere(4);
   const auto solve = [&](const auto& tag) {
-    const RL::Spline_space_3 space(t.points, t.faces, params::octree_depth(5).concurrency_tag(tag));
+    const RL::Spline_space_3 space(t.points, t.faces, params::depth(5).concurrency_tag(tag));
     const Weight w = [](const RL::Surface_point& p) { return p.face % 2; };
-    return RL::integrate_gradient_field(space, quadric_field,
-                                        params::screening_weight(RL::function_of_degree(w, 0))
-                                            .target_values(quadric_target)
-                                            .concurrency_tag(tag));
+    return RL::integrate_gradient_field(
+        space, quadric_field,
+        params::alpha(RL::function_of_degree(w, 0)).target(quadric_target).concurrency_tag(tag));
   };
   const RL::Gradient_fit one = solve(CGAL::Sequential_tag()),
                          several = solve(CGAL::Parallel_if_available_tag());
@@ -568,14 +564,11 @@ TEST_CASE("gradients_are_integrated_at_any_scale", "[gradient]") {
     for(const RL::Point_3& p : sphere.points)
       g.push_back(value * std::exp(p.x() - 2 * p.y()));
     const auto map = CGAL::make_property_map(g);
-    CHECK(RL::integrate_gradient_field(t.points, t.faces,
-                                       RL::vertex_gradients(t.points, t.faces, map),
-                                       CGAL::make_property_map(u),
-                                       params::octree_depth(2)
-                                           .vertex_details(true)
-                                           .target_values(map)
-                                           .relative_tolerance(1e-8)
-                                           .screening_weight(1e-3 / length / length))
+    CHECK(RL::integrate_gradient_field(
+              t.points, t.faces, RL::vertex_gradients(t.points, t.faces, map),
+              CGAL::make_property_map(u),
+              params::depth(2).details(true).target(map).tolerance(1e-8).alpha(1e-3 / length /
+                                                                               length))
               .converged);
     double error = 0;
     for(std::size_t i = 0; i < u.size(); ++i)
@@ -600,25 +593,25 @@ TEST_CASE("bad_input_of_gradient_fields_is_refused", "[gradient]") {
                       Catch::Contains(text));
   };
   for(double bad : {-1., 0., field_nan, std::numeric_limits<double>::infinity()})
-    refused(params::screening_weight(bad), "screening_weight");
+    refused(params::alpha(bad), "alpha");
   for(int degree : {0, 6})
     for(double bad : {-1., field_nan}) {
       const Weight w = [bad](const RL::Surface_point& p) { return p.face == 3 ? bad : 1.; };
-      refused(params::screening_weight(RL::function_of_degree(w, degree)), "face 3");
+      refused(params::alpha(RL::function_of_degree(w, degree)), "face 3");
     }
-  refused(params::mean_value(Eigen::Vector3d(0, field_nan, 0)), "mean_value");
+  refused(params::mean(Eigen::Vector3d(0, field_nan, 0)), "mean");
   const Target bad_target = [](const RL::Surface_point& p) {
     return Eigen::Vector3d(0, 0, p.face == 7 ? field_nan : 0.);
   };
-  refused(params::target_values(bad_target), "face 7");
-  refused(params::normal_stabilization(-1.), "normal_stabilization");
-  refused(params::relative_tolerance(0.), "relative_tolerance");
+  refused(params::target(bad_target), "face 7");
+  refused(params::stabilization(-1.), "stabilization");
+  refused(params::tolerance(0.), "tolerance");
   std::vector<double> u(3, -1.);
   const Single_field one = [](const RL::Surface_point&) { return RL::Vector_3(1, 0, 0); };
   const auto solve = [&](const std::vector<RL::Point_3>& points,
                          const std::vector<std::array<int, 3>>& faces) {
     return RL::integrate_gradient_field(points, faces, one, CGAL::make_property_map(u),
-                                        params::octree_depth(3).vertex_details(true));
+                                        params::depth(3).details(true));
   };
   CHECK_THROWS_AS(solve({}, {}), RL::Empty_surface_error);
   CHECK_THROWS_AS(solve({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}), RL::Zero_area_error);

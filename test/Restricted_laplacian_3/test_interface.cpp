@@ -80,7 +80,7 @@ private:
 
 TEST_CASE("functions_may_evaluate_themselves_at_many_points", "[interface]") {
   const shapes::Triangles sphere = shapes::sphere(3);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::octree_depth(3));
+  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(3));
   const Powers powers(6);
   const RL::Surface_function_view view(powers);
   CHECK(view.components() == 6);
@@ -113,7 +113,7 @@ TEST_CASE("functions_may_evaluate_themselves_at_many_points", "[interface]") {
 TEST_CASE("evaluation_matrices_give_the_values_of_functions", "[interface]") {
   shapes::Triangles t = shapes::box(1, 0.7, 0.4, 3, 1);
   t.points.emplace_back(0.3, 0.2, 0.1); // of no face
-  const RL::Spline_space_3 space(t.points, t.faces, params::octree_depth(4));
+  const RL::Spline_space_3 space(t.points, t.faces, params::depth(4));
   const auto locations = RL::sample_surface(space.surface(), 60, 1);
   for(int level : {2, 4}) {
     const auto n = static_cast<Eigen::Index>(space.dimension(level));
@@ -146,13 +146,12 @@ TEST_CASE("evaluation_matrices_give_the_values_of_functions", "[interface]") {
 
 TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
   RL::Spline_space_options of_space;
-  of_space.octree_depth = 3;
+  of_space.depth = 3;
   of_space.cube_scale = 1.3;
   const shapes::Triangles sphere = shapes::sphere(3);
   const RL::Spline_space_3 space(RL::Triangulated_surface_3(sphere.points, sphere.faces), of_space);
   CHECK(space.dimension() ==
-        RL::Spline_space_3(shapes::mesh(sphere), params::octree_depth(3).cube_scale(1.3))
-            .dimension());
+        RL::Spline_space_3(shapes::mesh(sphere), params::depth(3).cube_scale(1.3)).dimension());
   const auto f = [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); };
   const auto g = [](const RL::Surface_point& p) { return 1 + p.point.z() * p.point.z(); };
   int calls = 0;
@@ -164,15 +163,14 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
   {
     RL::Poisson_problem problem(f);
     problem.alpha_function = g;
-    problem.normal_stabilization = 0.01;
-    problem.solver.relative_tolerance = 1e-9;
-    problem.callback = count;
+    problem.stabilization = 0.01;
+    problem.solver.tolerance = 1e-9;
+    problem.progress = count;
     const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
     CHECK(solution.converged);
     CHECK(calls > 2);
     CHECK(solution.coefficients ==
-          RL::solve_screened_poisson(space, f, g,
-                                     params::normal_stabilization(0.01).relative_tolerance(1e-9))
+          RL::solve_screened_poisson(space, f, g, params::stabilization(0.01).tolerance(1e-9))
               .coefficients);
     // each option counts
     const auto differs = [&](const RL::Poisson_problem& other) {
@@ -182,10 +180,10 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
     other.alpha_function.reset();
     CHECK(differs(other));
     other = problem;
-    other.normal_stabilization.reset();
+    other.stabilization.reset();
     CHECK(differs(other));
     other = problem;
-    other.solver.relative_tolerance.reset();
+    other.solver.tolerance.reset();
     CHECK(differs(other));
     CHECK(RL::solve_poisson_problem(space, RL::Poisson_problem(f)).coefficients ==
           RL::solve_poisson(space, f).coefficients);
@@ -197,52 +195,51 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
     const RL::Surface_location center = {5, {1. / 3, 1. / 3, 1. / 3}};
     with_number.constraints.emplace(space);
     with_number.constraints->add(center, 2, 1e6);
-    with_number.solver.relative_tolerance = 1e-9;
+    with_number.solver.tolerance = 1e-9;
     const RL::Poisson_solution constrained = RL::solve_poisson_problem(space, with_number);
     CHECK(RL::Spline_function_3(space, constrained.coefficients).value(center) ==
           Approx(2).epsilon(1e-3));
     // prescribed values have a smaller tolerance, unless told otherwise
-    with_number.solver.relative_tolerance.reset();
+    with_number.solver.tolerance.reset();
     CHECK(RL::solve_poisson_problem(space, with_number).relative_residual <= 1e-7);
-    with_number.solver.relative_tolerance = 1e-3;
+    with_number.solver.tolerance = 1e-3;
     CHECK(RL::solve_poisson_problem(space, with_number).relative_residual > 1e-7);
   }
   {
     RL::Function_fit_options options;
-    options.smoothing_weight = 0.1;
-    options.refinement_steps = 1;
-    options.solver.relative_tolerance = 1e-6;
+    options.smoothing = 0.1;
+    options.refinements = 1;
+    options.solver.tolerance = 1e-6;
     const auto fit = [&](const RL::Function_fit_options& o) {
       return RL::Function_fitter(space, o).fit(f).coefficients;
     };
     const Eigen::MatrixXd expected = fit(options);
     CHECK(expected ==
-          RL::fit_function(
-              space, f, params::smoothing_weight(0.1).refinement_steps(1).relative_tolerance(1e-6))
+          RL::fit_function(space, f, params::smoothing(0.1).refinements(1).tolerance(1e-6))
               .coefficients);
     RL::Function_fit_options other = options;
-    other.refinement_steps = 0;
+    other.refinements = 0;
     CHECK(fit(other) != expected);
     other = options;
-    other.smoothing_weight = 0;
+    other.smoothing = 0;
     CHECK(fit(other) != expected);
     other = options;
-    other.normal_stabilization = 0.1;
+    other.stabilization = 0.1;
     CHECK(fit(other) != expected);
     other = options;
-    other.solver.relative_tolerance.reset();
+    other.solver.tolerance.reset();
     other.energy_tolerance = 0;
     CHECK(fit(other) != expected);
   }
   {
     RL::Curvature_options options;
-    options.smoothing_weight = 0.01;
-    options.refinement_steps = 2;
+    options.smoothing = 0.01;
+    options.refinements = 2;
     options.energy_tolerance = 0;
-    options.solver.relative_tolerance = 1e-10;
+    options.solver.tolerance = 1e-10;
     calls = 0;
-    options.callback = count;
-    const auto np = params::smoothing_weight(0.01).refinement_steps(2).energy_tolerance(0.);
+    options.progress = count;
+    const auto np = params::smoothing(0.01).refinements(2).energy_tolerance(0.);
     const auto values = [](const RL::Curvature_field& field) {
       std::vector<double> result;
       for(const RL::Surface_curvature& curvature : field.at_vertices())
@@ -250,31 +247,30 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
       return result;
     };
     const std::vector<double> expected = values(RL::estimate_curvature(space, options));
-    CHECK(expected == values(RL::estimate_curvature(space, np.relative_tolerance(1e-10))));
+    CHECK(expected == values(RL::estimate_curvature(space, np.tolerance(1e-10))));
     CHECK(calls > 2);
     const auto differs = [&](const RL::Curvature_options& other) {
       return values(RL::estimate_curvature(space, other)) != expected;
     };
     RL::Curvature_options other = options;
-    other.smoothing_weight.reset();
+    other.smoothing.reset();
     CHECK(differs(other));
     other = options;
-    other.refinement_steps.reset();
+    other.refinements.reset();
     CHECK(differs(other));
     other = options;
     other.energy_tolerance.reset();
     CHECK(differs(other));
     other = options;
-    other.normal_stabilization = 0.1;
+    other.stabilization = 0.1;
     CHECK(differs(other));
     other = options;
-    other.solver.relative_tolerance.reset();
+    other.solver.tolerance.reset();
     CHECK(differs(other));
     options = RL::Curvature_options();
     options.method = RL::Curvature_method::coordinates;
     CHECK(values(RL::estimate_curvature(space, options)) ==
-          values(RL::estimate_curvature(
-              space, params::curvature_method(RL::Curvature_method::coordinates))));
+          values(RL::estimate_curvature(space, params::method(RL::Curvature_method::coordinates))));
     CHECK(values(RL::estimate_curvature(space)) != values(RL::estimate_curvature(space, options)));
   }
   {
@@ -286,19 +282,17 @@ TEST_CASE("options_say_what_named_parameters_say", "[interface]") {
     screening.target = f;
     screening.weight_function = g;
     CHECK(screening.has_weight());
-    options.normal_stabilization = 1e-4;
-    options.solver.relative_tolerance = 1e-8;
+    options.stabilization = 1e-4;
+    options.solver.tolerance = 1e-8;
     calls = 0;
-    options.callback = count;
+    options.progress = count;
     const RL::Gradient_fit fit = RL::integrate_gradient_field(space, v, options);
     CHECK(fit.converged);
     CHECK(calls > 2);
-    CHECK(fit.coefficients == RL::integrate_gradient_field(space, v,
-                                                           params::target_values(f)
-                                                               .screening_weight(g)
-                                                               .normal_stabilization(1e-4)
-                                                               .relative_tolerance(1e-8))
-                                  .coefficients);
+    CHECK(fit.coefficients ==
+          RL::integrate_gradient_field(
+              space, v, params::target(f).alpha(g).stabilization(1e-4).tolerance(1e-8))
+              .coefficients);
   }
 }
 
@@ -310,7 +304,7 @@ TEST_CASE("values_at_vertices_are_interpolated_linearly", "[interface]") {
     map[v] = linear_field(mesh.point(v));
     first_component[v] = map[v].x();
   }
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
   const auto field = RL::vertex_vector_field(mesh, map);
   const auto function =
       RL::index_function(first_component.size(), CGAL::make_property_map(first_component));
@@ -336,10 +330,10 @@ TEST_CASE("values_at_vertices_are_interpolated_linearly", "[interface]") {
 
 TEST_CASE("fitters_reproduce_coordinates", "[interface]") {
   const Mesh mesh = shapes::mesh(shapes::box(1, 0.7, 0.4, 2, 3));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
-  RL::Function_fitter other(space, params::normal_stabilization(0.5));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
+  RL::Function_fitter other(space, params::stabilization(0.5));
   CHECK(&other.space().octree() == &space.octree());
-  CHECK(other.options().normal_stabilization == 0.5);
+  CHECK(other.options().stabilization == 0.5);
   RL::Function_fitter fitter(space);
   const RL::Function_fit fit = fitter.fit(coordinates);
   CHECK(fit.converged);
@@ -373,7 +367,7 @@ TEST_CASE("fitters_reproduce_coordinates", "[interface]") {
             Approx(mesh.point(v)[axis]).margin(1e-5));
 
   // options of the solver are kept
-  const auto one_step = params::number_of_iterations(1).relative_tolerance(1e-12);
+  const auto one_step = params::maximum_iterations(1).tolerance(1e-12);
   CHECK_FALSE(RL::Function_fitter(space, one_step).fit(coordinates).converged);
 
   // from loads, after a move of the fitter
@@ -390,7 +384,7 @@ TEST_CASE("fitters_reproduce_coordinates", "[interface]") {
 TEST_CASE("conormals_have_the_divergence_of_the_coordinates", "[interface]") {
   // the integral of the conormal times a coordinate is the area in the plane, along either axis
   const Mesh mesh = shapes::mesh(shapes::rectangle(1, 0.6));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
   const Eigen::MatrixXd x = RL::Function_fitter(space).fit(coordinates).coefficients,
                         of_conormals = RL::Boundary_integration(space).conormal_loads();
   REQUIRE(of_conormals.cols() == 3);
@@ -404,7 +398,7 @@ TEST_CASE("penalties_of_boundaries_are_bounded", "[interface]") {
   // A sliver reaches 1e-5 cells beyond a wall: the penalty that its sheet needs has no limit.
   const double h = 0.125;
   const Mesh mesh = shapes::mesh({{{0, 0, 0}, {1, 0, 0}, {4 * h + 1e-5 * h, 1, 0}}, {{0, 1, 2}}});
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3).cube_scale(1.));
+  const RL::Spline_space_3 space(mesh, params::depth(3).cube_scale(1.));
   const RL::Dirichlet_boundary boundary(space);
   RL::Sparse_matrix a = RL::assemble_stiffness_matrix(space);
   const RL::Sparse_matrix s = a;
@@ -416,10 +410,9 @@ TEST_CASE("penalties_of_boundaries_are_bounded", "[interface]") {
 
 TEST_CASE("defaults_are_those_of_the_manual", "[interface]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(2));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3)),
-      paper(mesh, params::octree_depth(3).paper_space(true));
-  CHECK(RL::default_normal_stabilization(space) == 1e-3);
-  CHECK(RL::default_normal_stabilization(paper) == 0);
+  const RL::Spline_space_3 space(mesh, params::depth(3)), paper(mesh, params::depth(3).paper(true));
+  CHECK(RL::default_stabilization(space) == 1e-3);
+  CHECK(RL::default_stabilization(paper) == 0);
   CHECK(RL::default_spectrum_stabilization(space) == 1e-5);
   CHECK(RL::default_spectrum_stabilization(paper) == 0);
   CHECK(RL::default_curvature_stabilization == 0.01);
@@ -436,7 +429,7 @@ TEST_CASE("defaults_are_those_of_the_manual", "[interface]") {
   CHECK(areas == RL::estimate_point_areas(points, normals, RL::default_number_of_neighbors));
   CHECK(areas != RL::estimate_point_areas(points, normals, 8));
   const RL::Triangulated_surface_3 cloud(points, normals, areas);
-  const int depth = RL::default_octree_depth(cloud, 1.1);
+  const int depth = RL::default_depth(cloud, 1.1);
   CHECK(depth == 1); // 1026 points: 128 in each of 8 cells, of 56 cells less than 50 in each
   CHECK_THROWS_WITH(cloud.require_triangles("this test"), Catch::Contains("this test"));
   CHECK_NOTHROW(space.surface().require_triangles("this test"));
@@ -450,7 +443,7 @@ TEST_CASE("default_depth", "[interface]") {
     for(int i = 0; i < n; ++i)
       t = shapes::split_in_four(t);
     t = shapes::scaled(t, factor);
-    return RL::default_octree_depth(RL::Triangulated_surface_3(t.points, t.faces), cube_scale);
+    return RL::default_depth(RL::Triangulated_surface_3(t.points, t.faces), cube_scale);
   };
   for(int n : {0, 4, 5, 6, 7, 8, 9}) {
     CAPTURE(n);
@@ -467,10 +460,10 @@ TEST_CASE("default_depth", "[interface]") {
   for(int i = 0; i < 6; ++i)
     t = shapes::split_in_four(t);
   const Mesh mesh = shapes::mesh(t);
-  CHECK(RL::Spline_space_3(mesh).depth() == 5); // the side of the cube is 1.1
-  CHECK(RL::Spline_space_3(mesh, params::paper_space(true)).depth() == 6); // 1.2
+  CHECK(RL::Spline_space_3(mesh).depth() == 5);                      // the side of the cube is 1.1
+  CHECK(RL::Spline_space_3(mesh, params::paper(true)).depth() == 6); // 1.2
   CHECK(RL::Spline_space_3(mesh, params::cube_scale(2.3)).depth() == 7);
-  CHECK(RL::Spline_space_3(mesh, params::octree_depth(3)).depth() == 3);
+  CHECK(RL::Spline_space_3(mesh, params::depth(3)).depth() == 3);
 }
 
 TEST_CASE("extents_are_limited", "[interface]") {
@@ -497,7 +490,7 @@ TEST_CASE("eigenvalues_are_zero_up_to_the_tolerance", "[interface]") {
 }
 
 TEST_CASE("prolongations_of_all_levels", "[interface]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(2)), params::depth(4));
   for(int coarsest : {0, 2, 4}) {
     const std::vector<RL::Sparse_matrix> all = RL::prolongation_matrices(space, coarsest);
     REQUIRE(all.size() == static_cast<std::size_t>(4 - coarsest));
@@ -519,7 +512,7 @@ TEST_CASE("reports_say_how_long_it_took", "[interface]") {
   const auto z = [](const RL::Surface_point& p) { return p.point.z(); };
   CGAL::Real_timer timer;
   timer.start();
-  const RL::Solve_report report = RL::solve_poisson(mesh, z, u, params::octree_depth(3));
+  const RL::Solve_report report = RL::solve_poisson(mesh, z, u, params::depth(3));
   const double elapsed = timer.time();
   for(double seconds :
       {report.space_seconds, report.assembly_seconds, report.setup_seconds, report.solve_seconds})
@@ -528,7 +521,7 @@ TEST_CASE("reports_say_how_long_it_took", "[interface]") {
             report.solve_seconds <=
         elapsed);
 
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
   RL::Poisson_solver solver = RL::make_poisson_solver(space);
   CHECK(solver.setup_seconds() > 0);
   CHECK(solver.mean_projection().kernel_dimension() == 1);
@@ -547,13 +540,13 @@ TEST_CASE("reports_say_how_long_it_took", "[interface]") {
 
   timer.reset();
   const RL::Gradient_report of_gradients = RL::integrate_gradient_field(
-      mesh, RL::vertex_gradients(mesh, u), u, params::octree_depth(3).vertex_details(true));
+      mesh, RL::vertex_gradients(mesh, u), u, params::depth(3).details(true));
   CHECK(of_gradients.details_seconds > 0);
   CHECK(of_gradients.details_seconds + of_gradients.solve_seconds <= timer.time());
 }
 
 TEST_CASE("neighborhoods_do_not_change_solutions", "[interface]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(4));
   const RL::Operators operators = RL::assemble_operators(space, space.depth(), 1e-3);
   const Eigen::VectorXd integrals = RL::assemble_element_integrals(space),
                         b = operators.mass.col(7);
@@ -565,7 +558,7 @@ TEST_CASE("neighborhoods_do_not_change_solutions", "[interface]") {
     if(i == 1) // each on its own
       std::iota(neighborhoods.begin(), neighborhoods.end(), 0u);
     const RL::Poisson_solver solver(operators.stiffness + operators.mass, std::move(levels),
-                                    integrals, 1, params::relative_tolerance(1e-10));
+                                    integrals, 1, params::tolerance(1e-10));
     CHECK(solver.solve(b, solutions[i]).converged);
   }
   CHECK((solutions[0] - solutions[1]).norm() <= 1e-6 * solutions[0].norm());
@@ -573,7 +566,7 @@ TEST_CASE("neighborhoods_do_not_change_solutions", "[interface]") {
 
 TEST_CASE("preconditioners_keep_their_hierarchy", "[interface]") {
   using Preconditioner = RL::Multigrid_preconditioner<RL::Patch_smoother>;
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::octree_depth(3));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(3)), params::depth(3));
   const RL::Operators operators = RL::assemble_operators(space, space.depth(), 1e-3);
   const RL::Sparse_matrix a = operators.stiffness + operators.mass;
   const Eigen::VectorXd b = operators.mass.col(5);
@@ -588,7 +581,7 @@ TEST_CASE("preconditioners_keep_their_hierarchy", "[interface]") {
   const Eigen::VectorXd load =
       RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.z(); });
   Eigen::VectorXd exact;
-  REQUIRE(RL::make_poisson_solver(space, operators, 1, params::relative_tolerance(1e-8))
+  REQUIRE(RL::make_poisson_solver(space, operators, 1, params::tolerance(1e-8))
               .solve(load, exact)
               .converged);
   RL::Multigrid<RL::Patch_smoother>::Workspace<1> workspace;
@@ -599,7 +592,7 @@ TEST_CASE("preconditioners_keep_their_hierarchy", "[interface]") {
 }
 
 TEST_CASE("nodes_on_flat_triangles_have_the_metric_of_their_plane", "[interface]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(1)), params::octree_depth(2));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(1)), params::depth(2));
   const RL::Surface_integration view = RL::default_integration(space.octree());
   CHECK(view.adds_moments());
   double area = 0;

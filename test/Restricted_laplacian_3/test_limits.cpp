@@ -37,7 +37,7 @@ RL::Triangulated_surface_3 surface_of(const shapes::Triangles& t) {
 
 RL::Spline_space_options options(int depth, double maximum_memory) {
   RL::Spline_space_options o;
-  o.octree_depth = depth;
+  o.depth = depth;
   o.maximum_memory = maximum_memory;
   return o;
 }
@@ -49,7 +49,7 @@ std::string refusal(const RL::Triangulated_surface_3& surface,
     RL::Spline_space_3(surface, options);
     return "";
   } catch(const RL::Parameter_error& error) {
-    CHECK(error.parameter() == "octree_depth");
+    CHECK(error.parameter() == "depth");
     return error.what();
   }
 }
@@ -82,7 +82,7 @@ TEST_CASE("the_number_of_unknowns_is_estimated_from_normals", "[limits]") {
   const auto check = [](const RL::Triangulated_surface_3& surface, int depth, double tolerance,
                         double cube_scale = 1.1) {
     RL::Spline_space_options o;
-    o.octree_depth = depth;
+    o.depth = depth;
     o.cube_scale = cube_scale;
     const RL::Spline_space_3 space(surface, o);
     CHECK(RL::estimate_memory(surface, depth, cube_scale).dimension ==
@@ -126,8 +126,8 @@ TEST_CASE("spaces_that_are_too_large_for_the_memory_are_refused", "[limits]") {
   CHECK(refusal(sphere, options(5, total(5))).empty());
   const std::string message = refusal(sphere, options(5, 0.99 * total(5)));
   INFO(message);
-  CHECK(contains(message, "octree_depth is 5, which would take about " +
-                              internal::memory_text(total(5)) + " of memory"));
+  CHECK(contains(message, "depth is 5, which would take about " + internal::memory_text(total(5)) +
+                              " of memory"));
   CHECK(contains(message, internal::memory_text(0.99 * total(5)) + " are there"));
   CHECK(contains(message, "a depth of 4 would take " + internal::memory_text(total(4))));
   CHECK(contains(refusal(sphere, options(9, total(5))), "a depth of 5 would take"));
@@ -137,15 +137,15 @@ TEST_CASE("spaces_that_are_too_large_for_the_memory_are_refused", "[limits]") {
   // A square of 2^20 x 2^20 cells: before any work, with the memory of the machine.
   const RL::Triangulated_surface_3 square = surface_of(shapes::rectangle(1, 1));
   RL::Spline_space_options o;
-  o.octree_depth = 20;
+  o.depth = 20;
   o.cube_scale = 1;
-  CHECK(contains(refusal(square, o), "octree_depth is 20"));
-  CHECK(contains(refusal(RL::curved_surface(square), o), "octree_depth is 20"));
+  CHECK(contains(refusal(square, o), "depth is 20"));
+  CHECK(contains(refusal(RL::curved_surface(square), o), "depth is 20"));
   for(double maximum : {0., -1., std::numeric_limits<double>::quiet_NaN()})
     CHECK_THROWS_AS(RL::Spline_space_3(sphere, options(3, maximum)), RL::Parameter_error);
   CHECK(refusal(sphere, options(3, std::numeric_limits<double>::infinity())).empty());
   // as a named parameter
-  CHECK_THROWS_AS(RL::Spline_space_3(sphere, RL::parameters::octree_depth(4).maximum_memory(1e4)),
+  CHECK_THROWS_AS(RL::Spline_space_3(sphere, RL::parameters::depth(4).maximum_memory(1e4)),
                   RL::Parameter_error);
 }
 
@@ -170,12 +170,12 @@ TEST_CASE("pairs_that_are_too_many_for_the_memory_are_refused", "[limits]") {
   const auto refusal_of_pairs = [&](double memory) -> std::string {
     const RL::Spline_space_3 space(sphere, options(depth, memory));
     bool is_called = false;
-    of_spectrum.multigrid.callback = [&](double) { return is_called = true; };
+    of_spectrum.multigrid.progress = [&](double) { return is_called = true; };
     try {
       RL::laplace_spectrum(space, k, of_spectrum);
       return "";
     } catch(const RL::Parameter_error& error) {
-      CHECK(error.parameter() == "k");
+      CHECK(error.parameter() == "count");
       CHECK_FALSE(is_called);
       return error.what();
     }
@@ -250,12 +250,11 @@ TEST_CASE("matrices_have_at_most_as_many_entries_as_an_int_can_number", "[limits
       {std::vector<int>{3, 0, largest - 5, 3}, {largest, largest, 2}, {largest, largest, 3, 0}}) {
     counts = too_many;
     try {
-      internal::sum_counts(counts.data(), counts.size(), "octree_depth", "matrix");
+      internal::sum_counts(counts.data(), counts.size(), "depth", "matrix");
       FAIL("no exception");
     } catch(const RL::Parameter_error& error) {
-      CHECK(error.parameter() == "octree_depth");
-      CHECK(std::string(error.what()) ==
-            "octree_depth gives a matrix of more than 2^31 - 1 entries");
+      CHECK(error.parameter() == "depth");
+      CHECK(std::string(error.what()) == "depth gives a matrix of more than 2^31 - 1 entries");
     }
   }
 }

@@ -92,7 +92,7 @@ TEST_CASE("any_allocation_may_fail", "[memory]") {
     return boost::make_iterator_property_map(values.begin(),
                                              boost::typed_identity_property_map<std::size_t>());
   };
-  const auto depth = params::octree_depth(3);
+  const auto depth = params::depth(3);
   const auto spectrum = [&](RL::Eigensolver solver) {
     const RL::Spline_space_3 space(t.points, t.faces, depth);
     const RL::Laplace_spectrum result = RL::laplace_spectrum(space, 4, params::eigensolver(solver));

@@ -639,7 +639,7 @@ TEST_CASE("large_binary_files_are_read_in_pieces", "[files]") {
               "property list uchar int vertex_indices\nend_header\n" +
                   vertices + faces);
   std::vector<double> parts;
-  const RL::Mesh_file soup = RL::read_mesh_file(ply_file.name, params::callback([&](double part) {
+  const RL::Mesh_file soup = RL::read_mesh_file(ply_file.name, params::progress([&](double part) {
                                                   parts.push_back(part);
                                                   return true;
                                                 }));
@@ -650,7 +650,7 @@ TEST_CASE("large_binary_files_are_read_in_pieces", "[files]") {
   CHECK(std::is_sorted(parts.begin(), parts.end()));
   CHECK(parts.back() == 1);
   CHECK_THROWS_AS(
-      RL::read_mesh_file(ply_file.name, params::callback([](double part) { return part < 0.5; })),
+      RL::read_mesh_file(ply_file.name, params::progress([](double part) { return part < 0.5; })),
       RL::Canceled);
 
   const Scratch_file stl_file(".stl", stl(coordinates, 500000));

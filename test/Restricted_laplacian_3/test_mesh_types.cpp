@@ -90,15 +90,14 @@ TEST_CASE("traits_read_points_of_any_type", "[mesh_types]") {
   const RL::Triangulated_surface_3 of_mesh =
       RL::read_surface(mesh, params::vertex_point_map(map).geom_traits(traits));
   CHECK((points_of(of_mesh) == t.points));
-  const auto np = params::octree_depth(3).relative_tolerance(1e-6);
+  const auto np = params::depth(3).tolerance(1e-6);
   CHECK(relative_difference(solution(mesh, np.vertex_point_map(map).geom_traits(traits)),
                             expected_solution()) == 0);
 
   const RL::Triangulated_surface_3 of_soup =
       RL::read_surface(plain_points, t.faces, params::geom_traits(traits));
   CHECK((points_of(of_soup) == t.points));
-  const RL::Spline_space_3 space(plain_points, t.faces,
-                                 params::octree_depth(3).geom_traits(traits));
+  const RL::Spline_space_3 space(plain_points, t.faces, params::depth(3).geom_traits(traits));
   CHECK((points_of(space.surface()) == t.points));
 
   // normals are vectors of the traits, too

@@ -33,7 +33,7 @@ namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = RL::parameters;
 
 RL::Spline_space_3 sampled_space(const shapes::Triangles& t, int depth, bool is_parallel = false) {
-  const auto np = params::octree_depth(depth);
+  const auto np = params::depth(depth);
   return is_parallel ? RL::Spline_space_3(t.points, t.faces,
                                           np.concurrency_tag(CGAL::Parallel_if_available_tag()))
                      : RL::Spline_space_3(t.points, t.faces, np);
@@ -90,12 +90,12 @@ struct Calibration {
 
 Calibration calibration_of_operators(const RL::Spline_space_3& space, RL::Sampling sampling) {
   const RL::Operators exact = RL::assemble_operators(space);
-  const auto np = params::number_of_samples(2000).sampling(sampling);
+  const auto np = params::samples(2000).sampling(sampling);
   const int number_of_seeds = 100;
   RL::internal::Running_mean stiffness, bars;
   for(int seed = 0; seed < number_of_seeds; ++seed) {
     const RL::Estimated_operators estimate =
-        RL::estimate_operators(space, space.depth(), np.random_seed(1 + seed));
+        RL::estimate_operators(space, space.depth(), np.seed(1 + seed));
     stiffness.add(estimate.operators.stiffness.coeffs());
     bars.add(estimate.standard_errors.stiffness.coeffs().square());
   }
@@ -203,7 +203,7 @@ TEST_CASE("samples_are_uniformly_distributed", "[monte_carlo]") {
 TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo][threads]") {
   const shapes::Triangles t = shapes::sphere(4);
   for(RL::Sampling sampling : {RL::Sampling::independent, RL::Sampling::stratified}) {
-    const auto np = params::number_of_samples(50000).sampling(sampling).random_seed(7);
+    const auto np = params::samples(50000).sampling(sampling).seed(7);
     const RL::Estimated_operators expected = RL::estimate_operators(sampled_space(t, 4), 4, np);
     RL::Monte_carlo_options options = np;
     CHECK(options.seed != 1234);
@@ -211,7 +211,7 @@ TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo][threads]") {
     const auto mass = [&](const RL::Monte_carlo_options& of_mass) {
       return RL::estimate_operators(sampled_space(t, 4), 4, of_mass).operators.mass;
     };
-    CHECK((mass(options).coeffs() == mass(np.random_seed(1234)).coeffs()).all());
+    CHECK((mass(options).coeffs() == mass(np.seed(1234)).coeffs()).all());
     for(std::size_t threads : {1, 2}) {
 #ifdef CGAL_LINKED_WITH_TBB
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
@@ -224,7 +224,7 @@ TEST_CASE("samples_do_not_depend_on_threads", "[monte_carlo][threads]") {
       CHECK((found.standard_errors.mass.coeffs() == expected.standard_errors.mass.coeffs()).all());
     }
     const RL::Estimated_operators other =
-        RL::estimate_operators(sampled_space(t, 4), 4, np.random_seed(8));
+        RL::estimate_operators(sampled_space(t, 4), 4, np.seed(8));
     CHECK(relative_difference(other.operators.mass, expected.operators.mass) > 1e-4);
   }
 }
@@ -238,8 +238,8 @@ TEST_CASE("estimated_eigenvalues_and_their_error_bars", "[monte_carlo]") {
   const int number_of_seeds = 12;
   double sum = 0;
   for(int seed = 0; seed < number_of_seeds; ++seed) {
-    const RL::Estimated_eigenvalues found = RL::estimate_eigenvalues(
-        space, k, params::number_of_samples(40000).random_seed(100 + seed));
+    const RL::Estimated_eigenvalues found =
+        RL::estimate_eigenvalues(space, k, params::samples(40000).seed(100 + seed));
     REQUIRE(found.values.size() == k);
     CHECK(std::abs(found.values[0]) <= 1e-9);
     CHECK(found.standard_errors[0] <= 1e-9);
@@ -271,10 +271,8 @@ TEST_CASE("spectrum_of_a_sphere_by_a_million_samples", "[monte_carlo][slow]") {
 
 TEST_CASE("options_of_estimates_outside_their_domain", "[monte_carlo]") {
   const RL::Spline_space_3 space = sampled_space(shapes::sphere(1), 1);
-  CHECK_THROWS_AS(RL::estimate_operators(space, 1, params::number_of_batches(1)),
-                  RL::Parameter_error);
-  CHECK_THROWS_AS(RL::estimate_operators(space, 1, params::number_of_samples(9)),
-                  RL::Parameter_error);
+  CHECK_THROWS_AS(RL::estimate_operators(space, 1, params::batches(1)), RL::Parameter_error);
+  CHECK_THROWS_AS(RL::estimate_operators(space, 1, params::samples(9)), RL::Parameter_error);
   CHECK_THROWS_AS(RL::estimate_operators(space, 2), RL::Parameter_error);
   CHECK_THROWS_AS(RL::estimate_eigenvalues(space, 0), RL::Parameter_error);
   CHECK_THROWS_AS(RL::sample_surface(space.surface(), 0, 1, RL::Sampling::stratified),

@@ -366,7 +366,7 @@ TEST_CASE("coordinates_without_digits_for_the_depth_are_refused", "[octree]") {
       what = error.what();
     }
     INFO(what);
-    CHECK(parameter == "octree_depth");
+    CHECK(parameter == "depth");
     CHECK(what.find(offset == 2e12 ? "a depth of at most 4" : "no depth") != std::string::npos);
   }
 }
@@ -544,7 +544,7 @@ TEST_CASE("violated_preconditions_throw_in_debug_builds", "[octree]") {
   using Exception = CGAL::Precondition_exception;
   const shapes::Triangles t = shapes::sphere(1);
   RL::Spline_space_options options;
-  options.octree_depth = 2;
+  options.depth = 2;
   const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);
   const RL::Octree_3& octree = space.octree();
   const RL::Triangulated_surface_3& surface = space.surface();

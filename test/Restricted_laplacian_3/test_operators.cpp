@@ -129,7 +129,7 @@ struct Triquadratic {
 TEST_CASE("mass_sums_to_area", "[operators]") {
   for(const Named_mesh& s : surfaces()) {
     INFO(s.name);
-    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Spline_space_3 space(s.mesh, params::depth(s.depth));
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());
     const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
     CHECK(ones.dot(mass * ones) == Approx(space.surface().area()).epsilon(1e-12));
@@ -142,7 +142,7 @@ TEST_CASE("mass_sums_to_area", "[operators]") {
 TEST_CASE("stiffness_annihilates_constants", "[operators]") {
   for(const Named_mesh& s : surfaces()) {
     INFO(s.name);
-    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Spline_space_3 space(s.mesh, params::depth(s.depth));
     const RL::Sparse_matrix stiffness = RL::assemble_stiffness_matrix(space);
     const Eigen::VectorXd sums = stiffness * Eigen::VectorXd::Ones(space.dimension());
     CHECK(sums.cwiseAbs().maxCoeff() <= 1e-13 * stiffness.coeffs().maxCoeff());
@@ -154,7 +154,7 @@ TEST_CASE("matrices_are_symmetric_and_positive_after_scaling", "[operators]") {
   std::normal_distribution<double> normal;
   for(const Named_mesh& s : surfaces()) {
     INFO(s.name);
-    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Spline_space_3 space(s.mesh, params::depth(s.depth));
     const RL::Operators operators = RL::assemble_operators(space);
     for(const RL::Sparse_matrix* a : {&operators.stiffness, &operators.mass}) {
       CHECK(RL::Sparse_matrix(*a - RL::Sparse_matrix(a->transpose())).coeffs().abs().maxCoeff() ==
@@ -186,7 +186,7 @@ TEST_CASE("quadratic_forms_of_polynomials_are_exact", "[operators][slow]") {
   // triangles.
   for(const Named_mesh& s : surfaces()) {
     INFO(s.name);
-    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Spline_space_3 space(s.mesh, params::depth(s.depth));
     for(int level : {s.depth - 1, s.depth}) {
       INFO("level " << level);
       const Triquadratic p{space.octree(), {0.3, -0.2, 0.5}}, q{space.octree(), {-0.1, 0.4, 0.2}};
@@ -219,7 +219,7 @@ TEST_CASE("functions_linear_on_faces_are_integrated_by_their_corners", "[operato
   };
   for(const auto& [name, mesh, depth] : surfaces()) {
     CAPTURE(name);
-    const RL::Spline_space_3 space(mesh, params::octree_depth(depth - 1));
+    const RL::Spline_space_3 space(mesh, params::depth(depth - 1));
     const RL::Triangulated_surface_3& surface = space.surface();
     std::mt19937 generator(1);
     std::normal_distribution<double> normal;
@@ -277,7 +277,7 @@ TEST_CASE("load_sums_to_integral", "[operators]") {
   std::uniform_real_distribution<double> uniform(1, 2);
   for(Named_mesh& s : surfaces()) {
     INFO(s.name);
-    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Spline_space_3 space(s.mesh, params::depth(s.depth));
     auto values = s.mesh.add_property_map<Mesh::Vertex_index, double>("v:values").first;
     for(Mesh::Vertex_index v : s.mesh.vertices())
       values[v] = uniform(generator);
@@ -319,13 +319,13 @@ TEST_CASE("load_sums_to_integral", "[operators]") {
 TEST_CASE("galerkin_product_equals_direct_assembly", "[operators]") {
   for(const Named_mesh& s : surfaces()) {
     INFO(s.name);
-    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Spline_space_3 space(s.mesh, params::depth(s.depth));
     const std::vector<RL::Operators> all = RL::assemble_operators_of_levels(space, 0, s.depth);
     for(int level = 0; level < s.depth; ++level) {
       INFO("level " << level);
       const RL::Sparse_matrix p = RL::prolongation_matrix(space, level);
       // a space of its own: triangles are cut along the walls of the coarser grid
-      const RL::Spline_space_3 coarse(s.mesh, params::octree_depth((std::max)(level, 1)));
+      const RL::Spline_space_3 coarse(s.mesh, params::depth((std::max)(level, 1)));
       REQUIRE(coarse.dimension(level) == space.dimension(level));
       const RL::Operators direct = RL::assemble_operators(coarse, level);
       for(const auto& [fine, traversed, expected] :
@@ -345,7 +345,7 @@ TEST_CASE("prolongation_preserves_functions", "[operators]") {
   std::normal_distribution<double> normal;
   for(const Named_mesh& s : surfaces()) {
     INFO(s.name);
-    const RL::Spline_space_3 space(s.mesh, params::octree_depth(s.depth));
+    const RL::Spline_space_3 space(s.mesh, params::depth(s.depth));
     const auto samples = RL::sample_surface(space.surface(), 200, 3);
     for(int level = 0; level < s.depth; ++level) {
       Eigen::VectorXd coarse(space.dimension(level));
@@ -374,7 +374,7 @@ TEST_CASE("prolongation_preserves_functions", "[operators]") {
 TEST_CASE("matrices_do_not_depend_on_the_triangulation", "[operators][slow]") {
   const auto check = [](const shapes::Triangles& a, const shapes::Triangles& b, int depth) {
     RL::Spline_space_options options;
-    options.octree_depth = depth;
+    options.depth = depth;
     const RL::Spline_space_3 first(RL::Triangulated_surface_3(a.points, a.faces), options);
     const RL::Spline_space_3 second(RL::Triangulated_surface_3(b.points, b.faces), options);
     REQUIRE(first.dimension() == second.dimension());
@@ -414,13 +414,12 @@ TEST_CASE("number_of_elements", "[operators]") {
   // those of an independent prototype, and of Table 1 of the paper
   const Mesh sphere = shapes::mesh(shapes::sphere(5));
   const auto dimension = [&sphere](int depth) {
-    return RL::Spline_space_3(sphere, params::octree_depth(depth).split_elements(false))
-        .dimension();
+    return RL::Spline_space_3(sphere, params::depth(depth).split(false)).dimension();
   };
   CHECK(dimension(3) == 816);
   CHECK(dimension(4) == 3048);
   CHECK(dimension(5) == 12024);
-  CHECK(RL::Spline_space_3(sphere, params::octree_depth(3).paper_space(true)).dimension() == 504);
+  CHECK(RL::Spline_space_3(sphere, params::depth(3).paper(true)).dimension() == 504);
 }
 
 TEST_CASE("number_of_elements_of_the_paper_on_real_meshes", "[operators]") {
@@ -431,14 +430,13 @@ TEST_CASE("number_of_elements_of_the_paper_on_real_meshes", "[operators]") {
     const Mesh mesh = shapes::read(shared_mesh(file));
     if(mesh.is_empty())
       SKIP_TEST("no such file: " << file);
-    CHECK(RL::Spline_space_3(mesh, params::octree_depth(depth).paper_space(true)).dimension() ==
-          expected);
+    CHECK(RL::Spline_space_3(mesh, params::depth(depth).paper(true)).dimension() == expected);
   }
 }
 
 TEST_CASE("monte_carlo_converges_to_cubature", "[operators][slow]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
   const RL::Operators exact = RL::assemble_operators(space);
   const double scale = exact.stiffness.norm();
   std::array<double, 2> errors;
@@ -560,8 +558,7 @@ TEST_CASE("stabilization_is_the_penalty_of_the_manual", "[operators]") {
       {shapes::sphere(3), shapes::box(1, 1, 1, 4, 1), shapes::ragged_square(12, 0, 1)})
     for(bool is_split : {true, false}) {
       const Mesh mesh = shapes::mesh(soup);
-      const RL::Spline_space_3 space(
-          mesh, params::octree_depth(3).cube_scale(8. / 6).split_elements(is_split));
+      const RL::Spline_space_3 space(mesh, params::depth(3).cube_scale(8. / 6).split(is_split));
       const double c = 0.7, h = space.octree().cell_width(space.depth());
       const RL::Operators plain = RL::assemble_operators(space),
                           zero = RL::assemble_operators(space, space.depth(), 0),
@@ -590,7 +587,7 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
   for(const Named_mesh& s : surfaces())
     for(bool is_split : {true, false}) {
       INFO(s.name << (is_split ? ", split" : ", unsplit"));
-      const RL::Spline_space_3 space(s.mesh, params::octree_depth(depth).split_elements(is_split));
+      const RL::Spline_space_3 space(s.mesh, params::depth(depth).split(is_split));
       const double c = 0.3;
       const std::vector<RL::Operators> all = RL::assemble_operators_of_levels(space, 0, depth, c);
       for(int level = 0; level <= depth; ++level) {
@@ -603,7 +600,7 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
         CHECK(relative_difference(RL::assemble_stiffness_matrix(space, level, c),
                                   of_level.stiffness) <= 1e-14);
         RL::internal::Elliptic_operator elliptic;
-        elliptic.normal_stabilization = c;
+        elliptic.stabilization = c;
         const Eigen::VectorXd integrals = RL::assemble_element_integrals(space);
         if(level == depth)
           CHECK((RL::internal::assemble_system(space, level, elliptic).integrals - integrals)
@@ -628,7 +625,7 @@ TEST_CASE("stabilized_operators_keep_the_identities", "[operators]") {
 TEST_CASE("stabilization_does_not_depend_on_the_unit_of_length", "[operators]") {
   const shapes::Triangles original = shapes::sphere(3);
   RL::Spline_space_options options;
-  options.octree_depth = 4;
+  options.depth = 4;
   const auto assemble = [&options](const shapes::Triangles& t) {
     const RL::Spline_space_3 space(RL::Triangulated_surface_3(t.points, t.faces), options);
     return RL::assemble_operators(space, 4, 0.1);
@@ -646,7 +643,7 @@ TEST_CASE("stabilization_does_not_depend_on_the_unit_of_length", "[operators]") 
 
 TEST_CASE("stabilization_must_be_a_non_negative_number", "[operators]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(1));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(2));
+  const RL::Spline_space_3 space(mesh, params::depth(2));
   for(double c : {-1e-300, -1., std::nan(""), std::numeric_limits<double>::infinity()}) {
     CHECK_THROWS_AS(RL::assemble_operators(space, 2, c), RL::Parameter_error);
     CHECK_THROWS_AS(RL::assemble_stiffness_matrix(space, 2, c), RL::Parameter_error);
@@ -658,7 +655,7 @@ TEST_CASE("stabilization_keeps_constants_where_the_surface_lies_in_walls", "[ope
   // of the domain cube has sides in walls at cube_scale 8 / 6
   for(const auto& soup : {shapes::rectangle(1, 0.7), shapes::box(1, 1, 1, 4, 1)}) {
     const Mesh mesh = shapes::mesh(soup);
-    const RL::Spline_space_3 space(mesh, params::octree_depth(4).cube_scale(8. / 6));
+    const RL::Spline_space_3 space(mesh, params::depth(4).cube_scale(8. / 6));
     std::size_t incomplete = 0;
     for(std::size_t sheet = 0; sheet < space.number_of_sheets(4); ++sheet)
       incomplete += !space.octree().meets_element(4, sheet, 0, 0, 1) ||

@@ -64,7 +64,7 @@ RL::Triangulated_surface_3 surface_of_points(const Oriented_points& points,
 RL::Spline_space_3 space_of_points(const Oriented_points& points, const std::vector<double>& areas,
                                    int depth, bool is_split = false, bool is_parallel = false) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
+  options.depth = depth;
   options.split_point_set = is_split;
   options.is_parallel = is_parallel;
   return RL::Spline_space_3(surface_of_points(points, areas), options);
@@ -161,8 +161,8 @@ TEST_CASE("points_with_the_areas_of_samples_give_their_operators", "[points]") {
   const shapes::Triangles box = shapes::box(1, 0.8, 0.6, 3, 1);
   const RL::Triangulated_surface_3 mesh(box.points, box.faces);
   RL::Spline_space_options options;
-  options.octree_depth = 2;
-  options.split_elements = false;
+  options.depth = 2;
+  options.split = false;
   const RL::Spline_space_3 space(mesh, options);
   const std::size_t number = 4000;
   const std::vector<RL::Surface_location> samples = RL::sample_surface(mesh, number, 1);
@@ -226,7 +226,7 @@ TEST_CASE("point_sets_of_all_types_are_the_same", "[points]") {
                                         .point_map(CGAL::make_property_map(bare_points))
                                         .normal_map(CGAL::make_property_map(bare_normals))));
   // without areas they are estimated
-  const RL::Spline_space_3 space(set, params::octree_depth(2).number_of_neighbors(12));
+  const RL::Spline_space_3 space(set, params::depth(2).neighbors(12));
   CHECK_FALSE(space.is_split());
   CHECK(space.surface().area() == sum_of(areas_of_points(points, 12)));
   CHECK(space.surface().area() != sum_of(areas_of_points(points, 5)));
@@ -303,40 +303,35 @@ TEST_CASE("poisson_problems_on_points", "[points]") {
   const auto of_vector = [&](std::size_t i) { return v[i]; };
 
   // Laplacian z = -2 z
-  CHECK(RL::solve_poisson(set, z, u, params::octree_depth(3)).converged);
+  CHECK(RL::solve_poisson(set, z, u, params::depth(3)).converged);
   CHECK(error(-0.5, of_set) <= 2e-3);
   CHECK(RL::solve_poisson(points, CGAL::make_property_map(g), CGAL::make_property_map(v),
-                          maps_of_pairs(params::octree_depth(3)))
+                          maps_of_pairs(params::depth(3)))
             .converged);
   CHECK(error(-0.5, of_vector) <= 2e-3);
-  CHECK(RL::solve_screened_poisson(set, f, 3., u, params::octree_depth(3)).converged);
+  CHECK(RL::solve_screened_poisson(set, f, 3., u, params::depth(3)).converged);
   CHECK(error(0.2, of_set) <= 1e-3);
   // prescribed values, also by keys of the set
-  auto is_pole = set.add_property_map<bool>("pole", false).first;
+  auto at_poles = set.add_property_map<double>("at_poles", std::nan("")).first;
   for(std::size_t i : {std::size_t(0), points.size() - 1})
-    is_pole[Point_set::Index(i)] = true;
+    at_poles[Point_set::Index(i)] = points[i].first.z();
   const auto zero = [](const RL::Surface_point&) { return 0.; };
-  CHECK(RL::solve_poisson(
-            set, zero, u,
-            params::octree_depth(3).constraint_values(f).vertex_is_constrained_map(is_pole))
-            .converged);
+  CHECK(RL::solve_poisson(set, zero, u, params::depth(3).constraints(at_poles)).converged);
   for(std::size_t i : {std::size_t(0), points.size() - 1})
     CHECK(of_set(i) == Approx(points[i].first.z()).epsilon(1e-2));
   // weights in place of a number
   const std::vector<double> threes(points.size(), 3);
   CHECK(RL::solve_screened_poisson(points, z, CGAL::make_property_map(threes),
-                                   CGAL::make_property_map(v),
-                                   maps_of_pairs(params::octree_depth(3)))
+                                   CGAL::make_property_map(v), maps_of_pairs(params::depth(3)))
             .converged);
   CHECK(error(0.2, of_vector) <= 1e-3);
-  CHECK_THROWS_AS(RL::solve_screened_poisson(set, f, z, u, params::octree_depth(3)),
-                  RL::Parameter_error);
+  CHECK_THROWS_AS(RL::solve_screened_poisson(set, f, z, u, params::depth(3)), RL::Parameter_error);
 }
 
 TEST_CASE("spectrum_of_points", "[points]") {
   const Oriented_points points = shapes::sphere_points(8000);
   const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(points, 36, maps_of_pairs(params::octree_depth(3)));
+      RL::laplace_spectrum(points, 36, maps_of_pairs(params::depth(3)));
   CHECK(spectrum.report.converged);
   CHECK(std::abs(spectrum.eigenvalues[0]) <= 1e-10);
   CHECK(error_on_sphere(spectrum.eigenvalues) <= 2e-3);
@@ -368,11 +363,11 @@ TEST_CASE("depth_that_points_allow", "[points]") {
 TEST_CASE("spectrum_of_many_points_on_a_sphere", "[points][slow]") {
   for(int depth : {3, 4, 5}) {
     INFO("depth " << depth);
-    const RL::Laplace_spectrum regular = RL::laplace_spectrum(
-        shapes::sphere_points(100000), 36, maps_of_pairs(params::octree_depth(depth)));
+    const RL::Laplace_spectrum regular = RL::laplace_spectrum(shapes::sphere_points(100000), 36,
+                                                              maps_of_pairs(params::depth(depth)));
     CHECK(error_on_sphere(regular.eigenvalues) <= 8e-4);
     const RL::Laplace_spectrum random = RL::laplace_spectrum(
-        shapes::random_sphere_points(100000, 1), 36, maps_of_pairs(params::octree_depth(depth)));
+        shapes::random_sphere_points(100000, 1), 36, maps_of_pairs(params::depth(depth)));
     CHECK(error_on_sphere(random.eigenvalues) <= 1e-2);
   }
 }
@@ -393,9 +388,9 @@ TEST_CASE("spectrum_of_many_points_on_a_torus", "[points][slow]") {
     }
   const int count = 36;
   const Eigen::VectorXd expected =
-      RL::laplace_spectrum(torus.points, torus.faces, count, params::octree_depth(5)).eigenvalues;
+      RL::laplace_spectrum(torus.points, torus.faces, count, params::depth(5)).eigenvalues;
   const Eigen::VectorXd found = RL::laplace_spectrum(shapes::torus_points(100000, 1, 0.4), count,
-                                                     maps_of_pairs(params::octree_depth(4)))
+                                                     maps_of_pairs(params::depth(4)))
                                     .eigenvalues;
   for(int i = 1; i < count; ++i)
     CHECK(found[i] == Approx(expected[i]).epsilon(5e-3));
@@ -475,7 +470,7 @@ TEST_CASE("points_on_the_boundary_of_the_domain_cube", "[points]") {
   with_corners.push_back({{0, 0, 0}, {-1, -1, -1}});
   with_corners.push_back({{1, 1, 1}, {1, 1, 1}});
   RL::Spline_space_options options;
-  options.octree_depth = 2;
+  options.depth = 2;
   options.cube_scale = 1;
   const std::vector<double> areas(with_corners.size(), 0.01);
   const RL::Spline_space_3 space(surface_of_points(with_corners, areas), options);
@@ -504,8 +499,8 @@ TEST_CASE("point_sets_that_cannot_be_used", "[points]") {
        with_point({0, 0, 1}, {0, 0, 0})}) {
     CHECK(refused_point([&] { surface_of_points(bad, areas); }) == 17);
     CHECK(refused_point([&] { areas_of_points(bad); }) == 17);
-    CHECK(refused_point(
-              [&] { RL::laplace_spectrum(bad, 3, maps_of_pairs(params::octree_depth(2))); }) == 17);
+    CHECK(refused_point([&] { RL::laplace_spectrum(bad, 3, maps_of_pairs(params::depth(2))); }) ==
+          17);
   }
   for(double area : {-1., nan, infinity}) {
     std::vector<double> bad = areas;
@@ -542,7 +537,7 @@ TEST_CASE("spectra_of_points_scale", "[points]") {
     for(Oriented_point& p : points)
       p = {CGAL::ORIGIN + scale * (p.first - CGAL::ORIGIN), scale * p.second};
     const Eigen::VectorXd eigenvalues =
-        RL::laplace_spectrum(points, 4, maps_of_pairs(params::octree_depth(2))).eigenvalues;
+        RL::laplace_spectrum(points, 4, maps_of_pairs(params::depth(2))).eigenvalues;
     for(int i = 1; i < 4; ++i)
       CHECK(eigenvalues[i] * scale * scale == Approx(2).epsilon(2e-2));
   }
@@ -551,7 +546,7 @@ TEST_CASE("spectra_of_points_scale", "[points]") {
 TEST_CASE("fits_and_curvature_of_points", "[points]") {
   const double large = 1, small = 0.4;
   const Oriented_points points = shapes::torus_points(8000, large, small);
-  const auto np = maps_of_pairs(params::octree_depth(3));
+  const auto np = maps_of_pairs(params::depth(3));
 
   // normals are a smooth function
   std::vector<RL::Vector_3> fit(points.size());
@@ -569,7 +564,7 @@ TEST_CASE("fits_and_curvature_of_points", "[points]") {
       {RL::Curvature_method::normals, RL::Curvature_method::face_normals}) {
     std::vector<RL::Surface_curvature> curvatures(points.size());
     CHECK(RL::estimate_curvature(points, CGAL::make_property_map(curvatures),
-                                 maps_of_pairs(params::octree_depth(4).curvature_method(method)))
+                                 maps_of_pairs(params::depth(4).method(method)))
               .converged);
     std::vector<double> errors;
     for(std::size_t i = 0; i < points.size(); ++i) {
@@ -589,7 +584,7 @@ TEST_CASE("points_that_do_not_determine_functions_are_refused", "[point_sets]") 
   for(const int n : {5, 20, 45})
     for(const int depth : {1, 3}) {
       const Oriented_points points = shapes::sphere_points(n);
-      const auto np = maps_of_pairs(params::octree_depth(depth));
+      const auto np = maps_of_pairs(params::depth(depth));
       const RL::Spline_space_3 space(points, np);
       REQUIRE(3 * space.dimension() > 4 * points.size());
       std::vector<double> u(points.size());
@@ -609,7 +604,7 @@ TEST_CASE("points_that_do_not_determine_functions_are_refused", "[point_sets]") 
     }
   // a depth for which there are enough is named
   CHECK_THROWS_WITH(
-      RL::laplace_spectrum(shapes::sphere_points(300), 3, maps_of_pairs(params::octree_depth(4))),
+      RL::laplace_spectrum(shapes::sphere_points(300), 3, maps_of_pairs(params::depth(4))),
       Catch::Contains("depth 2 is possible"));
 }
 
@@ -618,7 +613,7 @@ TEST_CASE("few_points_have_constants_in_the_kernel", "[point_sets]") {
   for(const int n : {70, 100, 250, 400})
     for(const int depth : {1, 2}) {
       const Oriented_points points = shapes::sphere_points(n);
-      const RL::Spline_space_3 space(points, maps_of_pairs(params::octree_depth(depth)));
+      const RL::Spline_space_3 space(points, maps_of_pairs(params::depth(depth)));
       if(space.dimension() > points.size())
         continue;
       const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 4);

@@ -76,10 +76,10 @@ TEST_CASE("poisson_on_the_sphere_converges_with_order_three", "[poisson][slow]")
   const Mesh mesh = shapes::mesh(shapes::sphere(7));
   std::vector<double> errors;
   for(int depth = 2; depth <= 4; ++depth) {
-    const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+    const RL::Spline_space_3 space(mesh, params::depth(depth));
     const RL::Operators operators = RL::assemble_operators(space);
     const RL::Poisson_solver solver =
-        RL::make_poisson_solver(space, operators, 0, params::relative_tolerance(1e-5));
+        RL::make_poisson_solver(space, operators, 0, params::tolerance(1e-5));
     const Eigen::VectorXd load =
         RL::assemble_load(space, [](const RL::Surface_point& p) { return harmonic(p.point); });
     Eigen::VectorXd eta;
@@ -99,7 +99,7 @@ TEST_CASE("screened_poisson_on_the_sphere", "[poisson]") {
   const double alpha = 3;
   const RL::Solve_report report = RL::solve_screened_poisson(
       mesh, [](const RL::Surface_point& p) { return 1 + harmonic(p.point); }, alpha, u,
-      params::octree_depth(4).relative_tolerance(1e-5));
+      params::depth(4).tolerance(1e-5));
   CHECK(report.converged);
   // alpha u - Laplacian u = f, also for the constant part
   for(Mesh::Vertex_index v : mesh.vertices())
@@ -114,8 +114,7 @@ TEST_CASE("solution_has_mean_zero_and_the_sign_of_the_laplacian", "[poisson]") {
   auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
   for(Mesh::Vertex_index v : mesh.vertices())
     f[v] = 5 + mesh.point(v).z(); // the 5 has to be removed
-  const RL::Solve_report report =
-      RL::solve_poisson(mesh, f, u, params::octree_depth(4).relative_tolerance(1e-5));
+  const RL::Solve_report report = RL::solve_poisson(mesh, f, u, params::depth(4).tolerance(1e-5));
   CHECK(report.converged);
   for(Mesh::Vertex_index v : mesh.vertices())
     REQUIRE(u[v] == Approx(-mesh.point(v).z() / 2).margin(1e-3)); // Laplacian z = -2 z
@@ -131,7 +130,7 @@ TEST_CASE("problems_in_a_space_are_those_on_its_mesh", "[poisson]") {
   const auto weight = [](const RL::Surface_point& p) { return 1 + p.point.y() * p.point.y(); };
   for(const bool is_open : {false, true}) {
     const Mesh mesh = shapes::mesh(is_open ? shapes::rectangle(2, 1) : shapes::sphere(3));
-    const auto np = params::octree_depth(3).relative_tolerance(1e-8);
+    const auto np = params::depth(3).tolerance(1e-8);
     const RL::Spline_space_3 space(mesh, np);
     std::vector<double> u(mesh.number_of_vertices());
     const auto map = boost::make_iterator_property_map(u.begin(), get(boost::vertex_index, mesh));
@@ -160,7 +159,7 @@ TEST_CASE("problems_in_a_space_are_those_on_its_mesh", "[poisson]") {
 
 TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const RL::Spline_space_3 space(mesh, params::depth(4));
   const RL::Operators operators = RL::assemble_operators(space);
   const Eigen::VectorXd load = random_load(space, 3);
   const Eigen::VectorXd integrals = RL::assemble_element_integrals(space);
@@ -168,11 +167,10 @@ TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
   for(RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W})
     for(bool alone : {false, true})
       for(int steps : {1, 2, 3}) {
-        const RL::Poisson_solver solver = RL::make_poisson_solver(space, operators, 0,
-                                                                  params::cycle(cycle)
-                                                                      .stand_alone_multigrid(alone)
-                                                                      .smoothing_steps(steps)
-                                                                      .relative_tolerance(5e-3));
+        const RL::Poisson_solver solver = RL::make_poisson_solver(
+            space, operators, 0,
+            params::cycle(cycle).stand_alone_multigrid(alone).smoothing_steps(steps).tolerance(
+                5e-3));
         CHECK(solver.kernel_dimension() == 1);
         Eigen::VectorXd x;
         const RL::Solve_report report = solver.solve(load, x);
@@ -188,9 +186,8 @@ TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
 
 TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(3));
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-9));
+  const RL::Spline_space_3 space(mesh, params::depth(3));
+  const RL::Poisson_solver solver = RL::make_poisson_solver(space, 0, params::tolerance(1e-9));
   Eigen::MatrixXd b(space.dimension(), 7);
   for(int k = 0; k < 7; ++k)
     b.col(k) = random_load(space, k);
@@ -209,9 +206,8 @@ TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
 }
 
 TEST_CASE("a_first_guess_saves_iterations_and_changes_no_solution", "[poisson]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(3));
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-9));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(3));
+  const RL::Poisson_solver solver = RL::make_poisson_solver(space, 0, params::tolerance(1e-9));
   const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
   RL::Solve_options from_guess;
   from_guess.has_first_guess = true;
@@ -258,9 +254,8 @@ TEST_CASE("a_first_guess_saves_iterations_and_changes_no_solution", "[poisson]")
 }
 
 TEST_CASE("least_squares_end_when_the_error_does_not_show", "[poisson]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4));
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, 1, params::relative_tolerance(1e-12));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(4));
+  const RL::Poisson_solver solver = RL::make_poisson_solver(space, 1, params::tolerance(1e-12));
   const Eigen::VectorXd b = random_load(space, 2);
   Eigen::VectorXd exact, x;
   const int iterations = solver.solve(b, exact).iterations;
@@ -298,8 +293,8 @@ TEST_CASE("least_squares_end_when_the_error_does_not_show", "[poisson]") {
 TEST_CASE("solvers_of_several_weights_share_their_operators", "[poisson]") {
   for(bool is_paper_space : {false, true}) {
     const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)),
-                                   params::octree_depth(4).paper_space(is_paper_space));
-    const auto np = params::relative_tolerance(1e-10);
+                                   params::depth(4).paper(is_paper_space));
+    const auto np = params::tolerance(1e-10);
     const std::vector<RL::Operators> operators = RL::multigrid_operators(space);
     const Eigen::VectorXd b = random_load(space, 1);
     for(double alpha : {0., 0.3, 100.}) {
@@ -318,8 +313,8 @@ TEST_CASE("solvers_of_several_weights_share_their_operators", "[poisson]") {
                       RL::Parameter_error);
   }
   // those of another space
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(4)),
-      other(shapes::mesh(shapes::box(1, 0.7, 0.4, 3, 1)), params::octree_depth(4));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(4)),
+      other(shapes::mesh(shapes::box(1, 0.7, 0.4, 3, 1)), params::depth(4));
   CHECK_THROWS_AS(RL::make_poisson_solver(space, RL::multigrid_operators(other)),
                   RL::Parameter_error);
 }
@@ -328,7 +323,7 @@ TEST_CASE("patches_cover_all_elements_and_colors_do_not_interact", "[poisson]") 
   for(const auto& soup : {shapes::sphere(4), shapes::box(1, 1, 0.03, 9, 1)}) {
     const Mesh mesh = shapes::mesh(soup);
     for(bool is_split : {false, true}) {
-      const RL::Spline_space_3 space(mesh, params::octree_depth(5).split_elements(is_split));
+      const RL::Spline_space_3 space(mesh, params::depth(5).split(is_split));
       const RL::Sparse_matrix a = RL::assemble_stiffness_matrix(space);
       const RL::Smoothing_patches patches = RL::smoothing_patches(space, 5);
       CHECK(patches.number_of_patches == space.number_of_sheets(4));
@@ -363,9 +358,8 @@ TEST_CASE("iterations_do_not_depend_on_the_depth", "[poisson][slow]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(5));
   int last = 0;
   for(int depth = 4; depth <= 6; ++depth) {
-    const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
-    const RL::Poisson_solver solver =
-        RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8));
+    const RL::Spline_space_3 space(mesh, params::depth(depth));
+    const RL::Poisson_solver solver = RL::make_poisson_solver(space, 0, params::tolerance(1e-8));
     Eigen::VectorXd x;
     const Eigen::VectorXd b = random_load(space, 7);
     const RL::Solve_report report = solver.solve(b, x);
@@ -399,11 +393,10 @@ TEST_CASE("iterations_where_the_surface_lies_in_walls_or_is_ragged", "[poisson]"
        std::make_pair(shapes::rectangle(1, 0.7), 12), std::make_pair(scattered, 45)}) {
     const Mesh mesh = shapes::mesh(soup);
     for(int depth : {4, 5}) {
-      const RL::Spline_space_3 space(mesh, params::octree_depth(depth).cube_scale(8. / 6));
+      const RL::Spline_space_3 space(mesh, params::depth(depth).cube_scale(8. / 6));
       Eigen::VectorXd x;
-      const RL::Solve_report report =
-          RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8))
-              .solve(random_load(space, 1), x);
+      const RL::Solve_report report = RL::make_poisson_solver(space, 0, params::tolerance(1e-8))
+                                          .solve(random_load(space, 1), x);
       INFO("depth " << depth << ": " << report.iterations);
       CHECK(report.converged);
       CHECK(report.iterations <= bound);
@@ -418,11 +411,10 @@ TEST_CASE("tiny_pieces_of_surface_in_cells_do_not_slow_the_solver", "[poisson]")
     for(unsigned seed : {1, 2, 3}) {
       const Mesh mesh = shapes::mesh(shapes::ragged_square(48, height, seed));
       for(int depth : {4, 5}) {
-        const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+        const RL::Spline_space_3 space(mesh, params::depth(depth));
         Eigen::VectorXd x;
-        const RL::Solve_report report =
-            RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8))
-                .solve(random_load(space, 1), x);
+        const RL::Solve_report report = RL::make_poisson_solver(space, 0, params::tolerance(1e-8))
+                                            .solve(random_load(space, 1), x);
         INFO("height " << height << ", seed " << seed << ", depth " << depth << ": "
                        << report.iterations);
         CHECK(report.converged);
@@ -436,16 +428,15 @@ TEST_CASE("w_cycles_take_no_more_iterations_than_v_cycles", "[poisson]") {
   // has one patch, the whole surface, and is visited 64 times by each cycle.
   const Mesh mesh = shapes::mesh(shapes::bumpy_square(60, 0.003, 5, 1));
   const int depth = 7;
-  const RL::Spline_space_3 space(mesh, params::octree_depth(depth).cube_scale(2.2));
+  const RL::Spline_space_3 space(mesh, params::depth(depth).cube_scale(2.2));
   REQUIRE(space.dimension(1) > 300);
   const Eigen::VectorXd b = random_load(space, 1);
   for(const auto& [c, alpha] :
       {std::make_pair(1e-3, 0.), std::make_pair(1e-3, 1e-6), std::make_pair(1e-5, 0.)}) {
     const auto report = [&, c = c, alpha = alpha](RL::Cycle cycle) {
       Eigen::VectorXd x;
-      return RL::make_poisson_solver(
-                 space, alpha,
-                 params::relative_tolerance(1e-8).cycle(cycle).normal_stabilization(c))
+      return RL::make_poisson_solver(space, alpha,
+                                     params::tolerance(1e-8).cycle(cycle).stabilization(c))
           .solve(b, x);
     };
     const RL::Solve_report v = report(RL::Cycle::V), w = report(RL::Cycle::W);
@@ -461,9 +452,9 @@ TEST_CASE("stabilization_keeps_the_order_of_the_error", "[poisson][slow]") {
   const auto f = [](const RL::Surface_point& p) { return harmonic(p.point); };
   std::vector<double> errors;
   for(int depth = 2; depth <= 4; ++depth) {
-    const RL::Spline_space_3 space(mesh, params::octree_depth(depth));
+    const RL::Spline_space_3 space(mesh, params::depth(depth));
     Eigen::VectorXd eta;
-    CHECK(RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8))
+    CHECK(RL::make_poisson_solver(space, 0, params::tolerance(1e-8))
               .solve(-RL::assemble_load(space, f), eta)
               .converged);
     errors.push_back(relative_error(RL::Spline_function_3(space, eta), -1 / harmonic_eigenvalue));
@@ -477,10 +468,10 @@ TEST_CASE("stabilization_keeps_the_order_of_the_error", "[poisson][slow]") {
 TEST_CASE("matrices_of_all_levels_at_once_make_the_same_solver", "[poisson]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   for(bool is_paper_space : {false, true}) {
-    const RL::Spline_space_3 space(mesh, params::octree_depth(4).paper_space(is_paper_space));
+    const RL::Spline_space_3 space(mesh, params::depth(4).paper(is_paper_space));
     const double c = 0.01, alpha = 0.5;
     const RL::Operators operators = RL::assemble_operators(space, 4, c);
-    const auto np = params::normal_stabilization(c).relative_tolerance(1e-10);
+    const auto np = params::stabilization(c).tolerance(1e-10);
     const RL::Poisson_solver direct = RL::make_poisson_solver(space, alpha, np),
                              galerkin = RL::make_poisson_solver(space, operators, alpha, np);
     CHECK((direct.upper_half() - galerkin.upper_half()).norm() <=
@@ -502,7 +493,7 @@ TEST_CASE("solution_does_not_depend_on_threads", "[poisson][threads]") {
     auto u = copy.add_property_map<Mesh::Vertex_index, double>("v:u").first;
     static_cast<void>(RL::solve_poisson(
         copy, [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); }, u,
-        np.smoother(smoother).octree_depth(5)));
+        np.smoother(smoother).depth(5)));
     std::vector<double> values;
     for(Mesh::Vertex_index v : copy.vertices())
       values.push_back(u[v]);
@@ -562,7 +553,7 @@ TEST_CASE("solution_agrees_with_a_direct_factorization", "[poisson]") {
     if(mesh.is_empty())
       SKIP_TEST("no such file: " << file);
     INFO(file);
-    const RL::Spline_space_3 space(mesh, params::octree_depth(5));
+    const RL::Spline_space_3 space(mesh, params::depth(5));
     const RL::Operators operators = RL::assemble_operators(space);
     const double alpha = 1 / space.surface().area();
     const RL::Sparse_matrix a = operators.stiffness + alpha * operators.mass;
@@ -571,8 +562,7 @@ TEST_CASE("solution_agrees_with_a_direct_factorization", "[poisson]") {
 
     Eigen::VectorXd x;
     const RL::Solve_report report =
-        RL::make_poisson_solver(space, operators, alpha, params::relative_tolerance(1e-3))
-            .solve(load, x);
+        RL::make_poisson_solver(space, operators, alpha, params::tolerance(1e-3)).solve(load, x);
     CHECK(report.converged);
 
     const Eigen::VectorXd scale = a.diagonal().cwiseSqrt().cwiseInverse();
@@ -592,12 +582,10 @@ TEST_CASE("iterations_on_the_bunny", "[poisson][slow]") {
   const Mesh mesh = shapes::read(cgal_mesh("bunny00.off"));
   if(mesh.is_empty())
     SKIP_TEST("no such file: bunny00.off");
-  const RL::Spline_space_3 space(mesh, params::octree_depth(7));
+  const RL::Spline_space_3 space(mesh, params::depth(7));
   CHECK(space.dimension() == 139083); // our own output; the other one is that of a prototype
-  CHECK(RL::Spline_space_3(mesh, params::octree_depth(7).split_elements(false)).dimension() ==
-        138098);
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, 0, params::relative_tolerance(1e-8));
+  CHECK(RL::Spline_space_3(mesh, params::depth(7).split(false)).dimension() == 138098);
+  const RL::Poisson_solver solver = RL::make_poisson_solver(space, 0, params::tolerance(1e-8));
   Eigen::MatrixXd b(space.dimension(), 4), x;
   for(int axis = 0; axis < 3; ++axis)
     b.col(axis) =
@@ -617,8 +605,8 @@ TEST_CASE("poisson_is_deterministic", "[poisson]") {
   auto u = mesh.add_property_map<Mesh::Vertex_index, double>("v:u").first;
   auto v = mesh.add_property_map<Mesh::Vertex_index, double>("v:v").first;
   const auto f = [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); };
-  static_cast<void>(RL::solve_poisson(mesh, f, u, params::octree_depth(4)));
-  static_cast<void>(RL::solve_poisson(mesh, f, v, params::octree_depth(4)));
+  static_cast<void>(RL::solve_poisson(mesh, f, u, params::depth(4)));
+  static_cast<void>(RL::solve_poisson(mesh, f, v, params::depth(4)));
   for(Mesh::Vertex_index i : mesh.vertices())
     REQUIRE(u[i] == v[i]);
 }
@@ -628,7 +616,7 @@ TEMPLATE_TEST_CASE("a_cycle_preconditions_solvers_of_eigen", "[poisson]", RL::Pa
   using Preconditioner = RL::Multigrid_preconditioner<TestType>;
   using Sparse_matrix = Eigen::SparseMatrix<double>;
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const RL::Spline_space_3 space(mesh, params::depth(4));
   const RL::Operators operators = RL::assemble_operators(space, space.depth(), 1e-3);
   const double alpha = 3;
   const Sparse_matrix a = operators.stiffness + alpha * operators.mass;
@@ -646,9 +634,8 @@ TEMPLATE_TEST_CASE("a_cycle_preconditions_solvers_of_eigen", "[poisson]", RL::Pa
   solver.compute(a);
   const Eigen::VectorXd x = solver.solve(b);
   Eigen::VectorXd expected;
-  REQUIRE(RL::make_poisson_solver(space, alpha, params::relative_tolerance(1e-10))
-              .solve(b, expected)
-              .converged);
+  REQUIRE(
+      RL::make_poisson_solver(space, alpha, params::tolerance(1e-10)).solve(b, expected).converged);
   const Eigen::VectorXd error = x - expected;
   CHECK(error.dot(operators.mass * error) <= 1e-12 * expected.dot(operators.mass * expected));
   // Without a preconditioner 5,000 are not enough.

@@ -82,7 +82,7 @@ TEST_CASE("points_come_from_the_vertex_point_map", "[mesh_types]") {
   Mesh mesh = mesh_without_points();
   const std::vector<RL::Point_3> points = surface().points;
   const auto check = [&mesh](const auto& map) {
-    const auto np = params::octree_depth(3).relative_tolerance(1e-6).vertex_point_map(map);
+    const auto np = params::depth(3).tolerance(1e-6).vertex_point_map(map);
     CHECK(solution(mesh, np) == expected_solution());
   };
 
@@ -113,7 +113,7 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
     CHECK(space.is_paper_space());
     const RL::Poisson_solver_options options =
         RL::make_poisson_solver(space, RL::assemble_operators(space), 0, np).options();
-    CHECK(options.relative_tolerance == 1e-4);
+    CHECK(options.tolerance == 1e-4);
     CHECK(options.energy_tolerance == 0.25);
     CHECK(options.maximum_iterations == 7);
     CHECK(options.cycle == RL::Cycle::W);
@@ -123,11 +123,11 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
   // those of CGAL first, last, and among those of this package; the last value of a name counts
   const auto w = RL::Cycle::W;
   check(params::vertex_point_map(map)
-            .octree_depth(2)
+            .depth(2)
             .cube_scale(1.5)
-            .number_of_iterations(7)
-            .paper_space(true)
-            .relative_tolerance(1e-4)
+            .maximum_iterations(7)
+            .paper(true)
+            .tolerance(1e-4)
             .energy_tolerance(0.25)
             .cycle(w)
             .smoothing_steps(3)
@@ -135,28 +135,20 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
   const auto solver = params::stand_alone_multigrid(true)
                           .smoothing_steps(3)
                           .cycle(w)
-                          .relative_tolerance(1e-4)
+                          .tolerance(1e-4)
                           .energy_tolerance(0.25);
-  check(solver.paper_space(true)
-            .octree_depth(2)
-            .cube_scale(1.5)
-            .number_of_iterations(7)
-            .vertex_point_map(map));
-  check(solver.octree_depth(5)
-            .number_of_iterations(7)
-            .vertex_point_map(map)
-            .octree_depth(2)
-            .paper_space(true)
-            .cube_scale(1.5));
+  check(solver.paper(true).depth(2).cube_scale(1.5).maximum_iterations(7).vertex_point_map(map));
+  check(solver.depth(5).maximum_iterations(7).vertex_point_map(map).depth(2).paper(true).cube_scale(
+      1.5));
   check(params::default_values()
             .vertex_point_map(map)
-            .paper_space(true)
-            .octree_depth(2)
+            .paper(true)
+            .depth(2)
             .cycle(w)
             .smoothing_steps(3)
-            .relative_tolerance(1e-4)
+            .tolerance(1e-4)
             .energy_tolerance(0.25)
-            .number_of_iterations(7)
+            .maximum_iterations(7)
             .cube_scale(1.5)
             .stand_alone_multigrid(true));
 }
@@ -169,13 +161,13 @@ TEST_CASE("chains_are_named_parameters_of_cgal_and_take_them", "[mesh_types]") {
   CHECK(RL::read_surface(mesh, CGAL::parameters::vertex_point_map(map)).point(17) == points[17]);
   // a function of CGAL
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(
-      mesh, params::octree_depth(2).vertex_point_map(map).cube_scale(1.2));
+      mesh, params::depth(2).vertex_point_map(map).cube_scale(1.2));
   CHECK(box.x_span() > 0);
   // what cannot be copied, or shall not be, is passed by reference
   int calls = 0;
   auto callback = [&calls](double) { return ++calls > 0; };
-  const auto np = params::callback(std::ref(callback)).octree_depth(1);
-  CHECK(params::get_parameter(np, CGAL::internal_np::callback)(0.5));
+  const auto np = params::progress(std::ref(callback)).depth(1);
+  CHECK(params::get_parameter(np, RL::internal_np::progress)(0.5));
   CHECK(calls == 1);
 }
 
@@ -184,32 +176,32 @@ TEST_CASE("types_of_parameters_may_differ_from_those_of_the_defaults", "[mesh_ty
   const auto dimension = [&mesh](const auto& np) {
     return RL::Spline_space_3(mesh, np).dimension();
   };
-  const std::size_t expected = dimension(params::octree_depth(3).cube_scale(2.));
-  CHECK(dimension(params::octree_depth(std::size_t(3)).cube_scale(2)) == expected);
-  CHECK(dimension(params::octree_depth(short(3)).cube_scale(2.f)) == expected);
+  const std::size_t expected = dimension(params::depth(3).cube_scale(2.));
+  CHECK(dimension(params::depth(std::size_t(3)).cube_scale(2)) == expected);
+  CHECK(dimension(params::depth(short(3)).cube_scale(2.f)) == expected);
   CHECK(RL::Spline_space_3(mesh).depth() == 5);
 }
 
 TEST_CASE("solution_is_written_into_any_writable_map", "[mesh_types]") {
   Mesh mesh = shapes::mesh(surface());
-  const std::vector<double> expected = solution(mesh, params::octree_depth(3));
+  const std::vector<double> expected = solution(mesh, params::depth(3));
 
   const auto single = mesh.add_property_map<Vertex, float>("v:single").first;
-  static_cast<void>(RL::solve_poisson(mesh, right_hand_side, single, params::octree_depth(3)));
+  static_cast<void>(RL::solve_poisson(mesh, right_hand_side, single, params::depth(3)));
   for(Vertex v : mesh.vertices())
     REQUIRE(single[v] == static_cast<float>(expected[v]));
 
   std::map<Vertex, double> associative;
   static_cast<void>(RL::solve_poisson(
       mesh, right_hand_side, boost::associative_property_map<std::map<Vertex, double>>(associative),
-      params::octree_depth(3)));
+      params::depth(3)));
   REQUIRE(associative.size() == expected.size());
   for(const auto& [v, value] : associative)
     REQUIRE(value == expected[v]);
 
   std::vector<double> written(expected.size());
   static_cast<void>(
-      RL::solve_poisson(mesh, right_hand_side, Output_map{&written}, params::octree_depth(3)));
+      RL::solve_poisson(mesh, right_hand_side, Output_map{&written}, params::depth(3)));
   CHECK(written == expected);
 }
 
@@ -225,7 +217,7 @@ TEST_CASE("right_hand_side_is_read_from_any_readable_map", "[mesh_types]") {
   }
   const auto solve = [&mesh](const auto& f) {
     std::vector<double> result(mesh.number_of_vertices());
-    static_cast<void>(RL::solve_poisson(mesh, f, Output_map{&result}, params::octree_depth(3)));
+    static_cast<void>(RL::solve_poisson(mesh, f, Output_map{&result}, params::depth(3)));
     return result;
   };
   const std::vector<double> expected = solve(RL::vertex_function(mesh, of_int));
@@ -247,7 +239,7 @@ TEST_CASE("functions_are_read_by_vertex_corner_and_face", "[mesh_types]") {
     for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
       by_halfedge[h] = by_vertex[mesh.target(h)] + by_face[f];
   }
-  const auto np = params::octree_depth(3).relative_tolerance(1e-9);
+  const auto np = params::depth(3).tolerance(1e-9);
   const auto solve = [&](const auto& f) {
     std::vector<double> result(mesh.number_of_vertices());
     CHECK(RL::solve_screened_poisson(mesh, f, 2, Output_map{&result}, np).converged);
@@ -257,10 +249,7 @@ TEST_CASE("functions_are_read_by_vertex_corner_and_face", "[mesh_types]") {
     std::vector<double> result(mesh.number_of_vertices());
     // the error of a fit may be as large as what it leaves, unless that does not count
     CHECK(RL::fit_function(mesh, f, Output_map{&result},
-                           params::octree_depth(3)
-                               .relative_tolerance(1e-9)
-                               .energy_tolerance(0)
-                               .normal_stabilization(1e-3))
+                           params::depth(3).tolerance(1e-9).energy_tolerance(0).stabilization(1e-3))
               .converged);
     return result;
   };

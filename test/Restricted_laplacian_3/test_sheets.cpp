@@ -33,8 +33,8 @@ RL::Spline_space_3 space_of(const Triangles& t, int depth, bool is_split = true,
                             std::optional<double> cube_scale = std::nullopt,
                             std::optional<double> joining_tolerance = std::nullopt) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
-  options.split_elements = is_split;
+  options.depth = depth;
+  options.split = is_split;
   options.cube_scale = cube_scale;
   options.joining_tolerance = joining_tolerance;
   return RL::Spline_space_3(RL::Triangulated_surface_3(t.points, t.faces), options);
@@ -498,7 +498,7 @@ TEST_CASE("pulley_and_turbine", "[sheets][slow]") {
     const shapes::Mesh mesh = shapes::read(shared_mesh(c.file));
     if(mesh.is_empty())
       SKIP_TEST("no such file: " << c.file);
-    const RL::Spline_space_3 space(mesh, params::octree_depth(c.depth));
+    const RL::Spline_space_3 space(mesh, params::depth(c.depth));
     CHECK(space.dimension() == c.dimension);
     const Eigen::VectorXd values = eigenvalues(space, 11) * space.surface().area();
     for(std::size_t i = 0; i < c.eigenvalues.size(); ++i)
@@ -530,9 +530,9 @@ TEST_CASE("splitting_costs_no_iterations", "[sheets][slow]") {
   for(int axis = 0; axis < 3; ++axis) {
     int iterations[2];
     for(bool is_split : {false, true}) {
-      const RL::Spline_space_3 space(mesh, params::octree_depth(5).split_elements(is_split));
-      const RL::Poisson_solver solver = RL::make_poisson_solver(
-          space, RL::assemble_operators(space), 0, params::relative_tolerance(5e-3));
+      const RL::Spline_space_3 space(mesh, params::depth(5).split(is_split));
+      const RL::Poisson_solver solver =
+          RL::make_poisson_solver(space, RL::assemble_operators(space), 0, params::tolerance(5e-3));
       Eigen::VectorXd eta;
       const RL::Solve_report report = solver.solve(
           RL::assemble_load(space, [axis](const RL::Surface_point& p) { return p.point[axis]; }),
@@ -546,8 +546,7 @@ TEST_CASE("splitting_costs_no_iterations", "[sheets][slow]") {
 
 TEST_CASE("space_of_the_paper_is_not_split", "[sheets]") {
   const shapes::Mesh mesh = shapes::mesh(rotor(6, 0.05));
-  const RL::Spline_space_3 space(mesh,
-                                 params::octree_depth(4).paper_space(true).split_elements(true));
+  const RL::Spline_space_3 space(mesh, params::depth(4).paper(true).split(true));
   CHECK_FALSE(space.is_split());
   CHECK(space.number_of_split_elements(4) == 0);
   CHECK(space.octree().number_of_sheets(4) == space.octree().number_of_cells(4));

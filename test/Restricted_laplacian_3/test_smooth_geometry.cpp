@@ -141,7 +141,7 @@ TEST_CASE("matrices_of_smooth_surfaces_keep_their_identities") {
       CHECK(difference.norm() < 1e-11 * product.norm());
     }
   };
-  const auto np = params::octree_depth(4);
+  const auto np = params::depth(4);
   check(curved(shapes::sphere(2)), np);
   check(curved(cap(4, 1)), np);
   check(curved(shapes::box(1, 2, 3, 2, 1)), np);
@@ -149,8 +149,8 @@ TEST_CASE("matrices_of_smooth_surfaces_keep_their_identities") {
 
 TEST_CASE("the_integration_of_smooth_surfaces_needs_patches") {
   const shapes::Triangles t = shapes::sphere(2);
-  const RL::Spline_space_3 flat(t.points, t.faces, params::octree_depth(3)),
-      smooth(curved(t), params::octree_depth(3));
+  const RL::Spline_space_3 flat(t.points, t.faces, params::depth(3)),
+      smooth(curved(t), params::depth(3));
   CHECK_THROWS_AS(RL::Patch_cubature(flat.octree()), RL::Input_error);
   CHECK_THROWS_AS(RL::Triangle_cubature(smooth.octree()), RL::Input_error);
   const RL::Spline_space_3 again = smooth.integrated_by(RL::Patch_cubature(smooth.octree()));
@@ -167,7 +167,7 @@ TEST_CASE("nodes_lie_on_the_patches") {
   const shapes::Triangles shape[] = {shapes::sphere(2), cap(3, 1), shapes::box(1, 2, 1, 3, 1)};
   for(const shapes::Triangles& t : shape)
     for(int depth : {2, 4}) {
-      const RL::Spline_space_3 space(curved(t), params::octree_depth(depth));
+      const RL::Spline_space_3 space(curved(t), params::depth(depth));
       const double h = space.octree().cell_width(depth);
       for(int degree : {2, 5, 12}) {
         double area = 0, largest = 0;
@@ -197,7 +197,7 @@ TEST_CASE("nodes_lie_on_the_patches") {
 TEST_CASE("eigenvalues_of_a_sphere_of_512_triangles") {
   const shapes::Triangles t = shapes::sphere(3);
   const RL::Triangulated_surface_3 flat(t.points, t.faces), smooth = RL::curved_surface(flat);
-  const auto np = params::octree_depth(4).normal_stabilization(1e-5).relative_tolerance(1e-5);
+  const auto np = params::depth(4).stabilization(1e-5).tolerance(1e-5);
   const auto error = [&](const RL::Triangulated_surface_3& s) {
     return largest_error_of_sphere(
         RL::laplace_spectrum(RL::Spline_space_3(s, np), 25, np).eigenvalues);
@@ -210,10 +210,10 @@ TEST_CASE("eigenvalues_of_a_sphere_of_512_triangles") {
 
 TEST_CASE("functions_on_smooth_surfaces_are_those_of_the_patches") {
   const RL::Triangulated_surface_3 s = curved(shapes::sphere(2));
-  const RL::Spline_space_3 space(s, params::octree_depth(4));
+  const RL::Spline_space_3 space(s, params::depth(4));
   const auto f = [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); };
   const RL::Function_fit fit =
-      RL::Function_fitter(space, params::smoothing_weight(0.).relative_tolerance(1e-8)).fit(f);
+      RL::Function_fitter(space, params::smoothing(0.).tolerance(1e-8)).fit(f);
   const RL::Spline_function_3 u(space, fit.coefficients.col(0));
   double of_values = 0, of_gradients = 0, of_vertices = 0;
   std::mt19937 generator(3);
@@ -248,7 +248,7 @@ TEST_CASE("prescribed_values_on_the_curved_boundary_of_a_cap") {
   const shapes::Triangles t = cap(5, angle);
   const RL::Triangulated_surface_3 flat(t.points, t.faces), smooth = RL::curved_surface(flat);
   CHECK(smooth.area() == Approx(2 * CGAL_PI * (1 - std::cos(angle))).epsilon(1e-5));
-  const auto np = params::octree_depth(4).relative_tolerance(1e-8);
+  const auto np = params::depth(4).tolerance(1e-8);
   CHECK(RL::Dirichlet_boundary(RL::Spline_space_3(smooth, np)).length() ==
         Approx(2 * CGAL_PI * std::sin(angle)).epsilon(1e-6));
   // Laplacian of z on the sphere: -2 z
@@ -273,7 +273,7 @@ TEST_CASE("prescribed_values_on_the_curved_boundary_of_a_cap") {
 TEST_CASE("curvature_of_a_coarse_sphere") {
   const shapes::Triangles t = shapes::sphere(3);
   const RL::Triangulated_surface_3 flat(t.points, t.faces), smooth = RL::curved_surface(flat);
-  const auto np = params::octree_depth(4).smoothing_weight(0.);
+  const auto np = params::depth(4).smoothing(0.);
   for(const RL::Curvature_method method :
       {RL::Curvature_method::normals, RL::Curvature_method::face_normals,
        RL::Curvature_method::coordinates}) {
@@ -281,7 +281,7 @@ TEST_CASE("curvature_of_a_coarse_sphere") {
       const RL::Spline_space_3 space(s, np);
       double largest = 0;
       for(const RL::Surface_curvature& c :
-          RL::estimate_curvature(space, np.curvature_method(method)).at_vertices())
+          RL::estimate_curvature(space, np.method(method)).at_vertices())
         largest = (std::max)(largest, std::abs(c.mean - 1));
       return largest;
     };
@@ -296,7 +296,7 @@ TEST_CASE("curvature_of_a_coarse_sphere") {
 
 TEST_CASE("samples_of_a_smooth_surface_are_uniform_on_the_patches") {
   const RL::Triangulated_surface_3 s = curved(shapes::sphere(2));
-  const auto np = params::octree_depth(3);
+  const auto np = params::depth(3);
   const RL::Spline_space_3 space(s, np);
   const RL::Spline_space_3 sampled =
       space.integrated_by(RL::Monte_carlo(space.octree(), 40000, 1, RL::Sampling::stratified));
@@ -313,14 +313,13 @@ TEST_CASE("parameters_of_smooth_geometry") {
   const shapes::Triangles t = shapes::sphere(2);
   const shapes::Mesh mesh = shapes::mesh(t);
   const RL::Triangulated_surface_3 flat(t.points, t.faces);
-  const auto np = params::octree_depth(3);
-  const auto smooth = np.surface_geometry(RL::Surface_geometry::smooth);
+  const auto np = params::depth(3);
+  const auto smooth = np.geometry(RL::Surface_geometry::smooth);
   const double flat_area = flat.area(), smooth_area = RL::curved_surface(flat).area();
 
   CHECK(RL::Spline_space_3(mesh, np).surface().area() == flat_area);
-  CHECK(
-      RL::Spline_space_3(mesh, np.surface_geometry(RL::Surface_geometry::flat)).surface().area() ==
-      flat_area);
+  CHECK(RL::Spline_space_3(mesh, np.geometry(RL::Surface_geometry::flat)).surface().area() ==
+        flat_area);
   CHECK(RL::Spline_space_3(mesh, smooth).surface().area() == smooth_area);
   CHECK(RL::Spline_space_3(t.points, t.faces, smooth).surface().area() == smooth_area);
   CHECK(RL::laplace_spectrum(mesh, 3, smooth).area == smooth_area);
@@ -365,9 +364,9 @@ TEST_CASE("parameters_of_smooth_geometry") {
     const auto with_normal = [&](const RL::Point_3& p) {
       return std::make_pair(to_sphere(p), p - CGAL::ORIGIN);
     };
-    const double area = RL::Spline_space_3(mesh, np.surface_geometry(to_sphere)).surface().area();
+    const double area = RL::Spline_space_3(mesh, np.geometry(to_sphere)).surface().area();
     CHECK(area == Approx(16 * CGAL_PI).epsilon(1e-3));
-    CHECK(RL::Spline_space_3(mesh, np.surface_geometry(with_normal)).surface().area() == area);
+    CHECK(RL::Spline_space_3(mesh, np.geometry(with_normal)).surface().area() == area);
 
     // of another kernel's points, those of the mesh
     using Other = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -384,7 +383,7 @@ TEST_CASE("parameters_of_smooth_geometry") {
       const Other::Vector_3 v = p - CGAL::ORIGIN;
       return CGAL::ORIGIN + 2 * v / std::sqrt(v.squared_length());
     };
-    const auto to_own = np.surface_geometry(own);
+    const auto to_own = np.geometry(own);
     CHECK(RL::Spline_space_3(other, to_own).surface().area() == area);
     CHECK(RL::Spline_space_3(points, t.faces, to_own).surface().area() == area);
   }
@@ -401,7 +400,7 @@ TEST_CASE("parameters_of_smooth_geometry") {
 }
 
 TEST_CASE("smooth_geometry_of_bad_meshes") {
-  const auto np = params::octree_depth(3).surface_geometry(RL::Surface_geometry::smooth);
+  const auto np = params::depth(3).geometry(RL::Surface_geometry::smooth);
   const auto solve = [&](const shapes::Triangles& t, const auto& all) {
     const RL::Spline_space_3 space(t.points, t.faces, all);
     const RL::Poisson_solution u = RL::solve_poisson(
@@ -431,7 +430,7 @@ TEST_CASE("smooth_geometry_of_bad_meshes") {
     solve(t, np);
   }
   SECTION("edges of more than 40 cells") {
-    solve(shapes::sphere(1), np.octree_depth(7).crease_angle(60.));
+    solve(shapes::sphere(1), np.depth(7).crease_angle(60.));
   }
   SECTION("facets in a wall between cells, and patches that leave it") {
     shapes::Triangles t;
@@ -449,7 +448,7 @@ TEST_CASE("smooth_geometry_of_bad_meshes") {
         t.faces.push_back({a, c, d});
       }
     // all pieces are the faces
-    const auto all = np.vertex_normal_map(CGAL::make_property_map(normals)).octree_depth(1);
+    const auto all = np.vertex_normal_map(CGAL::make_property_map(normals)).depth(1);
     CHECK(RL::Spline_space_3(t.points, t.faces, all).octree().pieces().number_of_faces() ==
           t.faces.size());
     solve(t, all);
@@ -471,7 +470,7 @@ TEST_CASE("smooth_geometry_of_bad_meshes") {
       shapes::Triangles t = shapes::sphere(3);
       for(RL::Point_3& p : t.points)
         p = p + (p - CGAL::ORIGIN) * (noise * (generator() * std::ldexp(2., -32) - 1));
-      solve(t, np.octree_depth(4));
+      solve(t, np.depth(4));
     }
   }
   SECTION("threads change nothing") {

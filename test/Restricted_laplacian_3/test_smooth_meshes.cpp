@@ -40,7 +40,7 @@ RL::Triangulated_surface_3 read(const std::string& path) {
 
 /// A Poisson problem that must be solved as on any other surface.
 void solve_on(const RL::Triangulated_surface_3& surface, int depth) {
-  const RL::Spline_space_3 space(surface, params::octree_depth(depth));
+  const RL::Spline_space_3 space(surface, params::depth(depth));
   const RL::Operators operators = RL::assemble_operators(space);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());
   CHECK((operators.stiffness * ones).lpNorm<Eigen::Infinity>() <
@@ -70,7 +70,7 @@ TEST_CASE("smooth_geometry_of_real_meshes") {
     CHECK(std::abs(smooth.area() / flat.area() - 1) < 0.02);
     CHECK(smooth.patches().number_of_folded_faces() < flat.number_of_faces() / 20);
     const auto components = [](const RL::Triangulated_surface_3& surface) {
-      return RL::Spline_space_3(surface, params::octree_depth(4)).octree().number_of_sheets(0);
+      return RL::Spline_space_3(surface, params::depth(4)).octree().number_of_sheets(0);
     };
     CHECK(components(smooth) == components(flat));
     solve_on(smooth, 5);

@@ -26,14 +26,11 @@ namespace params = RL::parameters;
 using shapes::Triangles;
 
 std::size_t number_of_components(const Triangles& t, int depth = 4) {
-  return RL::Spline_space_3(t.points, t.faces, params::octree_depth(depth))
-      .octree()
-      .number_of_sheets(0);
+  return RL::Spline_space_3(t.points, t.faces, params::depth(depth)).octree().number_of_sheets(0);
 }
 
 std::size_t number_of_joined_components(const Triangles& t, double tolerance, int depth = 4) {
-  return RL::Spline_space_3(t.points, t.faces,
-                            params::octree_depth(depth).joining_tolerance(tolerance))
+  return RL::Spline_space_3(t.points, t.faces, params::depth(depth).joining_tolerance(tolerance))
       .octree()
       .number_of_sheets(0);
 }
@@ -69,7 +66,7 @@ Triangles grid(double x, double width, double height, int n) {
 Eigen::VectorXd eigenvalues(const Triangles& t, int count, int depth,
                             std::optional<double> joining = std::nullopt) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
+  options.depth = depth;
   options.joining_tolerance = joining;
   const RL::Laplace_spectrum spectrum =
       RL::laplace_spectrum(RL::Spline_space_3(RL::read_surface(t.points, t.faces), options), count);
@@ -83,7 +80,7 @@ TEST_CASE("soup_and_mesh_give_the_same_results", "[soups]") {
   const Triangles t = shapes::sphere(3);
   shapes::Mesh mesh = shapes::mesh(t);
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
-  const auto np = params::octree_depth(3);
+  const auto np = params::depth(3);
   auto map = mesh.add_property_map<shapes::Mesh::Vertex_index, double>("v:u").first;
   static_cast<void>(RL::solve_poisson(mesh, f, map, np));
   std::vector<double> u(t.points.size()), from_values(t.points.size()), z;
@@ -190,7 +187,7 @@ TEST_CASE("moebius_strip", "[soups]") {
     t.faces.push_back({a, b, d});
     t.faces.push_back({a, d, c});
   }
-  const RL::Spline_space_3 space(t.points, t.faces, params::octree_depth(5));
+  const RL::Spline_space_3 space(t.points, t.faces, params::depth(5));
   CHECK(space.octree().number_of_sheets(0) == 1);
   const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space));
   CHECK(solver.kernel_dimension() == 1);
@@ -283,7 +280,7 @@ TEST_CASE("bad_meshes_of_the_larger_set", "[soups][slow]") {
     std::vector<RL::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;
     REQUIRE(CGAL::IO::read_polygon_soup(path, points, faces));
-    const RL::Spline_space_3 space(points, faces, params::octree_depth(4));
+    const RL::Spline_space_3 space(points, faces, params::depth(4));
     CHECK(space.octree().number_of_sheets(0) == components);
     const RL::Operators operators = RL::assemble_operators(space);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());

@@ -38,7 +38,7 @@ constexpr int sphere_count = 49;
 
 double restricted_sphere_error(int subdivisions, int depth) {
   const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(
-      shapes::mesh(shapes::sphere(subdivisions)), sphere_count, params::octree_depth(depth));
+      shapes::mesh(shapes::sphere(subdivisions)), sphere_count, params::depth(depth));
   CHECK(spectrum.report.converged);
   CHECK(std::abs(spectrum.eigenvalues[0]) <= 1e-10);
   CHECK(spectrum.report.relative_residual <= 1e-3);
@@ -53,17 +53,17 @@ TEST_CASE("eigenvalues_of_the_sphere", "[spectrum]") {
 }
 
 TEST_CASE("options_of_spectra_say_what_named_parameters_say", "[spectrum]") {
-  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::octree_depth(3));
+  const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(3));
   RL::Laplace_spectrum_options options;
   options.eigensolver = RL::Eigensolver::multigrid;
-  options.normal_stabilization = 1e-3;
-  options.multigrid.relative_tolerance = 1e-2;
+  options.stabilization = 1e-3;
+  options.multigrid.tolerance = 1e-2;
   const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 9, options);
-  CHECK(spectrum.eigenvalues == RL::laplace_spectrum(space, 9,
-                                                     params::eigensolver(RL::Eigensolver::multigrid)
-                                                         .normal_stabilization(1e-3)
-                                                         .relative_tolerance(1e-2))
-                                    .eigenvalues);
+  CHECK(spectrum.eigenvalues ==
+        RL::laplace_spectrum(
+            space, 9,
+            params::eigensolver(RL::Eigensolver::multigrid).stabilization(1e-3).tolerance(1e-2))
+            .eigenvalues);
   CHECK(spectrum.eigenvalues != RL::laplace_spectrum(space, 9).eigenvalues);
   CHECK(spectrum.vertex_values.cols() == 9);
 
@@ -71,8 +71,7 @@ TEST_CASE("options_of_spectra_say_what_named_parameters_say", "[spectrum]") {
   RL::Eigenpairs_options of_factorization;
   of_factorization.tolerance = 1e-3;
   CHECK(RL::smallest_eigenpairs(operators.stiffness, operators.mass, 9, of_factorization).values ==
-        RL::smallest_eigenpairs(operators.stiffness, operators.mass, 9,
-                                params::relative_tolerance(1e-3))
+        RL::smallest_eigenpairs(operators.stiffness, operators.mass, 9, params::tolerance(1e-3))
             .values);
 }
 
@@ -82,8 +81,8 @@ TEST_CASE("eigenvalues_alone_are_found_with_less_work", "[spectrum]") {
     p = RL::Point_3(p.x(), 0.8 * p.y(), 0.6 * p.z());
   const auto mesh = shapes::mesh(ellipsoid);
   const auto np = params::eigensolver(RL::Eigensolver::multigrid);
-  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
-  const RL::Laplace_spectrum exact = RL::laplace_spectrum(space, 30, np.relative_tolerance(1e-6)),
+  const RL::Spline_space_3 space(mesh, params::depth(4));
+  const RL::Laplace_spectrum exact = RL::laplace_spectrum(space, 30, np.tolerance(1e-6)),
                              fast = RL::laplace_spectrum(space, 30, np.eigenvalues_only(true));
   CHECK(fast.report.converged);
   CHECK(fast.report.relative_residual <= RL::Laplace_spectrum_options::tolerance_of_eigenvalues);
@@ -93,10 +92,10 @@ TEST_CASE("eigenvalues_alone_are_found_with_less_work", "[spectrum]") {
   for(Eigen::Index i = 1; i < 30; ++i)
     CHECK(fast.eigenvalues[i] == Approx(exact.eigenvalues[i]).epsilon(2e-5));
   // on a mesh, with a tolerance that is given, and by default
-  CHECK(RL::laplace_spectrum(mesh, 30, np.octree_depth(4).eigenvalues_only(true)).eigenvalues ==
+  CHECK(RL::laplace_spectrum(mesh, 30, np.depth(4).eigenvalues_only(true)).eigenvalues ==
         fast.eigenvalues);
   const RL::Laplace_spectrum values =
-      RL::laplace_spectrum(space, 30, np.eigenvalues_only(true).relative_tolerance(1e-6));
+      RL::laplace_spectrum(space, 30, np.eigenvalues_only(true).tolerance(1e-6));
   CHECK((values.eigenvalues - exact.eigenvalues).cwiseAbs().maxCoeff() <=
         1e-10 * exact.eigenvalues[29]);
   CHECK(values.report.iterations <= exact.report.iterations);
@@ -138,8 +137,7 @@ TEST_CASE("neumann_eigenvalues_of_a_rectangle", "[spectrum]") {
   t.points = {CGAL::ORIGIN + 0 * unit, CGAL::ORIGIN + a * unit, CGAL::ORIGIN + a * unit + b * w,
               CGAL::ORIGIN + b * w};
   t.faces = {{0, 1, 2}, {0, 2, 3}};
-  const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(shapes::mesh(t), 20, params::octree_depth(4));
+  const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(shapes::mesh(t), 20, params::depth(4));
   REQUIRE(spectrum.report.converged);
   std::vector<double> expected;
   const double pi = 3.14159265358979323846;
@@ -154,7 +152,7 @@ TEST_CASE("neumann_eigenvalues_of_a_rectangle", "[spectrum]") {
 
 TEST_CASE("eigenfunctions_are_orthonormal_and_satisfy_the_equation", "[spectrum]") {
   const Mesh mesh = shapes::mesh(shapes::box(1, 0.8, 0.5, 4, 1));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(4));
+  const RL::Spline_space_3 space(mesh, params::depth(4));
   const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(space, 12);
   REQUIRE(spectrum.report.converged);
   const RL::Operators operators = RL::assemble_operators(
@@ -179,7 +177,7 @@ TEST_CASE("eigenfunctions_are_orthonormal_and_satisfy_the_equation", "[spectrum]
 
 TEST_CASE("dense_and_iterative_eigenpairs_agree", "[spectrum]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(3));
-  const RL::Spline_space_3 space(mesh, params::octree_depth(2));
+  const RL::Spline_space_3 space(mesh, params::depth(2));
   const RL::Operators operators = RL::assemble_operators(space);
   const int few = 10, many = static_cast<int>(space.dimension()) / 3 + 1;
   const RL::Eigenpairs iterative =
@@ -221,7 +219,7 @@ TEST_CASE("no_copy_of_a_multiple_eigenvalue_is_missed", "[spectrum]") {
   const Mesh sphere = shapes::mesh(shapes::sphere(3));
   const Mesh box = shapes::mesh(shapes::box(1, 1, 1, 4, 1));
   for(const Mesh* mesh : {&sphere, &box}) {
-    const RL::Spline_space_3 space(*mesh, params::octree_depth(2));
+    const RL::Spline_space_3 space(*mesh, params::depth(2));
     const RL::Operators operators = RL::assemble_operators(space);
     const int all = static_cast<int>(space.dimension()) / 3 + 1;
     const RL::Eigenpairs dense = RL::smallest_eigenpairs(operators.stiffness, operators.mass, all);
@@ -247,8 +245,8 @@ TEST_CASE("spectrum_does_not_depend_on_the_tessellation", "[spectrum][slow]") {
     return ((a - b).tail(count - 1).array() / b.tail(count - 1).array()).abs().mean();
   };
   const double restricted =
-      change(RL::laplace_spectrum(coarse, count, params::octree_depth(5)).eigenvalues,
-             RL::laplace_spectrum(fine, count, params::octree_depth(5)).eigenvalues);
+      change(RL::laplace_spectrum(coarse, count, params::depth(5)).eigenvalues,
+             RL::laplace_spectrum(fine, count, params::depth(5)).eigenvalues);
   const double cotangent = change(RL::cotangent_spectrum(coarse, count).eigenvalues,
                                   RL::cotangent_spectrum(fine, count).eigenvalues);
   INFO("mean change: restricted " << restricted << ", cotangent " << cotangent);

@@ -73,7 +73,7 @@ std::vector<RL::Colored_scan> sphere_scans(int level, std::size_t number) {
 
 RL::Spline_space_3 stitch_space(const shapes::Triangles& t, int depth, bool is_parallel = false) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
+  options.depth = depth;
   options.is_parallel = is_parallel;
   return RL::Spline_space_3(RL::read_surface(t.points, t.faces), options);
 }
@@ -120,7 +120,7 @@ TEST_CASE("seams_of_overlapping_scans_vanish", "[stitch]") {
   struct Case {
     bool match_exposures;
     RL::Gradient_source source;
-    bool vertex_details;
+    bool details;
     double largest_error, smallest_ratio;
   };
   using Source = RL::Gradient_source;
@@ -131,8 +131,8 @@ TEST_CASE("seams_of_overlapping_scans_vanish", "[stitch]") {
                        Case{false, Source::back_projection, true, 3e-2, 20}}) {
     RL::Color_stitching_options options;
     options.match_exposures = c.match_exposures;
-    options.gradient_source = c.source;
-    options.vertex_details = c.vertex_details;
+    options.gradients = c.source;
+    options.details = c.details;
     RL::Color_stitcher stitcher = stitcher_of(space, scans, options);
     const RL::Stitched_colors r = stitcher.stitch();
     CHECK(r.converged);
@@ -354,7 +354,7 @@ TEST_CASE("scans_that_miss_the_surface_are_told", "[stitch]") {
   CHECK_THAT(stitch_message([&] { stitcher_of(reversed, {good}).stitch(); }),
              Catch::Contains("scan"));
   RL::Color_stitching_options options;
-  options.back_projection.oriented_surface = false;
+  options.back_projection.oriented = false;
   RL::Color_stitcher turned = stitcher_of(reversed, {good}, options),
                      plain = stitcher_of(space, {good});
   turned.choose();
@@ -406,13 +406,13 @@ TEST_CASE("options_of_stitching_do_what_they_say", "[stitch]") {
     }
     CHECK(differs);
   };
-  const auto depth = params::octree_depth(3);
+  const auto depth = params::depth(3);
   check("boundary_width", depth.boundary_width(0.05),
         [](Options& o) { o.back_projection.boundary_width = 0.05; });
   check("minimum_facing_cosine", depth.minimum_facing_cosine(0.6),
         [](Options& o) { o.back_projection.minimum_facing_cosine = 0.6; });
-  check("minimum_normal_cosine", depth.minimum_normal_cosine(0.99995),
-        [](Options& o) { o.back_projection.minimum_normal_cosine = 0.99995; });
+  check("normal_angle", depth.normal_angle(0.573),
+        [](Options& o) { o.back_projection.normal_angle = 0.573; });
   check("maximum_distance", depth.maximum_distance(0.025),
         [](Options& o) { o.back_projection.maximum_distance = 0.025; });
   check("quality_smoothing_steps", depth.quality_smoothing_steps(200),
@@ -421,15 +421,15 @@ TEST_CASE("options_of_stitching_do_what_they_say", "[stitch]") {
 
   // 10 / area is the default of the weight
   Options options;
-  options.screening_weight = RL::Color_stitcher::default_screening / space.surface().area();
+  options.alpha = RL::Color_stitcher::default_screening / space.surface().area();
   CHECK(RL::Color_stitcher::default_screening == 10);
   CHECK(stitcher_of(space, scans, options).stitch().colors == by_default.colors);
-  *options.screening_weight *= 2;
+  *options.alpha *= 2;
   CHECK(stitcher_of(space, scans, options).stitch().colors != by_default.colors);
   // the larger one of two tolerances ends the iteration for the details
   options = Options();
   options.details_tolerance = 1e-9;
-  options.solver.relative_tolerance = 1e-9;
+  options.solver.tolerance = 1e-9;
   const int exact = stitcher_of(space, scans, options).stitch().details_iterations;
   options.details_tolerance = 0.1;
   CHECK(stitcher_of(space, scans, options).stitch().details_iterations < exact);
@@ -447,7 +447,7 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   const std::vector<RL::Colored_scan> scans = sphere_scans(4, 6);
   shapes::Mesh mesh = shapes::mesh(t);
   auto map = mesh.add_property_map<shapes::Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
-  const auto np = params::octree_depth(3).linear_light(true);
+  const auto np = params::depth(3).linear_light(true);
   const RL::Stitching_report a = RL::stitch_colors(mesh, scans, map, np);
   CHECK(a.converged);
   auto numbers = mesh.add_property_map<shapes::Mesh::Vertex_index, Vector_3>("v:numbers").first;
@@ -473,13 +473,12 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   const auto chain = params::maximum_distance(-1.).concurrency_tag(CGAL::Sequential_tag());
   CHECK_THAT(message(chain), Catch::Contains("maximum_distance"));
   CHECK_THAT(message(params::seam_weight(-1.)), Catch::Contains("seam_weight"));
-  CHECK_THAT(message(params::screening_weight(0.)), Catch::Contains("screening_weight"));
+  CHECK_THAT(message(params::alpha(0.)), Catch::Contains("alpha"));
   CHECK_THAT(message(params::quality_smoothing_steps(-1)), Catch::Contains("quality_smoothing"));
   CHECK_THAT(message(params::boundary_width(-1.)), Catch::Contains("boundary_width is -1"));
   CHECK_THAT(message(params::minimum_facing_cosine(2.)),
              Catch::Contains("minimum_facing_cosine is 2"));
-  CHECK_THAT(message(params::minimum_normal_cosine(2.)),
-             Catch::Contains("minimum_normal_cosine is 2"));
+  CHECK_THAT(message(params::normal_angle(200.)), Catch::Contains("normal_angle is 200"));
   std::vector<std::array<std::uint32_t, 3>> inwards;
   for(const auto& f : t.faces)
     inwards.push_back({f[0], f[2], f[1]});
@@ -487,14 +486,14 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
     return RL::stitch_colors(t.points, faces, scans, CGAL::make_property_map(colors), np);
   };
   CHECK_THAT(stitch_message([&] { report(inwards, np); }), Catch::Contains("no scan"));
-  CHECK(report(inwards, np.oriented_surface(false)).uncovered_vertices == 0);
+  CHECK(report(inwards, np.oriented(false)).uncovered_vertices == 0);
   CHECK(a.scans[1].gains[0] != 1);
   CHECK(report(t.faces, np.match_exposures(false)).scans[1].gains[0] == 1);
   const RL::Spline_space_3 space = stitch_space(t, 3);
   for(const auto source : {RL::Gradient_source::scans, RL::Gradient_source::back_projection}) {
-    report(t.faces, params::gradient_source(source).octree_depth(3));
+    report(t.faces, params::gradients(source).depth(3));
     RL::Color_stitching_options options;
-    options.gradient_source = source;
+    options.gradients = source;
     const RL::Stitched_colors expected = stitcher_of(space, scans, options).stitch();
     double difference = 0; // of two tolerances of the solver
     for(std::size_t v = 0; v < colors.size(); ++v)
@@ -582,7 +581,7 @@ TEST_CASE("stitching_does_not_depend_on_the_number_of_threads", "[stitch][thread
   const RL::Spline_space_3 serial = stitch_space(t, 4, false), parallel = stitch_space(t, 4, true);
   for(const auto source : {RL::Gradient_source::scans, RL::Gradient_source::back_projection}) {
     RL::Color_stitching_options options;
-    options.gradient_source = source;
+    options.gradients = source;
     const RL::Stitched_colors a = stitcher_of(serial, scans, options).stitch(),
                               b = stitcher_of(parallel, scans, options).stitch();
     CHECK(a.colors == b.colors);
@@ -629,7 +628,7 @@ TEST_CASE("stitching_survives_bad_triangles_and_scales", "[stitch]") {
   const RL::Colored_scan scan(one, {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}, {0.7, 0.8, 0.9}},
                               RL::Scan_pose(CGAL::IDENTITY), Point_3(0.3, 0.3, 2));
   RL::Spline_space_options options;
-  options.octree_depth = 2;
+  options.depth = 2;
   const RL::Spline_space_3 space(one, options);
   const RL::Stitched_colors r = stitcher_of(space, {scan}).stitch();
   for(std::size_t v = 0; v < 3; ++v)

@@ -54,7 +54,7 @@ template <class Check> void for_each_space(Check&& check) {
                             double cube_scale) {
     INFO(name << ", depth " << depth << ", cube scale " << cube_scale);
     const Mesh mesh = shapes::mesh(t);
-    check(mesh, RL::Spline_space_3(mesh, params::octree_depth(depth).cube_scale(cube_scale)));
+    check(mesh, RL::Spline_space_3(mesh, params::depth(depth).cube_scale(cube_scale)));
   };
   run("sphere", shapes::sphere(3), 4, 1.1);
   run("octahedron", shapes::sphere(0), 5, 1);
@@ -134,7 +134,7 @@ TEST_CASE("function_with_coefficients_one_is_one_on_stairs_in_walls", "[location
   for(double cube_scale : {1., 2.})
     for(int depth = 1; depth <= 5; ++depth) {
       INFO("depth " << depth << ", cube scale " << cube_scale);
-      const RL::Spline_space_3 space(mesh, params::octree_depth(depth).cube_scale(cube_scale));
+      const RL::Spline_space_3 space(mesh, params::depth(depth).cube_scale(cube_scale));
       for(int level = 0; level <= depth; ++level)
         check_ones(space, level, locations(mesh));
     }
@@ -147,7 +147,7 @@ TEST_CASE("cell_of_another_part_of_the_surface_is_not_taken", "[location]") {
       {{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}, {0, 0, 0}, {0, 0.2, 0.3}, {0.5, 0.2, 0.2}},
       {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}}};
   const Mesh mesh = shapes::mesh(t);
-  check_ones(RL::Spline_space_3(mesh, params::octree_depth(1).cube_scale(1)), 1, locations(mesh));
+  check_ones(RL::Spline_space_3(mesh, params::depth(1).cube_scale(1)), 1, locations(mesh));
 }
 
 TEST_CASE("function_can_be_evaluated_far_from_the_origin", "[location]") {
@@ -159,7 +159,7 @@ TEST_CASE("function_can_be_evaluated_far_from_the_origin", "[location]") {
       for(const shapes::Triangles& t : {shapes::stairs(8, 0.1), shapes::sphere(2)}) {
         const RL::Vector_3 by(distance, 0.7 * distance, -0.3 * distance);
         const Mesh mesh = shapes::mesh(shapes::moved(t, by));
-        const RL::Spline_space_3 space(mesh, params::octree_depth(depth).cube_scale(1));
+        const RL::Spline_space_3 space(mesh, params::depth(depth).cube_scale(1));
         const RL::Spline_function_3 u(space, Eigen::VectorXd::Ones(space.dimension()));
         double error = 0;
         REQUIRE_NOTHROW([&] {

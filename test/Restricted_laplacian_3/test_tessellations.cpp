@@ -90,7 +90,7 @@ struct Results {
   Results(const shapes::Triangles& t, const std::vector<std::uint32_t>& numbers) {
     shapes::Mesh mesh = shapes::mesh(t);
     const auto u = mesh.add_property_map<shapes::Mesh::Vertex_index, double>("v:u").first;
-    const auto np = params::octree_depth(4).relative_tolerance(1e-12);
+    const auto np = params::depth(4).tolerance(1e-12);
     const auto f = [](const RL::Surface_point& p) {
       return 1 + p.point.x() * p.point.y() - p.point.z();
     };
@@ -157,7 +157,7 @@ TEST_CASE("solutions_and_eigenvalues_do_not_depend_on_the_triangulation", "[spec
 TEST_CASE("multiplicities_of_the_sphere_up_to_degree_13", "[spectrum][slow]") {
   const shapes::Mesh mesh = shapes::mesh(shapes::sphere(6));
   const RL::Laplace_spectrum spectrum =
-      RL::laplace_spectrum(mesh, Sphere_spectrum::count, params::octree_depth(4));
+      RL::laplace_spectrum(mesh, Sphere_spectrum::count, params::depth(4));
   REQUIRE(spectrum.report.converged);
   const Sphere_spectrum sphere(spectrum.eigenvalues);
   for(int l = 0; l <= Sphere_spectrum::largest_degree; ++l) {
@@ -178,8 +178,8 @@ TEST_CASE("spectrum_stays_when_a_mesh_is_simplified", "[spectrum][slow]") {
   REQUIRE(CGAL::is_closed(coarse));
   constexpr int count = 100;
   const double restricted =
-      mean_change(RL::laplace_spectrum(coarse, count, params::octree_depth(4)).eigenvalues,
-                  RL::laplace_spectrum(fine, count, params::octree_depth(4)).eigenvalues);
+      mean_change(RL::laplace_spectrum(coarse, count, params::depth(4)).eigenvalues,
+                  RL::laplace_spectrum(fine, count, params::depth(4)).eigenvalues);
   const double cotangent = mean_change(RL::cotangent_spectrum(coarse, count).eigenvalues,
                                        RL::cotangent_spectrum(fine, count).eigenvalues);
   INFO("mean change: restricted " << restricted << ", cotangent " << cotangent);

@@ -60,15 +60,15 @@ bool are_identical(const RL::Sparse_matrix& a, const RL::Sparse_matrix& b) {
 struct Assembled {
   Assembled(const Mesh& mesh, int depth, bool is_split, bool is_parallel) {
     RL::Spline_space_options options;
-    options.octree_depth = depth;
-    options.split_elements = is_split;
+    options.depth = depth;
+    options.split = is_split;
     options.is_parallel = is_parallel;
     space = std::make_unique<RL::Spline_space_3>(RL::read_surface(mesh), options);
     operators = RL::assemble_operators_of_levels(*space, 0, depth);
     stabilized = RL::assemble_operators_of_levels(*space, 0, depth, 0.1);
     internal::Elliptic_operator elliptic;
     elliptic.reaction = 2;
-    elliptic.normal_stabilization = 0.1;
+    elliptic.stabilization = 0.1;
     system = internal::assemble_system(*space, depth, elliptic);
     for(int level : {depth - 2, depth}) {
       loads.push_back(RL::assemble_load(
@@ -135,7 +135,7 @@ TEST_CASE("results_do_not_depend_on_the_number_of_threads", "[threads][slow]") {
 TEST_CASE("concurrency_tag_sets_the_option", "[threads]") {
   namespace params = RL::parameters;
   const Mesh mesh = shapes::mesh(shapes::sphere(1));
-  CHECK(!RL::Spline_space_3(mesh, params::octree_depth(2)).options().is_parallel);
+  CHECK(!RL::Spline_space_3(mesh, params::depth(2)).options().is_parallel);
   CHECK(!RL::Spline_space_3(mesh, params::concurrency_tag(CGAL::Sequential_tag()))
              .options()
              .is_parallel);
@@ -147,10 +147,10 @@ TEST_CASE("concurrency_tag_sets_the_option", "[threads]") {
 #else
   const bool with_tbb = false;
 #endif
-  CHECK(RL::Spline_space_3(
-            mesh, params::octree_depth(2).concurrency_tag(CGAL::Parallel_if_available_tag()))
-            .options()
-            .is_parallel == with_tbb);
+  CHECK(
+      RL::Spline_space_3(mesh, params::depth(2).concurrency_tag(CGAL::Parallel_if_available_tag()))
+          .options()
+          .is_parallel == with_tbb);
 }
 
 TEST_CASE("parallel_for_covers_the_range_in_fixed_chunks", "[threads]") {

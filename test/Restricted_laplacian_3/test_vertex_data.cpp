@@ -295,7 +295,7 @@ TEST_CASE("smooth_data_do_not_multiply_noise") {
 
 TEST_CASE("smooth_data_in_problems") {
   const shapes::Mesh mesh = shapes::mesh(irregular_sphere(4, 0.25));
-  const auto np = params::octree_depth(4).surface_geometry(RL::Surface_geometry::smooth);
+  const auto np = params::depth(4).geometry(RL::Surface_geometry::smooth);
   const auto smooth = np.vertex_data(RL::Vertex_data::smooth);
   using Vertex = shapes::Mesh::Vertex_index;
   shapes::Mesh own = mesh;
@@ -377,7 +377,7 @@ TEST_CASE("smooth_data_in_problems") {
 }
 
 TEST_CASE("smooth_data_of_bad_meshes") {
-  const auto np = params::octree_depth(3).vertex_data(RL::Vertex_data::smooth);
+  const auto np = params::depth(3).vertex_data(RL::Vertex_data::smooth);
   // one triangle, a degenerate one, one that is turned around, a double one
   shapes::Triangles t;
   t.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {5, 5, 5}};

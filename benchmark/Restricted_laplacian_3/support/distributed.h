@@ -71,7 +71,7 @@ struct Measured_space {
     const RL::Distributed_surface distributed(
         communicator, RL::slice_of_first_rank(communicator, surface ? &*surface : nullptr));
     RL::Spline_space_options options;
-    options.octree_depth = depth;
+    options.depth = depth;
     seconds = timed(communicator, 1, [&] { space.emplace(distributed, options); });
   }
 
@@ -92,7 +92,7 @@ struct Space_of_threads {
     if(!surface || communicator.size() > 1)
       throw std::runtime_error(surface ? "--threads needs one process" : "no mesh");
     RL::Spline_space_options options;
-    options.octree_depth = depth;
+    options.depth = depth;
     options.is_parallel = threads > 1;
     seconds = timed(communicator, 1, [&] { space.emplace(std::move(*surface), options); });
   }

@@ -30,8 +30,8 @@ namespace RL = CGAL::Restricted_laplacian_3;
 inline RL::Spline_space_options space_options(int depth, bool is_split, int threads) {
   RL::Spline_space_options options;
   options.is_parallel = threads > 1;
-  options.octree_depth = depth;
-  options.split_elements = is_split;
+  options.depth = depth;
+  options.split = is_split;
   return options;
 }
 
@@ -67,7 +67,7 @@ inline RL::Poisson_solver_options solver_options(const std::string& smoother, in
   RL::Poisson_solver_options options;
   options.smoother = smoother == "patch" ? RL::Smoother_type::patch : RL::Smoother_type::point;
   options.is_parallel = threads > 1;
-  options.relative_tolerance = tolerance;
+  options.tolerance = tolerance;
   options.maximum_iterations = maximum_iterations;
   return options;
 }
@@ -95,7 +95,7 @@ inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System
   RL::internal::Elliptic_operator elliptic;
   elliptic.reaction = factors.mass / (h * h);
   elliptic.diffusion = factors.stiffness;
-  elliptic.normal_stabilization = stabilization;
+  elliptic.stabilization = stabilization;
   std::array<double, 2> seconds = {1e9, 1e9};
   for(int repetition = 0; repetition < 3; ++repetition)
     for(int is_all = 0; is_all < 2; ++is_all) {
@@ -118,7 +118,7 @@ inline Coarse_levels coarse_levels(const RL::Spline_space_3& space, const System
 inline RL::Poisson_solver poisson_solver(const RL::Spline_space_3& space, double stabilization,
                                          int threads, double tolerance) {
   namespace params = RL::parameters;
-  const auto np = params::normal_stabilization(stabilization).relative_tolerance(tolerance);
+  const auto np = params::stabilization(stabilization).tolerance(tolerance);
   return threads > 1 ? RL::make_poisson_solver(
                            space, 0, np.concurrency_tag(CGAL::Parallel_if_available_tag()))
                      : RL::make_poisson_solver(space, 0, np);

@@ -40,7 +40,7 @@ struct Spectrum {
   double eigenvalue_seconds = 0;
 };
 
-/// The `count` smallest eigenvalues after the first `kernel` ones; progress on the error stream.
+/// The smallest eigenvalues after the first `kernel` ones; progress on the error stream.
 /// \pre the area is known
 inline void solve(const RL::Operators& operators, int kernel, int count, Spectrum& spectrum) {
   CGAL::Real_timer timer;
@@ -68,9 +68,9 @@ inline const char* name_of(Space space) {
 inline RL::Spline_space_3 space_of(const RL::Triangulated_surface_3& surface, Space space,
                                    int depth) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
-  options.paper_space = space == Space::paper;
-  options.split_elements = space == Space::split;
+  options.depth = depth;
+  options.paper = space == Space::paper;
+  options.split = space == Space::split;
   return RL::Spline_space_3(surface, options);
 }
 

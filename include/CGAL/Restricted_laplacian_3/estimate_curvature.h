@@ -43,17 +43,17 @@ Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_mesh
-///   \named_surface_geometry
+///   \named_geometry
 ///   \named_crease_angle
 ///   \named_edge_is_feature_map
 ///   \named_of_points
-///   \named_curvature_method
+///   \named_method
 ///   \named_vertex_normal_map
 ///   \named_of_curvature
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors of the fit, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class FaceGraph, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
@@ -74,16 +74,16 @@ Fit_report estimate_curvature(const FaceGraph& tm, VertexMap curvatures,
 /// \param np optional named parameters, where property maps have such keys, too:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
-///   \named_curvature_method
+///   \named_method
 ///   \named_vertex_normal_map
 ///   \named_of_curvature
 ///   \named_geom_traits
-///   \named_surface_geometry
+///   \named_geometry
 ///   \named_crease_angle
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors of the fit, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class PointRange, class TriangleRange, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,

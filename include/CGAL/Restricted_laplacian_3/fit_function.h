@@ -55,12 +55,12 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 ///   \named_vertex_data
 ///   \named_of_points
 ///   \named_of_fits
-///   \named_callback
+///   \named_progress
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations (of all solves together but those of refinement
 /// steps), residuals, errors, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class FaceGraph, class Function, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
@@ -84,14 +84,14 @@ Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_fits
-///   \named_callback
+///   \named_progress
 ///   \named_geom_traits
 ///   \named_of_soup_geometry
 ///   \named_vertex_data
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class PointRange, class TriangleRange, class Function, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0,
@@ -113,13 +113,13 @@ Fit_report fit_function(const PointRange& points, const TriangleRange& triangles
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_fits
-///   \named_callback
+///   \named_progress
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \return the coefficients, whether the solver converged, iterations (of all solves together but
 /// those of refinement steps), residuals, errors, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Function_fit fit_function(const Spline_space_3& space, const Surface_function_view& f,

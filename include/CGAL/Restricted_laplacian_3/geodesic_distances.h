@@ -63,7 +63,7 @@ Geodesic_solver geodesic_solver(const FaceGraph& tm, const NamedParameters& np) 
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh
-///   \named_joining_tolerance \named_memory_of_distances \named_callback
+///   \named_joining_tolerance \named_memory_of_distances \named_progress
 /// \cgalNamedParamsEnd
 /// \return distances again, directions and labels, in the order of `vertices(tm)`
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
@@ -93,7 +93,7 @@ Geodesic_distances geodesic_distances(const FaceGraph& tm, const Sources& source
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh
-///   \named_joining_tolerance \named_memory_of_distances \named_callback
+///   \named_joining_tolerance \named_memory_of_distances \named_progress
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Location_error if the vertices are not on one component

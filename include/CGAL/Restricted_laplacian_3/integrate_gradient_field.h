@@ -50,13 +50,13 @@ Gradient_options gradient_options(const Target& target, const Weight& weight,
     screening.weight = static_cast<double>(weight);
   else if constexpr(!std::is_same_v<Weight, internal_np::Param_not_found>)
     screening.weight_function = weight;
-  if constexpr(is_given_v<NamedParameters, internal_np::mean_value_t>) {
-    const auto mean = parameters::get_parameter(np, internal_np::mean_value);
+  if constexpr(is_given_v<NamedParameters, internal_np::mean_t>) {
+    const auto mean = parameters::get_parameter(np, internal_np::mean);
     screening.mean = Function_components<std::decay_t<decltype(mean)>>::read(mean);
   }
-  read_parameter(np, internal_np::normal_stabilization, options.normal_stabilization);
+  read_parameter(np, internal_np::stabilization, options.stabilization);
   options.solver = Poisson_solver_options(np);
-  read_parameter(np, internal_np::callback, options.callback);
+  read_parameter(np, internal_np::progress, options.progress);
   return options;
 }
 
@@ -74,15 +74,17 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   const auto field = vector_field_on_surface(source, v, interpolation);
   static_assert(Components::number == Channels_of<std::decay_t<decltype(field)>>::number,
                 "u needs as many components as v has channels");
-  const auto target = optional_function(
-      parameters::get_parameter(np, internal_np::target_values),
-      [&](const auto& f) { return components_on_surface(source, f, interpolation); });
-  const auto weight = optional_function(
-      parameters::get_parameter(np, internal_np::screening_weight),
-      [&](const auto& f) { return numbers_on_surface(source, f, interpolation); });
+  const auto target =
+      optional_function(parameters::get_parameter(np, internal_np::target), [&](const auto& f) {
+        return components_on_surface(source, f, interpolation);
+      });
+  const auto weight =
+      optional_function(parameters::get_parameter(np, internal_np::alpha), [&](const auto& f) {
+        return numbers_on_surface(source, f, interpolation);
+      });
   const Gradient_options options = gradient_options(target, weight, np);
   bool with_details = false;
-  read_parameter(np, internal_np::vertex_details, with_details);
+  read_parameter(np, internal_np::details, with_details);
   const double end_of_splines = with_details ? 0.8 : 1;
   Gradient_solution solution =
       integrate_gradients(space, field, options, progress.part(part_of_space, end_of_splines));
@@ -115,14 +117,14 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 ///
 /// *Means.* Gradients do not tell constants. Without a weight \f$\alpha\f$, the mean of \f$u\f$ on
 /// each connected component of the surface is that of the target \f$g\f$, if there is one, and
-/// `mean_value` else. With a weight, the weighted mean of \f$u\f$ on a component is that of
+/// `mean` else. With a weight, the weighted mean of \f$u\f$ on a component is that of
 /// \f$g\f$, which is ensured separately from the solution of the system, however small the weight
-/// is. On components where the weight vanishes everywhere, the mean is `mean_value`, if it is
+/// is. On components where the weight vanishes everywhere, the mean is `mean`, if it is
 /// given, and else the weighted mean of the targets of all other components. (Components are those
-/// of the splines: not split, if `split_elements` is `false`, where two come within three cells of
+/// of the splines: not split, if `split` is `false`, where two come within three cells of
 /// each other.)
 ///
-/// *Details.* Splines do not resolve what is smaller than a cell. With `vertex_details`, their
+/// *Details.* Splines do not resolve what is smaller than a cell. With `details`, their
 /// values at the vertices are the first guess for the same problem with the functions that are
 /// linear in each triangle, whose matrix \f$S\f$ is that of cotangents. What they leave is of short
 /// waves, so a few steps of conjugate gradients with an incomplete Cholesky factor suffice. The
@@ -143,7 +145,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// each triangle, with the value of a halfedge at its target, in its face; or the face descriptor:
 /// it is constant in each triangle.
 /// \param u a model of `WritablePropertyMap` with the vertex descriptor as key, and values as
-/// `target_values` has, receives the values; NaN at vertices without a face of positive area
+/// `target` has, receives the values; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
@@ -152,11 +154,11 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 ///   \named_vertex_data
 ///   \named_of_points
 ///   \named_of_gradients
-///   \named_vertex_details{`false`}
+///   \named_details{`false`}
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class FaceGraph, class VectorField, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
@@ -179,14 +181,14 @@ Gradient_report integrate_gradient_field(const FaceGraph& tm, const VectorField&
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_gradients
-///   \named_vertex_details{`false`}
+///   \named_details{`false`}
 ///   \named_geom_traits
 ///   \named_of_soup_geometry
 ///   \named_vertex_data
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class PointRange, class TriangleRange, class VectorField, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0,
@@ -215,9 +217,9 @@ Gradient_report integrate_gradient_field(const PointRange& points, const Triangl
 /// \return the coefficients, whether the solver converged, iterations, residuals, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `v`, of the
 /// target or of the weight cannot be used; names the face
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 ///
-/// In place of property maps, `target_values` and `screening_weight` are function objects here.
+/// In place of property maps, `target` and `alpha` are function objects here.
 ///
 /// Takes time and memory proportional to the number of triangles (or samples) plus the number of
 /// elements, times the number of iterations.
@@ -225,8 +227,8 @@ template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_field_view& v,
                                       const NamedParameters& np = parameters::default_values()) {
-  const auto target = parameters::get_parameter(np, internal_np::target_values);
-  const auto weight = parameters::get_parameter(np, internal_np::screening_weight);
+  const auto target = parameters::get_parameter(np, internal_np::target);
+  const auto weight = parameters::get_parameter(np, internal_np::alpha);
   return integrate_gradient_field(space, v, internal::gradient_options(target, weight, np));
 }
 

@@ -21,16 +21,16 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 template <class MakeSpace, class NamedParameters>
-Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedParameters& np);
+Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int count, const NamedParameters& np);
 
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
+/// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
 /// the natural boundary condition if it is open.
 /// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
 /// \param tm the surface, a mesh or a range of oriented points
-/// \param k number of pairs, positive
+/// \param count number of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
@@ -40,21 +40,21 @@ Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedP
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
           std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
+Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int count,
                                   const NamedParameters& np = parameters::default_values()) {
-  return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, k, np);
+  return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, count, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a triangle
+/// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a triangle
 /// soup, which need not be a manifold, nor orientable.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`
-/// \param k number of pairs, positive
+/// \param count number of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
@@ -63,21 +63,22 @@ Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int k,
 ///   \named_of_soup_geometry
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class PointRange, class TriangleRange,
           class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
-Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange& triangles, int k,
+Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange& triangles,
+                                  int count,
                                   const NamedParameters& np = parameters::default_values()) {
-  return internal::laplace_spectrum_of([&] { return Spline_space_3(points, triangles, np); }, k,
+  return internal::laplace_spectrum_of([&] { return Spline_space_3(points, triangles, np); }, count,
                                        np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The `k` smallest eigenvalues and eigenvectors of the cotangent Laplacian of the triangulation,
+/// The smallest eigenvalues and eigenvectors of the cotangent Laplacian of the triangulation,
 /// for comparison.
 /// \param tm the surface, a mesh of triangles
-/// \param k number of pairs, positive
+/// \param count number of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_mesh
@@ -85,7 +86,7 @@ Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange&
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
-Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
+Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int count,
                                     const NamedParameters& np = parameters::default_values()) {
   CGAL::Real_timer timer;
   timer.start();
@@ -93,7 +94,7 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
   const double space_seconds = timer.time();
   bool lumped_mass = false;
   internal::read_parameter(np, internal_np::lumped_mass, lumped_mass);
-  Laplace_spectrum spectrum = internal::cotangent_eigenpairs(surface, k, lumped_mass);
+  Laplace_spectrum spectrum = internal::cotangent_eigenpairs(surface, count, lumped_mass);
   spectrum.report.space_seconds = space_seconds;
   return spectrum;
 }
@@ -101,12 +102,12 @@ Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int k,
 namespace internal {
 
 template <class MakeSpace, class NamedParameters>
-Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int k, const NamedParameters& np) {
+Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int count, const NamedParameters& np) {
   CGAL::Real_timer timer;
   timer.start();
   const Spline_space_3 space = make_space();
   const double space_seconds = timer.time();
-  Laplace_spectrum spectrum = laplace_spectrum(space, k, np);
+  Laplace_spectrum spectrum = laplace_spectrum(space, count, np);
   spectrum.report.space_seconds = space_seconds;
   return spectrum;
 }

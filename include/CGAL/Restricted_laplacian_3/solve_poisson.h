@@ -24,7 +24,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -35,22 +34,16 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-/// the values at the vertices that `vertex_is_constrained_map` marks, NaN at others
+/// the values of `constraints` at the vertices
 template <class Source, class NamedParameters>
 std::vector<double> vertex_values(const Source& source, const Spline_space_3& space,
                                   const NamedParameters& np) {
-  static_assert(is_given_v<NamedParameters, internal_np::constraint_values_t>,
-                "vertex_is_constrained_map needs constraint_values");
-  const auto is_constrained = parameters::get_parameter(np, internal_np::vertex_is_constrained);
-  const auto values = parameters::get_parameter(np, internal_np::constraint_values);
-  std::vector<double> result(space.surface().number_of_vertices(),
-                             std::numeric_limits<double>::quiet_NaN());
+  const auto values = parameters::get_parameter(np, internal_np::constraints);
+  std::vector<double> result(space.surface().number_of_vertices());
   source.for_each_vertex([&](std::size_t i, const auto& v) {
-    if(!value_at(is_constrained, v))
-      return;
     result[i] = static_cast<double>(value_at(values, v));
-    if(!std::isfinite(result[i]))
-      throw Parameter_error("constraint_values", "has a value that is not a finite number");
+    if(std::isinf(result[i]))
+      throw Parameter_error("constraints", "has an infinite value at vertex " + std::to_string(i));
   });
   return result;
 }
@@ -112,10 +105,10 @@ Poisson_problem poisson_problem(const Surface_function_view& f, const Alpha& alp
     problem.boundary_values = boundary_values;
   if constexpr(is_given_v<NamedParameters, internal_np::boundary_flux_t>)
     problem.boundary_flux = boundary_flux;
-  read_parameter(np, internal_np::normal_stabilization, problem.normal_stabilization);
+  read_parameter(np, internal_np::stabilization, problem.stabilization);
   read_parameter(np, internal_np::constraint_weight, problem.vertex_weight);
   problem.solver = Poisson_solver_options(np);
-  problem.callback = progress.callback();
+  problem.progress = progress.callback();
   return problem;
 }
 
@@ -159,7 +152,7 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   Poisson_problem problem = poisson_problem(right_hand_side, weight, values_on_boundary, flux, np,
                                             progress.part(part_of_space, 1));
   problem.has_boundary_value = has_boundary_value(source, np);
-  if constexpr(is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>)
+  if constexpr(is_given_v<NamedParameters, internal_np::constraints_t>)
     problem.vertex_values = vertex_values(source, space, np);
   Poisson_solution solution = solve_poisson_problem(space, problem);
   solution.space_seconds = space_seconds;
@@ -174,8 +167,8 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
 template <class Alpha, class NamedParameters>
 Poisson_solution solve_poisson_in_space(const Spline_space_3& space, const Surface_function_view& f,
                                         const Alpha& alpha, const NamedParameters& np) {
-  static_assert(!is_given_v<NamedParameters, internal_np::vertex_is_constrained_t>,
-                "vertex_is_constrained_map needs a mesh; for a space there is Point_constraints");
+  static_assert(!is_given_v<NamedParameters, internal_np::constraints_t>,
+                "constraints needs a mesh; for a space there is Point_constraints");
   const Progress progress = progress_of(np);
   progress(0);
   const auto values = on_boundary(np, internal_np::boundary_values);
@@ -201,7 +194,7 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// On a closed surface, and on an open one with the natural boundary condition
 /// \f$\partial u / \partial \nu = 0\f$, which holds where no other is given, a solution exists only
 /// if \f$f\f$ has mean 0: its mean is subtracted, and the solution has surface mean 0. Both hold on
-/// each connected component of the surface (not split into components if `split_elements` is
+/// each connected component of the surface (not split into components if `split` is
 /// `false`: then two that come within three cells of each other count as one). Components on which
 /// values are prescribed are solved as they are.
 ///
@@ -226,7 +219,7 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 ///
 /// Takes time and memory proportional to the number of triangles plus the number of elements, times
 /// the number of iterations.
@@ -260,7 +253,7 @@ Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class PointRange, class TriangleRange, class Function, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0>
@@ -284,7 +277,7 @@ Solve_report solve_poisson(const PointRange& points, const TriangleRange& triang
 /// \cgalNamedParamsEnd
 /// \return the coefficients, whether the solver converged, iterations, residual, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of `f` is not finite
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Poisson_solution solve_poisson(const Spline_space_3& space, const Surface_function_view& f,
@@ -317,7 +310,7 @@ Poisson_solution solve_poisson(const Spline_space_3& space, const Surface_functi
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class FaceGraph, class Function, class Alpha, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
@@ -352,7 +345,7 @@ Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, cons
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class PointRange, class TriangleRange, class Function, class Alpha, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_no_named_parameters<IndexMap> = 0>
@@ -381,7 +374,7 @@ Solve_report solve_screened_poisson(const PointRange& points, const TriangleRang
 /// \return the coefficients, whether the solver converged, iterations, residual, times
 /// \throws Parameter_error if a parameter is outside its domain, or if a value of a function is not
 /// finite
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class Alpha, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Poisson_solution solve_screened_poisson(const Spline_space_3& space, const Surface_function_view& f,

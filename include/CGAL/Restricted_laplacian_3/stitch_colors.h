@@ -65,11 +65,11 @@ Stitching_report stitch_colors(const Source& source, const std::vector<Colored_s
 ///   \named_of_space
 ///   \named_of_mesh
 ///   \named_of_stitching
-///   \named_callback
+///   \named_progress
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter; or no scan
 /// comes near the surface
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class FaceGraph, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
@@ -90,12 +90,12 @@ Stitching_report stitch_colors(const FaceGraph& tm, const std::vector<Colored_sc
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_stitching
-///   \named_callback
+///   \named_progress
 ///   \named_geom_traits
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter; or no scan
 /// comes near the surface
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class PointRange, class TriangleRange, class IndexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>

@@ -48,7 +48,7 @@ struct Spaces {
 
   static CGAL::Restricted_laplacian_3::Spline_space_options options_of(int depth) {
     CGAL::Restricted_laplacian_3::Spline_space_options options;
-    options.octree_depth = depth;
+    options.depth = depth;
     return options;
   }
 

@@ -40,11 +40,11 @@ double f(const RL::Surface_point& p) { return p.point.x() + 0.3 * p.point.y() * 
 Result solve(const RL::Triangulated_surface_3& surface, int depth, double alpha, double tolerance,
              const RL::Communicator& communicator = RL::Communicator()) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
+  options.depth = depth;
   const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
   const RL::Distributed_space space(distributed, options);
   RL::Poisson_solver_options solver_options;
-  solver_options.relative_tolerance = tolerance;
+  solver_options.tolerance = tolerance;
   const RL::Distributed_poisson_solver solver(space, alpha, {}, solver_options);
   Eigen::VectorXd load = RL::assemble_load(space.part(), f), x;
   if(alpha == 0)
@@ -126,7 +126,7 @@ TEST_CASE("matrices_and_options_are_those_of_petsc", "[shapes]") {
   const Spaces spaces(surface_of(shapes::sphere(3)), 5);
   const RL::Distributed_space& space = spaces.distributed;
   RL::Poisson_solver_options solver_options;
-  solver_options.relative_tolerance = 1e-8;
+  solver_options.tolerance = 1e-8;
   const Eigen::VectorXd load = RL::assemble_load(space.part(), f);
   Eigen::VectorXd x, y;
   {
@@ -139,7 +139,7 @@ TEST_CASE("matrices_and_options_are_those_of_petsc", "[shapes]") {
 
     // S + 3 M of one process
     const RL::Operators o =
-        RL::assemble_operators(spaces.whole, {}, RL::default_normal_stabilization(spaces.whole));
+        RL::assemble_operators(spaces.whole, {}, RL::default_stabilization(spaces.whole));
     const RL::Sparse_matrix a = o.stiffness + 3 * o.mass;
     PetscInt rows = 0, first = 0, last = 0;
     REQUIRE(MatGetSize(solver.matrix(), &rows, nullptr) == 0);
@@ -182,7 +182,7 @@ TEST_CASE("a_cycle_for_many_vectors_is_that_of_petsc_for_each", "[shapes]") {
       std::min(RL::internal::coarsest_multigrid_level(space.part()), space.gathered_level());
   RL::internal::Elliptic_operator elliptic;
   elliptic.reaction = 1;
-  elliptic.normal_stabilization = RL::default_normal_stabilization(space.part());
+  elliptic.stabilization = RL::default_stabilization(space.part());
   for(const RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W})
     for(const int steps : {1, 2}) {
       RL::Poisson_solver_options solver_options;
@@ -263,8 +263,8 @@ TEST_CASE("problems_on_ranks_begin_with_a_guess", "[shapes]") {
   const Spaces spaces(surface_of(shapes::sphere(3)), 5);
   const RL::Distributed_space& space = spaces.distributed;
   RL::Poisson_solver_options loose, strict;
-  loose.relative_tolerance = 1e-5;
-  strict.relative_tolerance = 1e-10;
+  loose.tolerance = 1e-5;
+  strict.tolerance = 1e-10;
   const RL::Distributed_poisson_solver first(space, 0, {}, loose), second(space, 0, {}, strict);
   const Eigen::VectorXd load = RL::assemble_load(space.part(), f);
   Eigen::VectorXd x, y;

@@ -28,7 +28,7 @@ using shapes::Triangles;
 
 RL::Spline_space_options options_of(int depth) {
   RL::Spline_space_options options;
-  options.octree_depth = depth;
+  options.depth = depth;
   return options;
 }
 
@@ -102,7 +102,7 @@ void check_elements(const RL::Distributed_space& space, const RL::Spline_space_3
 
 void check_space(const std::string& name, const RL::Triangulated_surface_3& surface,
                  const RL::Spline_space_options& options) {
-  INFO(name << ", depth " << *options.octree_depth);
+  INFO(name << ", depth " << *options.depth);
   const RL::Communicator communicator;
   const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
   CHECK(distributed.number_of_faces() == surface.number_of_faces());
@@ -112,11 +112,11 @@ void check_space(const std::string& name, const RL::Triangulated_surface_3& surf
   CHECK(distributed.is_point_set() == surface.is_point_set());
   CHECK(distributed.first_vertices().size() == static_cast<std::size_t>(communicator.size()) + 1);
   CHECK(distributed.communicator().size() == communicator.size());
-  CHECK(RL::default_octree_depth(distributed, 1.1) == RL::default_octree_depth(surface, 1.1));
+  CHECK(RL::default_depth(distributed, 1.1) == RL::default_depth(surface, 1.1));
   const RL::Distributed_space space(distributed, options);
   CHECK(std::abs(space.area() - surface.area()) <= 1e-12 * surface.area());
   const RL::Spline_space_3 whole(surface, options);
-  for(int level = 0; level <= *options.octree_depth; ++level) {
+  for(int level = 0; level <= *options.depth; ++level) {
     INFO("level " << level);
     check_sheets(space, whole, level);
     check_elements(space, whole, level);
@@ -154,9 +154,9 @@ TEST_CASE("parts_of_a_space_are_those_of_the_whole", "[shapes]") {
       check_space(name + ", cube of scale 1", surface_of(t), options);
       if(depth > 4)
         continue;
-      options.split_elements = false;
+      options.split = false;
       check_space(name + ", unsplit", surface_of(t), options);
-      options.paper_space = true;
+      options.paper = true;
       check_space(name + ", space of the paper", surface_of(t), options);
     }
 }

@@ -35,7 +35,7 @@ using shapes::Triangles;
 
 RL::Laplace_spectrum_options options_of(double tolerance) {
   RL::Laplace_spectrum_options result;
-  result.multigrid.relative_tolerance = tolerance;
+  result.multigrid.tolerance = tolerance;
   return result;
 }
 
@@ -321,19 +321,19 @@ TEST_CASE("what_is_wrong_with_a_spectrum_on_ranks", "[shapes]") {
     return false;
   };
   RL::Laplace_spectrum_options options;
-  CHECK(fails("k", 0, options));
-  CHECK(fails("k", 1000000, options));
-  options.multigrid.relative_tolerance = 1.;
-  CHECK(fails("relative_tolerance", 3, options));
+  CHECK(fails("count", 0, options));
+  CHECK(fails("count", 1000000, options));
+  options.multigrid.tolerance = 1.;
+  CHECK(fails("tolerance", 3, options));
   options = {};
   options.multigrid.smoothing_steps = 0;
   CHECK(fails("smoothing_steps", 3, options));
   options = {};
   options.multigrid.maximum_iterations = -1;
-  CHECK(fails("number_of_iterations", 3, options));
+  CHECK(fails("maximum_iterations", 3, options));
   options = {};
-  options.normal_stabilization = -1;
-  CHECK(fails("normal_stabilization", 3, options));
+  options.stabilization = -1;
+  CHECK(fails("stabilization", 3, options));
   options = {};
   // on one rank only
   RL::Distributed_spectrum_state state;
@@ -349,7 +349,7 @@ TEST_CASE("what_is_wrong_with_a_spectrum_on_ranks", "[shapes]") {
     ++calls;
     throw RL::Distributed_error("cannot write");
   };
-  options.multigrid.relative_tolerance = 1e-4;
+  options.multigrid.tolerance = 1e-4;
   CHECK_THROWS_AS(static_cast<void>(RL::laplace_spectrum(space, 3, options, state)),
                   RL::Distributed_error);
   CHECK(calls == 1);

@@ -168,7 +168,7 @@ TEST_CASE("values_at_vertices_come_in_the_order_of_the_file", "[shapes]") {
   t.faces.push_back({static_cast<std::uint32_t>(t.points.size() - 1), 1, 1});
   const RL::Triangulated_surface_3 surface(t.points, t.faces);
   RL::Spline_space_options options;
-  options.octree_depth = 5;
+  options.depth = 5;
   const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
   const RL::Distributed_space space(distributed, options);
   const RL::Spline_space_3 whole(surface, options);

@@ -83,7 +83,7 @@ make_torus 60 30 > text.ply
 
 # the results of one process
 for options in "--rhs x" "--rhs random --seed 3" "--alpha 20" "--rhs-property value" \
-  "--unsplit --cycle w" "--join 1e-9 --cube-scale 1"; do
+  "--no-split --cycle w" "--join 1e-9 --cube-scale 1"; do
   # shellcheck disable=SC2086
   "$programs/solve_poisson" binary.ply --depth 5 --tolerance 1e-10 $options --csv one.csv --quiet
   for number in 1 3; do
@@ -183,7 +183,7 @@ fails "no face" 2 distributed_surface points.xyz
 fails "cannot open" 3 solve_poisson_mpi missing.ply
 fails "depth" 2 solve_poisson_mpi binary.ply --depth 99
 fails "tolerance" 2 solve_poisson_mpi binary.ply --tolerance 7
-fails "memory" 2 solve_poisson_mpi binary.ply --memory 1
+fails "memory" 2 solve_poisson_mpi binary.ply --maximum-memory 1
 fails "energy-tolerance" 2 solve_poisson_mpi binary.ply --energy-tolerance 0.1
 fails "smooth" 2 solve_poisson_mpi binary.ply --geometry smooth
 fails "count" 2 laplace_spectrum_mpi binary.ply --count 0

@@ -141,10 +141,10 @@ awk 'NR > 2 && NF == 3 { print 9 * $1, 9 * $2, 9 * $3; next } { print }' OFMT=%.
 
 # The tests.
 
-common_options="depth cube-scale unsplit join paper csv output html threads quiet verbose progress help
+common_options="depth cube-scale no-split joining-tolerance paper csv output html threads quiet verbose progress help
   version"
 integration_options="assembly samples sampling seed"
-point_options="neighbors split-points"
+point_options="neighbors split"
 
 # help_examples PROGRAM: the calls in the text of --help in `out`, a line for each
 help_examples() {
@@ -177,7 +177,7 @@ test_help() {
   explains solve_poisson $common_options $integration_options $point_options refine \
     rhs rhs-property boundary-property flux-property alpha tolerance stabilization cycle smoother
   explains laplace_spectrum $common_options $integration_options $point_options refine \
-    count operator mass eigenfunction eigensolver tolerance stabilization
+    count operator lumped-mass eigenfunction eigensolver tolerance stabilization
   explains spectral_descriptors $common_options $integration_options refine \
     descriptor count columns time energy scaled normalization compare column eigensolver tolerance
   explains fit_function $common_options $integration_options $point_options refine \
@@ -185,9 +185,9 @@ test_help() {
   explains estimate_curvature $common_options $integration_options $point_options refine \
     method smoothing tolerance stabilization show clip
   explains stitch_colors $common_options \
-    poses frame method gradients alpha maximum-distance normal-angle unoriented leave-out \
-    keep-exposures linear-light no-details truth tolerance stabilization
-  explains geodesic_distance source boundary farthest join exact memory neighbors split-points path isolines lines show csv output refine \
+    poses frame method gradients alpha maximum-distance normal-angle no-oriented leave-out \
+    no-match-exposures linear-light no-details truth tolerance stabilization
+  explains geodesic_distance source boundary farthest joining-tolerance exact maximum-memory neighbors split path isolines lines show csv output refine \
     depth threads quiet verbose progress version
   explains bake_scans views resolution field-of-view points noise exposure-range exposures tint \
     light linear-light pattern seed quiet version
@@ -331,7 +331,7 @@ test_bad_input() {
   fails "count" laplace_spectrum small.off --count 0
   fails "ten" laplace_spectrum small.off --count ten
   fails "operator" laplace_spectrum small.off --operator magic
-  fails "mass" laplace_spectrum small.off --operator cotangent --mass magic
+  fails "lumped-mass has no effect" laplace_spectrum small.off --lumped-mass
   fails "eigenfunction" laplace_spectrum small.off --count 3 --eigenfunction 3
   fails "eigenfunction" laplace_spectrum small.off --count 3 --eigenfunction -1
   fails "eigensolver" laplace_spectrum small.off --eigensolver magic
@@ -387,7 +387,7 @@ test_poisson_table() {
       "$(echo "minimum -0.5 maximum 0.5 mean 0" | grep -o "$name [^ ]*" | cut -d' ' -f2)" 0.01
   done
   check "format of the table" has_table_format table.csv vertex,value
-  for name in vertices faces depth dimension cells sheets split_elements components \
+  for name in vertices faces depth dimension cells sheets split components \
     kernel_dimension area setup_seconds assembly_seconds solve_seconds iterations \
     relative_residual; do
     check "comment $name is a number" is_near "$(comment $name table.csv)" 0 1e6
@@ -482,7 +482,7 @@ test_poisson_options() {
   # 504 elements at depth 3: Table 1 of the paper
   succeeds solve_poisson sphere.off --depth 3 --paper --csv paper.csv
   check "dimension of the space of the paper" [ "$(comment dimension paper.csv)" = 504 ]
-  succeeds solve_poisson sphere.off --depth 3 --unsplit --csv unsplit.csv
+  succeeds solve_poisson sphere.off --depth 3 --no-split --csv unsplit.csv
   check "dimension of the unsplit space" [ "$(comment dimension unsplit.csv)" = 816 ]
   # The support of an element may contain several pieces of the sphere, at its corners. The number is
   # our own output.
@@ -655,7 +655,7 @@ test_files_and_options() {
   fails "depth $without --operator restricted" laplace_spectrum sphere.off --operator cotangent --depth 4
   fails "tolerance $without --eigensolver" laplace_spectrum sphere.off --eigensolver shift-invert --tolerance 0.1
   fails "crease-angle $without --geometry smooth" solve_poisson sphere.off --crease-angle 20
-  fails "join $without split" solve_poisson sphere.off --join 0.1 --unsplit
+  fails "joining-tolerance $without split" solve_poisson sphere.off --join 0.1 --no-split
   fails "columns $without all times" spectral_descriptors sphere.off --columns 5 --time 0.1
   fails "alpha $without --method gradients" stitch_colors mesh.ply mesh.ply --poses p --method chosen --alpha 2
   fails "quiet excludes" solve_poisson sphere.off --quiet --verbose
@@ -666,9 +666,9 @@ test_memory() {
   fails "--depth is 16, which would take about .* GB of memory, and .* GB are there; a depth of" \
     solve_poisson ball.off --depth 16
   fails "--depth is 7, which would take about 4.. MB of memory, and 100 MB are there; a depth of 5" \
-    laplace_spectrum ball.off --depth 7 --memory 0.1
-  succeeds solve_poisson ball.off --depth 6 --memory 0.2
-  fails "memory must be a positive number" solve_poisson ball.off --memory 0
+    laplace_spectrum ball.off --depth 7 --maximum-memory 0.1
+  succeeds solve_poisson ball.off --depth 6 --maximum-memory 0.2
+  fails "memory must be a positive number" solve_poisson ball.off --maximum-memory 0
 }
 
 test_refinement() {
@@ -826,7 +826,7 @@ test_spectrum() {
   check "format of the table" has_table_format s.csv index,eigenvalue
   check "as many eigenvalues as asked for" [ "$(numbers s.csv | wc -l)" -eq 16 ]
   check "eigenvalues of the sphere" has_sphere_spectrum s.csv 1e-2
-  for name in vertices faces depth dimension cells sheets split_elements components area \
+  for name in vertices faces depth dimension cells sheets split components area \
     assembly_seconds solve_seconds; do
     check "comment $name is a number" is_near "$(comment $name s.csv)" 0 1e6
   done
@@ -849,14 +849,14 @@ test_spectrum() {
   numbers strong.csv > strong
   check "stabilization matters" eval "! cmp -s strong shift-invert"
 
-  for mass in lumped full; do
-    succeeds laplace_spectrum sphere.off --operator cotangent --mass $mass --count 16 --csv c.csv
-    check "eigenvalues of the sphere, cotangent operator, $mass mass" \
+  for mass in --lumped-mass ""; do
+    succeeds laplace_spectrum sphere.off --operator cotangent $mass --count 16 --csv c.csv
+    check "eigenvalues of the sphere, cotangent operator $mass" \
       has_sphere_spectrum c.csv 3e-2
     check "dimension of the cotangent operator" [ "$(comment dimension c.csv)" = 1026 ]
-    numbers c.csv > "$mass"
+    numbers c.csv > "mass$mass"
   done
-  check "the mass matrix matters" eval "! cmp -s lumped full"
+  check "the mass matrix matters" eval "! cmp -s mass mass--lumped-mass"
 
   # Eigenfunction 0 is constant. Eigenfunction 1 has mean square 1 / area, and the inverse Laplacian
   # divides it by 2, up to the sign: the squares at 1026 vertices sum to about 1026 / (4 area).
@@ -1158,7 +1158,7 @@ test_stitching_options() {
   succeeds stitch_colors ball.off scans/scan_*.ply --poses scans/poses.conf --depth 4 --quiet \
     --threads 1 --csv one.csv
   succeeds stitch_colors ball.off scans/scan_*.ply --poses scans/poses.conf --depth 4 --quiet \
-    --gradients scans --keep-exposures --linear-light --no-details --csv other.csv
+    --gradients scans --no-match-exposures --linear-light --no-details --csv other.csv
   check "options change the result" [ "$(cmp one.csv other.csv | wc -l)" -eq 1 ]
   succeeds stitch_colors ball.off scans/scan_*.ply --poses scans/poses.conf --depth 4 --quiet \
     --threads 2 --csv two.csv
@@ -1171,7 +1171,7 @@ test_stitching_options() {
   awk 'NR > 2 && NF == 4 { print $1, $2, $4, $3; next } { print }' ball.off > inside_out.off
   fails "shows its back" stitch_colors inside_out.off scans/scan_*.ply --poses scans/poses.conf
   succeeds stitch_colors inside_out.off scans/scan_*.ply --poses scans/poses.conf --depth 4 \
-    --unoriented --truth scans/truth.ply
+    --no-oriented --truth scans/truth.ply
   check "unless normals need not point outwards" is_below "$(entry rms_error)" 0.02
   echo "scan_05.ply 1 0 0 100 0 1 0 0 0 0 1 0 0 0 0 1" > far.conf
   grep -v scan_05.ply scans/poses.conf >> far.conf
@@ -1471,18 +1471,18 @@ OFF
 4 8 9 10 11
 PLATES
   succeeds solve_poisson plates.off --depth 4 --rhs x --csv split.csv
-  succeeds solve_poisson plates.off --depth 4 --rhs x --unsplit --csv unsplit.csv
+  succeeds solve_poisson plates.off --depth 4 --rhs x --no-split --csv unsplit.csv
   check "plates that are near have a sheet each in a cell" \
     [ $((2 * $(comment sheets split.csv))) -eq $((3 * $(comment cells split.csv))) ]
   check "and share no element" \
-    [ $((3 * $(comment split_elements split.csv))) -eq $((2 * $(comment dimension split.csv))) ]
+    [ $((3 * $(comment split split.csv))) -eq $((2 * $(comment dimension split.csv))) ]
   check "each has its constants" [ "$(comment kernel_dimension split.csv)" = 3 ]
-  check "--unsplit: they are one" \
+  check "--no-split: they are one" \
     [ $((3 * $(comment dimension unsplit.csv))) -eq $((2 * $(comment dimension split.csv))) ]
-  check "--unsplit: and have one constant" [ "$(comment kernel_dimension unsplit.csv)" = 2 ]
-  for options in --unsplit --paper; do
+  check "--no-split: and have one constant" [ "$(comment kernel_dimension unsplit.csv)" = 2 ]
+  for options in --no-split --paper; do
     succeeds laplace_spectrum plates.off --depth 4 $options --csv unsplit.csv
-    check "$options: no element is split" [ "$(comment split_elements unsplit.csv)" = 0 ]
+    check "$options: no element is split" [ "$(comment split unsplit.csv)" = 0 ]
   done
 }
 
@@ -1501,7 +1501,7 @@ test_points() {
     check "$file: points" [ "$(comment points u.csv)" = 1026 ]
     check "$file: area" is_near "$(comment area u.csv)" 12.566 0.1
     # what is written can be read again
-    succeeds laplace_spectrum u.ply --depth 2 --count 4 --split-points --neighbors 12 --csv e.csv
+    succeeds laplace_spectrum u.ply --depth 2 --count 4 --split --neighbors 12 --csv e.csv
     for value in $(numbers e.csv | tail -n 3); do
       check "$file: eigenvalues 2" is_near "$value" 2 0.02
     done
@@ -1525,7 +1525,7 @@ test_points() {
     --assembly monte-carlo
   fails " --neighbors is 2" laplace_spectrum points.xyz --neighbors 2
   fails " --refine needs a mesh" laplace_spectrum points.xyz --refine 2 --output points_2.ply
-  fails "set of points" laplace_spectrum sphere.off --split-points
+  fails "set of points" laplace_spectrum sphere.off --split
   fails "sampling" laplace_spectrum sphere.off --assembly monte-carlo --sampling regular
   succeeds laplace_spectrum sphere.off --depth 3 --count 2 --csv stratified.csv \
     --assembly monte-carlo --samples 50000 --sampling stratified
@@ -1545,8 +1545,8 @@ test_distances() {
   succeeds geodesic_distance sphere.off --farthest 3
   check "three sources" [ "$(sed -n '/^sources/,$p' out | wc -l)" -eq 4 ]
   printf 'OFF\n5 4 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n2 2 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n' > square.off
-  fails "--memory is 0.1 MB: the windows of rays would take more" \
-    geodesic_distance sphere.off --source 0 --memory 1e-4
+  fails "--maximum-memory is 0.1 MB: the windows of rays would take more" \
+    geodesic_distance sphere.off --source 0 --maximum-memory 1e-4
   succeeds geodesic_distance square.off --boundary
   check "the center is farthest from the boundary" \
     is_near "$(sed -n 's/^largest_distance *//p' out)" 2 1e-5

@@ -24,7 +24,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_loc
   if(!(weight >= 0 && std::isfinite(weight)))
     throw Parameter_error("constraint_weight", "must be a finite number that is not negative");
   if(!std::isfinite(value))
-    throw Parameter_error("constraint_values", "has a value that is not a finite number");
+    throw Parameter_error("constraints", "has a value that is not a finite number");
   const int depth = m_space.depth();
   const auto [sheet, t] = m_space.octree().locate(depth, location);
   if(sheet == m_space.octree().number_of_sheets(depth))

@@ -78,27 +78,27 @@ enum class Stabilized { stiffness_and_mass, stiffness };
 /// \param coarsest from 0, the coarsest, to the depth of the space
 /// \param finest from 0, the coarsest, to the depth of the space; if it is below `coarsest`, the
 /// result is empty
-/// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
+/// \param stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
 /// \param stabilized which of the matrices are stabilized
-/// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`, the
+/// \param progress is told which part of the work is done, from 0 to 1; if it returns `false`, the
 /// computation ends with an exception
-/// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
+/// \throws Parameter_error if a level is not from 0 to depth, or if `stabilization` is
 /// negative or not finite
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 std::vector<Operators>
 assemble_operators_of_levels(const Spline_space_3& space, int coarsest, int finest,
-                             double normal_stabilization = 0,
+                             double stabilization = 0,
                              Stabilized stabilized = Stabilized::stiffness_and_mass,
-                             const std::function<bool(double)>& callback = {});
+                             const std::function<bool(double)>& progress = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level, at the cost of one of them.
 /// \param space the space whose elements are integrated
 /// \param level from 0, the coarsest, to the depth of the space; without a value the finest
-/// \param normal_stabilization,stabilized as in `assemble_operators_of_levels()`
+/// \param stabilization,stabilized as in `assemble_operators_of_levels()`
 /// \throws Parameter_error as there
 Operators assemble_operators(const Spline_space_3& space, std::optional<int> level = {},
-                             double normal_stabilization = 0,
+                             double stabilization = 0,
                              Stabilized stabilized = Stabilized::stiffness_and_mass);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
@@ -106,17 +106,17 @@ Operators assemble_operators(const Spline_space_3& space, std::optional<int> lev
 /// \param space the space whose elements are integrated
 /// \param coarsest from 0, the coarsest, to the depth of the space
 /// \param sinks one for each level from `coarsest` on, coarsest first; null pointers are left out
-/// \param normal_stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
+/// \param stabilization \f$c \ge 0\f$, without unit; 0 gives the operators of the paper
 /// \param stabilized which of the matrices are stabilized
-/// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`, the
+/// \param progress is told which part of the work is done, from 0 to 1; if it returns `false`, the
 /// computation ends with an exception
-/// \throws Parameter_error if a level is not from 0 to depth, or if `normal_stabilization` is
+/// \throws Parameter_error if a level is not from 0 to depth, or if `stabilization` is
 /// negative or not finite
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 void assemble_into(const Spline_space_3& space, int coarsest,
-                   const std::vector<Operator_sink*>& sinks, double normal_stabilization = 0,
+                   const std::vector<Operator_sink*>& sinks, double stabilization = 0,
                    Stabilized stabilized = Stabilized::stiffness_and_mass,
-                   const std::function<bool(double)>& callback = {});
+                   const std::function<bool(double)>& progress = {});
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j \rangle
@@ -126,12 +126,12 @@ void assemble_into(const Spline_space_3& space, int coarsest,
 /// held meanwhile.
 /// \param space the space whose elements are integrated
 /// \param level from 0, the coarsest, to the depth of the space; without a value the finest
-/// \param normal_stabilization as in `assemble_operators_of_levels()`; with \f$c > 0\f$ the matrix
+/// \param stabilization as in `assemble_operators_of_levels()`; with \f$c > 0\f$ the matrix
 /// is \f$S + \frac{c}{h} N\f$
-/// \throws Parameter_error if the level is not from 0 to depth, or if `normal_stabilization` is
+/// \throws Parameter_error if the level is not from 0 to depth, or if `stabilization` is
 /// negative or not finite
 Sparse_matrix assemble_stiffness_matrix(const Spline_space_3& space, std::optional<int> level = {},
-                                        double normal_stabilization = 0);
+                                        double stabilization = 0);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ M_{ij} = \int_{\mathcal M} b_i b_j \f$, `dimension(level)` rows. Its entries sum to the

@@ -32,29 +32,28 @@ namespace Restricted_laplacian_3 {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void assemble_into(const Spline_space_3& space, int coarsest,
                                                       const std::vector<Operator_sink*>& sinks,
-                                                      double normal_stabilization,
-                                                      Stabilized stabilized,
+                                                      double stabilization, Stabilized stabilized,
                                                       const std::function<bool(double)>& callback) {
   space.checked_level(coarsest);
-  internal::checked_normal_stabilization(normal_stabilization);
+  internal::checked_normal_stabilization(stabilization);
   if(sinks.empty())
     return;
   space.checked_level(coarsest + static_cast<int>(sinks.size()) - 1);
   std::vector<internal::Assembly_targets> targets(space.depth() + 1);
   for(std::size_t i = 0; i < sinks.size(); ++i)
     targets[coarsest + i].sink = sinks[i];
-  internal::Operator_assembly(space, nullptr, normal_stabilization,
+  internal::Operator_assembly(space, nullptr, stabilization,
                               stabilized == Stabilized::stiffness_and_mass)
       .run(targets, internal::Progress(callback));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Operators>
 assemble_operators_of_levels(const Spline_space_3& space, int coarsest, int finest,
-                             double normal_stabilization, Stabilized stabilized,
+                             double stabilization, Stabilized stabilized,
                              const std::function<bool(double)>& callback) {
   space.checked_level(coarsest);
   space.checked_level(finest);
-  internal::checked_normal_stabilization(normal_stabilization);
+  internal::checked_normal_stabilization(stabilization);
   std::vector<Operators> operators;
   if(coarsest > finest)
     return operators;
@@ -71,7 +70,7 @@ assemble_operators_of_levels(const Spline_space_3& space, int coarsest, int fine
           std::vector<internal::Sparse_sink::Target>{{&o.stiffness, 1, 0}, {&o.mass, 0, 1}});
       pointers.push_back(&sinks.back());
     }
-    assemble_into(space, coarsest, pointers, normal_stabilization, stabilized,
+    assemble_into(space, coarsest, pointers, stabilization, stabilized,
                   progress.part(internal::part_of_pattern, 1).callback());
   });
   return operators;
@@ -79,11 +78,11 @@ assemble_operators_of_levels(const Spline_space_3& space, int coarsest, int fine
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(const Spline_space_3& space,
                                                                 std::optional<int> level,
-                                                                double normal_stabilization,
+                                                                double stabilization,
                                                                 Stabilized stabilized) {
   const int l = space.checked_level(level);
   std::vector<Operators> of_level =
-      assemble_operators_of_levels(space, l, l, normal_stabilization, stabilized);
+      assemble_operators_of_levels(space, l, l, stabilization, stabilized);
   Operators result;
   result.stiffness.swap(of_level.front().stiffness);
   result.mass.swap(of_level.front().mass);
@@ -91,11 +90,11 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Operators assemble_operators(const Spline_spa
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sparse_matrix assemble_stiffness_matrix(
-    const Spline_space_3& space, std::optional<int> level, double normal_stabilization) {
+    const Spline_space_3& space, std::optional<int> level, double stabilization) {
   const int l = space.checked_level(level);
   Sparse_matrix stiffness;
   internal::Sparse_sink sink(space, l, {{&stiffness, 1, 0}});
-  assemble_into(space, l, {&sink}, normal_stabilization);
+  assemble_into(space, l, {&sink}, stabilization);
   return stiffness;
 }
 

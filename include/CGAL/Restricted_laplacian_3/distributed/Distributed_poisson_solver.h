@@ -35,13 +35,13 @@ public:
   /// Assembles and sets up.
   /// \param space must outlive this object
   /// \param alpha \f$\alpha \ge 0\f$, in units of 1 / area
-  /// \param normal_stabilization as for `assemble_operators()`; without a value
-  /// `default_normal_stabilization()`
+  /// \param stabilization as for `assemble_operators()`; without a value
+  /// `default_stabilization()`
   /// \param options tolerance, largest number of iterations, cycle and smoothing steps; what else
   /// they contain has no effect
   /// \throws Distributed_error on all ranks if a parameter is wrong, or memory is not enough
   Distributed_poisson_solver(const Distributed_space& space, double alpha = 0,
-                             std::optional<double> normal_stabilization = {},
+                             std::optional<double> stabilization = {},
                              const Poisson_solver_options& options = Poisson_solver_options());
   /// moves the solver
   Distributed_poisson_solver(Distributed_poisson_solver&& other) noexcept;

@@ -26,7 +26,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 struct Distributed_poisson_solver::Impl {
-  Impl(const Distributed_space& s, double alpha, std::optional<double> normal_stabilization,
+  Impl(const Distributed_space& s, double alpha, std::optional<double> stabilization,
        const Poisson_solver_options& o)
     : space(s), options(o) {
     CGAL::Real_timer timer;
@@ -35,20 +35,19 @@ struct Distributed_poisson_solver::Impl {
     internal::System_matrices system;
     communicator.agree([&] {
       if(space.part().is_paper_space())
-        throw Parameter_error("paper_space", "is not possible on several ranks");
+        throw Parameter_error("paper", "is not possible on several ranks");
       if(options.smoothing_steps < 1)
         throw Parameter_error("smoothing_steps", "must be positive");
       const double tolerance =
-          options.relative_tolerance.value_or(Poisson_solver_options::default_tolerance);
+          options.tolerance.value_or(Poisson_solver_options::default_tolerance);
       if(!(tolerance > 0 && tolerance < 1))
-        throw Parameter_error("relative_tolerance", "must be between 0 and 1");
+        throw Parameter_error("tolerance", "must be between 0 and 1");
       if(!(alpha >= 0 && std::isfinite(alpha)))
         throw Parameter_error("alpha", "is " + std::to_string(alpha) +
                                            ", but must be a finite number that is not negative");
       internal::Elliptic_operator elliptic;
       elliptic.reaction = alpha;
-      elliptic.normal_stabilization =
-          normal_stabilization.value_or(default_normal_stabilization(space.part()));
+      elliptic.stabilization = stabilization.value_or(default_stabilization(space.part()));
       // levels up to the gathered one are the same on all ranks
       const int coarsest =
           (std::min)(internal::coarsest_multigrid_level(space.part()), space.gathered_level());
@@ -82,7 +81,7 @@ struct Distributed_poisson_solver::Impl {
     petsc_check(KSPSetNormType(solver, KSP_NORM_UNPRECONDITIONED));
     petsc_check(KSPSetOperators(solver, singular, matrix));
     petsc_check(KSPSetTolerances(
-        solver, options.relative_tolerance.value_or(Poisson_solver_options::default_tolerance),
+        solver, options.tolerance.value_or(Poisson_solver_options::default_tolerance),
         PETSC_DEFAULT, PETSC_DEFAULT, options.maximum_iterations));
     PC pc = nullptr;
     petsc_check(KSPGetPC(solver, &pc));
@@ -206,9 +205,9 @@ struct Distributed_poisson_solver::Impl {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Distributed_poisson_solver::Distributed_poisson_solver(const Distributed_space& space, double alpha,
-                                                       std::optional<double> normal_stabilization,
+                                                       std::optional<double> stabilization,
                                                        const Poisson_solver_options& options)
-  : m_impl(std::make_unique<Impl>(space, alpha, normal_stabilization, options)) {}
+  : m_impl(std::make_unique<Impl>(space, alpha, stabilization, options)) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Distributed_poisson_solver::Distributed_poisson_solver(
     Distributed_poisson_solver&& other) noexcept = default;

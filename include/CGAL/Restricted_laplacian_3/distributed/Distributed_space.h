@@ -45,7 +45,7 @@ struct Distributed_level {
 /// \param surface triangles, or points
 /// \param cube_scale side of the domain cube over the longest side of the bounding box
 /// \throws Distributed_error if `cube_scale` is not from 1 to \f$10^6\f$
-int default_octree_depth(const Distributed_surface& surface, double cube_scale);
+int default_depth(const Distributed_surface& surface, double cube_scale);
 
 /// \ingroup PkgRestrictedLaplacian3Distributed
 /// A `Spline_space_3` of which each rank holds a part: the sheets in its cells, with the elements

@@ -22,8 +22,8 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_octree_depth(const Distributed_surface& surface,
-                                                            double cube_scale) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_depth(const Distributed_surface& surface,
+                                                     double cube_scale) {
   const Communicator& communicator = surface.communicator();
   const Surface_part& slice = surface.slice();
   double sum = 0;
@@ -58,21 +58,21 @@ Distributed_space::Distributed_space(const Distributed_surface& surface,
   bool is_split = false;
   m_communicator.agree([&] {
     options = given;
-    if(!given.octree_depth)
-      options.octree_depth = 1; // until the cube is known
+    if(!given.depth)
+      options.depth = 1; // until the cube is known
     options = Partial_space::checked(surface.slice().surface, options);
     is_split = Partial_space::is_split(surface.slice().surface, options);
     if(is_split && surface.is_point_set())
-      throw Parameter_error("split_elements", "is not possible for points on several ranks");
+      throw Parameter_error("split", "is not possible for points on several ranks");
   });
-  if(!given.octree_depth)
-    options.octree_depth = default_octree_depth(surface, *options.cube_scale);
+  if(!given.depth)
+    options.depth = default_depth(surface, *options.cube_scale);
   m_communicator.agree([&] {
-    octree.emplace(Octree_builder::without_levels(surface.slice().surface, *options.octree_depth,
+    octree.emplace(Octree_builder::without_levels(surface.slice().surface, *options.depth,
                                                   *options.cube_scale, is_split,
                                                   options.is_parallel));
   });
-  const int depth = *options.octree_depth;
+  const int depth = *options.depth;
   m_ranges = surface.balanced_ranges(*octree);
   // faces in the cells beside those of this rank; sides that are joined are near
   const double margin =
@@ -93,7 +93,7 @@ Distributed_space::Distributed_space(const Distributed_surface& surface,
                                                   &is_wanted);
   });
 
-  const internal::Level_exchange exchange(m_communicator, *m_ranges, is_split, options.paper_space,
+  const internal::Level_exchange exchange(m_communicator, *m_ranges, is_split, options.paper,
                                           options.is_parallel);
   std::vector<Own_sheets> own(static_cast<std::size_t>(depth) + 1);
   own.back() = exchange.own_sheets(finest, places);
@@ -129,8 +129,8 @@ Distributed_space::Distributed_space(const Distributed_surface& surface,
   for(std::size_t i = 0; i < levels.size(); ++i) {
     Distributed_level& level = m_levels[i];
     if(i < coarsest) {
-      elements.push_back(internal::Element_numbering(levels[i], is_split, options.paper_space,
-                                                     options.is_parallel)());
+      elements.push_back(
+          internal::Element_numbering(levels[i], is_split, options.paper, options.is_parallel)());
       level.number_of_sheets = levels[i].number_of_sheets();
       level.first_elements.assign(m_ranges->size() + 1, elements.back().first_slots.size());
       level.first_elements.front() = 0;

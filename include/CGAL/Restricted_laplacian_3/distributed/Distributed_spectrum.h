@@ -45,7 +45,7 @@ struct Distributed_spectrum_state {
 };
 
 /// \ingroup PkgRestrictedLaplacian3Distributed
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a space whose
+/// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a space whose
 /// parts are on several ranks, by an eigensolver of SLEPc for
 /// \f$M x = \frac{1}{\lambda + \alpha}\, (S + \alpha M)\, x\f$, preconditioned by a multigrid cycle
 /// for \f$S + \alpha M\f$, that of `Distributed_poisson_solver`, for eight vectors at a time.
@@ -62,13 +62,13 @@ struct Distributed_spectrum_state {
 /// -st_ksp_type preonly -st_pc_type cholesky` the matrix \f$S + \alpha M\f$ is factorized; then
 /// one of several equal eigenvalues may be missing.
 /// \param space the space; its finest level is used
-/// \param k number of pairs, positive
-/// \param options `normal_stabilization`, `eigenvalues_only`, and of `multigrid` the tolerance, the
+/// \param count number of pairs, positive
+/// \param options `stabilization`, `eigenvalues_only`, and of `multigrid` the tolerance, the
 /// largest number of iterations and the smoothing steps; what else they contain has no effect
 /// \param state what is known already, and a functor that is told of what is found
 /// \throws Distributed_error on all ranks if a parameter is outside its domain, if a factorization
 /// fails, if memory is not enough, or if PETSc or SLEPc fail
-Distributed_spectrum laplace_spectrum(const Distributed_space& space, int k,
+Distributed_spectrum laplace_spectrum(const Distributed_space& space, int count,
                                       const Laplace_spectrum_options& options = {},
                                       const Distributed_spectrum_state& state = {});
 

@@ -75,16 +75,16 @@ private:
   void check_and_assemble() {
     const Multigrid_eigenpairs_options& o = m_options.multigrid;
     if(m_k < 1)
-      throw Parameter_error("k", "is " + std::to_string(m_k) + ", but must be positive");
+      throw Parameter_error("count", "is " + std::to_string(m_k) + ", but must be positive");
     if(m_space.part().is_paper_space())
-      throw Parameter_error("paper_space", "is not possible on several ranks");
-    m_tolerance = o.relative_tolerance.value_or(
-        m_options.eigenvalues_only ? Laplace_spectrum_options::tolerance_of_eigenvalues
-                                   : Multigrid_eigenpairs_options::default_tolerance);
+      throw Parameter_error("paper", "is not possible on several ranks");
+    m_tolerance = o.tolerance.value_or(m_options.eigenvalues_only
+                                           ? Laplace_spectrum_options::tolerance_of_eigenvalues
+                                           : Multigrid_eigenpairs_options::default_tolerance);
     if(!(m_tolerance > 0 && m_tolerance < 1))
-      throw Parameter_error("relative_tolerance", "must be between 0 and 1");
+      throw Parameter_error("tolerance", "must be between 0 and 1");
     if(o.maximum_iterations < 0)
-      throw Parameter_error("number_of_iterations", "must not be negative");
+      throw Parameter_error("maximum_iterations", "must not be negative");
     if(o.smoothing_steps < 1)
       throw Parameter_error("smoothing_steps", "must be positive");
     const Distributed_functions& known = m_state.known;
@@ -95,7 +95,7 @@ private:
     m_coarsest = (std::min)(coarsest_multigrid_level(m_space.part()), m_space.gathered_level());
     m_operators = assemble_operators_of_levels(
         m_space.part(), m_coarsest, m_space.depth(),
-        m_options.normal_stabilization.value_or(default_spectrum_stabilization(m_space.part())),
+        m_options.stabilization.value_or(default_spectrum_stabilization(m_space.part())),
         Stabilized::stiffness);
   }
 

@@ -75,7 +75,7 @@ std::vector<Vertex_property> read_vertex_properties(const std::string& file,
 /// \param file its name
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{callback}
+///   \cgalParamNBegin{progress}
 ///     \cgalParamDescription{called on and on with the part of the file that is read, from 0 to 1;
 ///     returns `false` to end the work}
 ///     \cgalParamType{a function object `bool(double)`}
@@ -85,7 +85,7 @@ std::vector<Vertex_property> read_vertex_properties(const std::string& file,
 /// \throws File_error there is no such file, its suffix is none of these, or something is wrong
 /// with it: the exception tells what, and where. Coordinates that are not finite are not wrong
 /// here.
-/// \throws Canceled the callback returned `false`
+/// \throws Canceled `progress` returned `false`
 template <class NamedParameters = parameters::Default_named_parameters>
 Mesh_file read_mesh_file(const std::string& file,
                          const NamedParameters& np = parameters::default_values()) {

@@ -137,7 +137,7 @@ private:
 };
 
 /// \ingroup PkgRestrictedLaplacian3Errors
-/// A callback returned `false`.
+/// `progress` returned `false`.
 class Canceled : public std::runtime_error {
 public:
   Canceled() : std::runtime_error("the computation was canceled by its callback") {}

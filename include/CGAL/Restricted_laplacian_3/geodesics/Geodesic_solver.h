@@ -126,7 +126,7 @@ struct Geodesic_options {
   std::optional<double> maximum_memory;
   /// is called with the part of the work that is done, from 0 to 1, on the thread of the caller; if
   /// it returns `false`, the work ends with the exception `Canceled`
-  std::function<bool(double)> callback;
+  std::function<bool(double)> progress;
   /// whether queries for several sources run on several threads; no effect unless the program is
   /// linked with TBB. The results are the same.
   bool is_parallel = false;
@@ -139,7 +139,7 @@ struct Geodesic_options {
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Geodesic_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
     internal::read_parameter(np, internal_np::maximum_memory, maximum_memory);
-    internal::read_parameter(np, internal_np::callback, callback);
+    internal::read_parameter(np, internal_np::progress, progress);
   }
 };
 
@@ -183,7 +183,7 @@ public:
   /// none
   /// \throws Invalid_vertex_error a source is a vertex that does not exist
   /// \throws Location_error a source is not on the surface
-  /// \throws Canceled if the callback returns `false`
+  /// \throws Canceled if `progress` returns `false`
   Geodesic_distances distances(const Geodesic_sources& sources,
                                const Geodesic_options& options = {}) const;
 
@@ -193,7 +193,7 @@ public:
   /// \return one row for each element of `sources`, of as many numbers as there are vertices, one
   /// after the other; infinite where no source is reached
   /// \throws Parameter_error, Invalid_vertex_error, Location_error as `distances()`
-  /// \throws Canceled if the callback returns `false`
+  /// \throws Canceled if `progress` returns `false`
   std::vector<double> distance_matrix(const std::vector<Geodesic_sources>& sources,
                                       const Geodesic_options& options = {}) const;
 

@@ -190,7 +190,7 @@ Geodesic_solver::distances(const Geodesic_sources& sources, const Geodesic_optio
   const internal::Ray_geometry& geometry = m_impl->geometry;
   const std::size_t n = surface().number_of_vertices();
   const std::vector<internal::Ray_propagation::Ray> rays =
-      m_impl->rays(sources, options, internal::Progress(options.callback));
+      m_impl->rays(sources, options, internal::Progress(options.progress));
   Geodesic_distances result;
   result.sources = sources;
   result.distances.resize(n);
@@ -219,7 +219,7 @@ Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
   const std::size_t n = surface().number_of_vertices(), number = sources.size();
   std::vector<double> result = internal::name_step("not enough memory for a matrix of distances",
                                                    [&] { return std::vector<double>(number * n); });
-  const internal::Progress progress(options.callback);
+  const internal::Progress progress(options.progress);
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<std::size_t> number_done = 0;
   internal::parallel_for(options.is_parallel, 0, number, 1, [&](std::size_t i, std::size_t) {
@@ -246,13 +246,13 @@ Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sou
   std::vector<std::size_t> result;
   if(number == 0)
     return result;
-  const internal::Progress progress(options.callback);
+  const internal::Progress progress(options.progress);
   Geodesic_options of_query = options;
   // the last point needs no query
   const double queries = static_cast<double>(number) - (sources.empty() ? 1 : 0);
   double queries_done = 0;
   const auto distances_from = [&](const Geodesic_sources& from) {
-    of_query.callback =
+    of_query.progress =
         progress.part(queries_done / queries, (queries_done + 1) / queries).callback();
     ++queries_done;
     return distances(from, of_query).distances;

@@ -125,7 +125,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 estimate_point_areas(const std::vector<Point_3>& points, const std::vector<Vector_3>& normals,
                      int number_of_neighbors, bool is_parallel) {
   if(number_of_neighbors < 3)
-    throw Parameter_error("number_of_neighbors",
+    throw Parameter_error("neighbors",
                           "is " + std::to_string(number_of_neighbors) + ", but must be at least 3");
   if(points.size() != normals.size())
     throw Parameter_error("points", "has another length than normals");

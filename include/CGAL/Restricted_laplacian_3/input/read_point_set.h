@@ -122,7 +122,7 @@ auto normal_map_of(const PointRange& points, const NamedParameters& np) {
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// Which side the normals point to does not matter, except for `estimate_point_areas()` and
-/// `split_elements(true)`, which need them to be oriented alike.
+/// `split(true)`, which need them to be oriented alike.
 /// \throws Empty_surface_error, Invalid_point_error, Zero_area_error
 /// \throws Parameter_error the number of neighbors or the extent is outside its domain
 /// \throws Input_error a `CGAL::Point_set_3` has no normals
@@ -148,10 +148,9 @@ Triangulated_surface_3 read_point_set(const PointRange& points,
       areas.push_back(CGAL::to_double(internal::value_at(area_map, key)));
   });
   if(!has_areas) {
-    int number_of_neighbors = default_number_of_neighbors;
-    internal::read_parameter(np, internal_np::number_of_neighbors, number_of_neighbors);
-    areas =
-        estimate_point_areas(own_points, normals, number_of_neighbors, internal::is_parallel(np));
+    int neighbors = default_number_of_neighbors;
+    internal::read_parameter(np, internal_np::neighbors, neighbors);
+    areas = estimate_point_areas(own_points, normals, neighbors, internal::is_parallel(np));
   }
   return Triangulated_surface_3(std::move(own_points), std::move(normals), std::move(areas));
 }

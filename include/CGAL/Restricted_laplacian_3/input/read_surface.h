@@ -119,7 +119,7 @@ Triangulated_surface_3 read_surface(const FaceGraph& tm,
 /// Reads a triangle soup: a surface that need not be a manifold.
 /// \param points a range of 3D points
 /// \param triangles a range of ranges of three indices into `points`, each of any integer type
-/// \param np `geom_traits`, `surface_geometry`, `crease_angle`: as above; `vertex_normal_map`: its
+/// \param np `geom_traits`, `geometry`, `crease_angle`: as above; `vertex_normal_map`: its
 /// keys are indices of points
 /// \throws Invalid_face_error if a face is not a triangle or names a point that does not exist, and
 /// what the constructor of `Triangulated_surface_3` throws

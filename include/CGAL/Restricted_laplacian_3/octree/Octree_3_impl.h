@@ -118,10 +118,10 @@ Octree_builder::surface_in_grid(double joining_tolerance, std::size_t fragments_
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 Octree_builder::check_number_of_sheets(std::size_t number) const {
   if(number > Octree_3::maximum_number_of_sheets)
-    throw Parameter_error("octree_depth", "is " + std::to_string(m_octree.depth()) +
-                                              ", which gives this surface more than " +
-                                              std::to_string(Octree_3::maximum_number_of_sheets) +
-                                              " sheets");
+    throw Parameter_error("depth", "is " + std::to_string(m_octree.depth()) +
+                                       ", which gives this surface more than " +
+                                       std::to_string(Octree_3::maximum_number_of_sheets) +
+                                       " sheets");
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_level
@@ -195,7 +195,7 @@ inline void check_digits(const Octree_3& octree, double distance) {
   else
     reason << "no depth at all";
   reason << ": move the surface to the origin";
-  throw Parameter_error("octree_depth", reason.str());
+  throw Parameter_error("depth", reason.str());
 }
 
 } // namespace internal
@@ -220,8 +220,8 @@ Octree_3::Octree_3(Triangulated_surface_3&& surface, int depth, double cube_scal
   : m_surface(std::move(surface)), m_depth(depth), m_is_split(is_split),
     m_is_parallel(is_parallel) {
   if(depth < 1 || depth > maximum_octree_depth)
-    throw Parameter_error("octree_depth", "is " + std::to_string(depth) + ", but must be in 1 .. " +
-                                              std::to_string(maximum_octree_depth));
+    throw Parameter_error("depth", "is " + std::to_string(depth) + ", but must be in 1 .. " +
+                                       std::to_string(maximum_octree_depth));
   m_cube.side = internal::checked_cube_scale(cube_scale) * m_surface.extent();
   m_cube.center = m_surface.center();
   if(m_surface.is_smooth()) {

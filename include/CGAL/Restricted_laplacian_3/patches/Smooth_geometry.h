@@ -73,10 +73,10 @@ Point_3 project(const Projection& projection, const Point_3& p) {
     return projected_point(projection(with_coordinates_of<MeshPoint>(p)));
 }
 
-/// whether `surface_geometry` asks for another surface than the triangles
+/// whether `geometry` asks for another surface than the triangles
 template <class NamedParameters> bool asks_for_smooth_geometry(const NamedParameters& np) {
-  if constexpr(is_given_v<NamedParameters, internal_np::surface_geometry_t>) {
-    const auto value = parameters::get_parameter(np, internal_np::surface_geometry);
+  if constexpr(is_given_v<NamedParameters, internal_np::geometry_t>) {
+    const auto value = parameters::get_parameter(np, internal_np::geometry);
     if constexpr(std::is_same_v<std::decay_t<decltype(value)>, Surface_geometry>)
       return value == Surface_geometry::smooth;
     else
@@ -85,15 +85,15 @@ template <class NamedParameters> bool asks_for_smooth_geometry(const NamedParame
   return false;
 }
 
-/// The geometry that `surface_geometry` and `crease_angle` describe, without the parameters whose
+/// The geometry that `geometry` and `crease_angle` describe, without the parameters whose
 /// values are property maps.
 /// \tparam MeshPoint the points of the mesh
 template <class MeshPoint, class NamedParameters>
 Smooth_geometry smooth_geometry_of(const NamedParameters& np) {
   Smooth_geometry result;
   read_parameter(np, internal_np::crease_angle, result.crease_angle);
-  if constexpr(is_given_v<NamedParameters, internal_np::surface_geometry_t>) {
-    const auto value = parameters::get_parameter(np, internal_np::surface_geometry);
+  if constexpr(is_given_v<NamedParameters, internal_np::geometry_t>) {
+    const auto value = parameters::get_parameter(np, internal_np::geometry);
     if constexpr(!std::is_same_v<std::decay_t<decltype(value)>, Surface_geometry>)
       result.set_projection([value](const Point_3& p) { return project<MeshPoint>(value, p); });
   }

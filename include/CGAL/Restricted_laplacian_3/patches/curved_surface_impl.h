@@ -194,8 +194,8 @@ inline std::vector<Point_3> projected(const std::vector<Point_3>& points,
                                       const Smooth_geometry& geometry) {
   std::vector<Point_3> result = geometry.projection(points);
   if(result.size() != points.size())
-    throw Parameter_error("surface_geometry", "returns " + std::to_string(result.size()) +
-                                                  " points for " + std::to_string(points.size()));
+    throw Parameter_error("geometry", "returns " + std::to_string(result.size()) + " points for " +
+                                          std::to_string(points.size()));
   return result;
 }
 

@@ -108,30 +108,30 @@ struct Curvature_options {
   /// about as long as cells are smoothed away, and with them most of the noise of a triangulation;
   /// 0 for points, for `Curvature_method::coordinates`, and where the surface has a boundary, where
   /// the natural condition would bend the normals
-  std::optional<double> smoothing_weight;
+  std::optional<double> smoothing;
   /// without a value one with smoothing, and none without
-  std::optional<int> refinement_steps;
+  std::optional<int> refinements;
   /// factor \f$c\f$ of the stabilization; without a value `default_curvature_stabilization`
-  std::optional<double> normal_stabilization;
+  std::optional<double> stabilization;
   /// see `Function_fit_options`; without a value 3e-4
   std::optional<double> energy_tolerance;
   /// of the linear systems, see `Function_fit_options`
   Poisson_solver_options solver;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with an exception
-  std::function<bool(double)> callback;
+  std::function<bool(double)> progress;
 
   /// the defaults
   Curvature_options() = default;
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Curvature_options(const NamedParameters& np) : solver(np) {
-    internal::read_parameter(np, internal_np::curvature_method, method);
-    internal::read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
-    internal::read_parameter(np, internal_np::refinement_steps, refinement_steps);
-    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    internal::read_parameter(np, internal_np::method, method);
+    internal::read_parameter(np, internal_np::smoothing, smoothing);
+    internal::read_parameter(np, internal_np::refinements, refinements);
+    internal::read_parameter(np, internal_np::stabilization, stabilization);
     internal::read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
-    internal::read_parameter(np, internal_np::callback, callback);
+    internal::read_parameter(np, internal_np::progress, progress);
     solver.energy_tolerance = 0; // relative to the solution
   }
 };
@@ -141,12 +141,12 @@ struct Curvature_options {
 /// \param space the space in which normals or coordinates are fitted
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_curvature_method
+///   \named_method
 ///   \named_of_curvature
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 ///
 /// On points, whose boundary is not known, `Curvature_method::coordinates` takes the surface as
 /// closed.
@@ -165,7 +165,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space, const Curvature_
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain, or if a normal is not finite
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 Curvature_field estimate_curvature(const Spline_space_3& space,
                                    const Surface_function_view& normals,
                                    const Curvature_options& np = {});

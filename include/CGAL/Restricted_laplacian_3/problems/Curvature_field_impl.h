@@ -101,15 +101,14 @@ inline Function_fit_options curvature_fit_options(const Spline_space_3& space,
                                                   bool with_smoothing) {
   Function_fit_options options;
   options.solver = given.solver;
-  options.normal_stabilization =
-      given.normal_stabilization.value_or(default_curvature_stabilization);
+  options.stabilization = given.stabilization.value_or(default_curvature_stabilization);
   options.energy_tolerance = given.energy_tolerance.value_or(default_curvature_tolerance);
   // A weight that followed from the faces would make the result depend on them.
   const double h = space.octree().cell_width(space.depth());
   const bool smooths =
       with_smoothing && !space.surface().is_point_set() && boundary_sides(space).empty();
-  options.smoothing_weight = given.smoothing_weight.value_or(smooths ? h * h : 0);
-  options.refinement_steps = given.refinement_steps.value_or(options.smoothing_weight > 0 ? 1 : 0);
+  options.smoothing = given.smoothing.value_or(smooths ? h * h : 0);
+  options.refinements = given.refinements.value_or(options.smoothing > 0 ? 1 : 0);
   return options;
 }
 
@@ -152,7 +151,7 @@ estimate_curvature(const Spline_space_3& space, const Surface_function_view& nor
                    const Curvature_options& options) {
   internal::require_enough_points(space);
   Function_fitter fitter(space, internal::curvature_fit_options(space, options, true));
-  return Curvature_field(space, fitter.fit(normals, options.callback));
+  return Curvature_field(space, fitter.fit(normals, options.progress));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
@@ -162,7 +161,7 @@ estimate_curvature(const Spline_space_3& space, const Curvature_options& options
   case Curvature_method::coordinates:
     return Curvature_field(space, internal::fit_coordinate_laplacian(
                                       space, internal::curvature_fit_options(space, options, false),
-                                      internal::Progress(options.callback)));
+                                      internal::Progress(options.progress)));
   case Curvature_method::face_normals:
     return estimate_curvature(space, internal::surface_normal(space.surface()), options);
   default:

@@ -33,7 +33,7 @@ struct Fit_report : Solve_report {
   /// \f$(\int (u_k - f_k)^2 / \mathrm{area})^{1/2}\f$ of each component, in units of \f$f\f$
   std::vector<double> root_mean_square_errors;
   /// the factor \f$c\f$ of the stabilization
-  double normal_stabilization = 0;
+  double stabilization = 0;
 
   /// \f$(\int \lvert u - f \rvert^2 / \mathrm{area})^{1/2}\f$, all components together
   double root_mean_square_error() const {
@@ -61,15 +61,15 @@ struct Fit_residual;
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of a `Function_fitter`.
 struct Function_fit_options {
-  /// the default of `relative_tolerance`
+  /// the default of `tolerance`
   static constexpr double default_tolerance = 1e-8;
 
   /// weight \f$w \ge 0\f$ of \f$\int \lvert \nabla u \rvert^2\f$, in units of length^2
-  double smoothing_weight = 0;
+  double smoothing = 0;
   /// how often what the fit leaves of \f$f\f$ is fitted and added
-  int refinement_steps = 0;
+  int refinements = 0;
   /// factor \f$c\f$ of the stabilization; without a value `default_fit_stabilization()`
-  std::optional<double> normal_stabilization;
+  std::optional<double> stabilization;
   /// estimated error in the norm of the energy, over the square root of what is minimized; without
   /// a value `default_fit_tolerance()`
   std::optional<double> energy_tolerance;
@@ -81,9 +81,9 @@ struct Function_fit_options {
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Function_fit_options(const NamedParameters& np) : solver(np) {
-    internal::read_parameter(np, internal_np::smoothing_weight, smoothing_weight);
-    internal::read_parameter(np, internal_np::refinement_steps, refinement_steps);
-    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    internal::read_parameter(np, internal_np::smoothing, smoothing);
+    internal::read_parameter(np, internal_np::refinements, refinements);
+    internal::read_parameter(np, internal_np::stabilization, stabilization);
     internal::read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
     solver.energy_tolerance = 0; // relative to the solution
   }
@@ -119,7 +119,7 @@ struct Function_fit_options {
 /// so the root mean square error is larger than the least possible one by half a percent, or a few
 /// times that where the iteration is slow, and the estimate too small. For a
 /// function of the space what is minimized vanishes, and the iteration goes on to the
-/// `relative_tolerance` of the residual, or an error of 1e-8 of \f$u\f$. With smoothing, from
+/// `tolerance` of the residual, or an error of 1e-8 of \f$u\f$. With smoothing, from
 /// \f$w = h^2 / 1000\f$ on, the residual alone counts unless `energy_tolerance` is given. The
 /// estimate is described with `Solve_report::relative_energy_error`, which a fit reports, too,
 /// relative to \f$u\f$.
@@ -158,31 +158,30 @@ public:
   /// \param f a function object that takes a `const Surface_point&` and returns a number, a
   /// `std::array` of numbers, a vector of Eigen of a fixed size, or a 3D vector or point of \cgal.
   /// Integrated as in `assemble_load()`.
-  /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`,
+  /// \param progress is told which part of the work is done, from 0 to 1; if it returns `false`,
   /// the computation ends with an exception
   /// \throws Parameter_error if a value of `f` is not finite
-  /// \throws Canceled if the callback returned `false`
+  /// \throws Canceled if `progress` returned `false`
   Function_fit fit(const Surface_function_view& f,
-                   const std::function<bool(double)>& callback = {});
+                   const std::function<bool(double)>& progress = {});
 
   /// The function whose loads are given, \f$\int u\, b_i = \gamma_i\f$ in the least-squares sense,
   /// smoothed and stabilized as a fit is; without refinement. The stabilization is
   /// `default_projection_stabilization` unless it is given, and the residual ends the iteration.
   /// \param loads \f$\gamma\f$: a row for each element of the finest level, a column for each
   /// component
-  /// \param callback as above
+  /// \param progress as above
   /// \return a fit without errors
   /// \throws Parameter_error if the number of rows does not fit, or if an entry is not finite
-  /// \throws Canceled if the callback returned `false`
+  /// \throws Canceled if `progress` returned `false`
   Function_fit project(const Eigen::MatrixXd& loads,
-                       const std::function<bool(double)>& callback = {});
+                       const std::function<bool(double)>& progress = {});
 
 private:
   using Progress = internal::Progress;
 
   double unit() const;
-  const Poisson_solver& solver(double normal_stabilization, const Progress& progress,
-                               bool is_mass_needed);
+  const Poisson_solver& solver(double stabilization, const Progress& progress, bool is_mass_needed);
   const Sparse_matrix& mass();
   double stabilization() const;
   double energy_tolerance() const;

@@ -30,19 +30,18 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 inline Function_fit_options checked(Function_fit_options options) {
-  if(!options.solver.relative_tolerance)
-    options.solver.relative_tolerance = Function_fit_options::default_tolerance;
-  const double w = options.smoothing_weight;
+  if(!options.solver.tolerance)
+    options.solver.tolerance = Function_fit_options::default_tolerance;
+  const double w = options.smoothing;
   if(!(w >= 0 && std::isfinite(w)))
-    throw Parameter_error("smoothing_weight",
-                          "is " + std::to_string(w) +
-                              ", but must be a finite number that is not negative");
-  if(options.refinement_steps < 0)
-    throw Parameter_error("refinement_steps", "must not be negative");
+    throw Parameter_error("smoothing", "is " + std::to_string(w) +
+                                           ", but must be a finite number that is not negative");
+  if(options.refinements < 0)
+    throw Parameter_error("refinements", "must not be negative");
   if(options.energy_tolerance && !(*options.energy_tolerance >= 0 && *options.energy_tolerance < 1))
     throw Parameter_error("energy_tolerance", "must be from 0 to 1, and less than that");
-  if(options.normal_stabilization)
-    checked_normal_stabilization(*options.normal_stabilization);
+  if(options.stabilization)
+    checked_normal_stabilization(*options.stabilization);
   return options;
 }
 
@@ -77,7 +76,7 @@ Function_fitter::fit(const Surface_function_view& f, const std::function<bool(do
   timer.start();
   const double seconds_before = m_assembly_seconds + m_setup_seconds;
   // a refinement takes about a tenth of the fit
-  const double steps = m_options.refinement_steps, end_of_fit = 1 / (1 + 0.1 * steps);
+  const double steps = m_options.refinements, end_of_fit = 1 / (1 + 0.1 * steps);
   const Progress progress(callback);
   progress(0);
   internal::Fit_residual left = internal::fit_residual(m_space, f);
@@ -86,9 +85,9 @@ Function_fitter::fit(const Surface_function_view& f, const std::function<bool(do
   Function_fit result;
   static_cast<Solve_report&>(result) =
       fit_residual(progress.part(0.1 * end_of_fit, end_of_fit), left, result.coefficients);
-  result.normal_stabilization = stabilization();
+  result.stabilization = stabilization();
   const Progress of_refinements = progress.part(end_of_fit, 1);
-  for(int step = 0; step < m_options.refinement_steps; ++step) {
+  for(int step = 0; step < m_options.refinements; ++step) {
     Eigen::MatrixXd x;
     const Solve_report report =
         fit_residual(of_refinements.part(step / steps, (step + 1) / steps), left, x);
@@ -109,35 +108,33 @@ Function_fitter::fit(const Surface_function_view& f, const std::function<bool(do
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit Function_fitter::project(
     const Eigen::MatrixXd& loads, const std::function<bool(double)>& callback) {
-  const double c = m_options.normal_stabilization.value_or(default_projection_stabilization);
+  const double c = m_options.stabilization.value_or(default_projection_stabilization);
   const Progress progress(callback);
   const Poisson_solver& solver = this->solver(c, progress.part(0, internal::end_of_setup), false);
   Function_fit result;
   static_cast<Solve_report&>(result) = solver.solve(
       loads / unit(), result.coefficients,
-      {*m_options.solver.relative_tolerance, progress.part(internal::end_of_setup, 1).callback()});
-  result.normal_stabilization = c;
+      {*m_options.solver.tolerance, progress.part(internal::end_of_setup, 1).callback()});
+  result.stabilization = c;
   result.assembly_seconds = m_assembly_seconds;
   return result;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Function_fitter::stabilization() const {
-  return m_options.normal_stabilization.value_or(
-      default_fit_stabilization(m_space, m_options.smoothing_weight));
+  return m_options.stabilization.value_or(default_fit_stabilization(m_space, m_options.smoothing));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Function_fitter::energy_tolerance() const {
   return m_options.energy_tolerance.value_or(
-      internal::default_fit_tolerance(m_space, m_options.smoothing_weight));
+      internal::default_fit_tolerance(m_space, m_options.smoothing));
 }
 
 /// the solver with this stabilization
 /// \param is_mass_needed whether the mass matrix is assembled with those of the solver
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Poisson_solver&
-Function_fitter::solver(double normal_stabilization, const Progress& progress,
-                        bool is_mass_needed) {
+Function_fitter::solver(double stabilization, const Progress& progress, bool is_mass_needed) {
   for(const auto& [c, solver] : m_solvers)
-    if(c == normal_stabilization)
+    if(c == stabilization)
       return solver;
   CGAL::Real_timer timer;
   timer.start();
@@ -147,10 +144,10 @@ Function_fitter::solver(double normal_stabilization, const Progress& progress,
   // The matrix M + w S in units of the squared cell width.
   internal::Elliptic_operator elliptic;
   elliptic.reaction = 1 / unit();
-  elliptic.diffusion = m_options.smoothing_weight / unit();
-  elliptic.normal_stabilization = normal_stabilization;
+  elliptic.diffusion = m_options.smoothing / unit();
+  elliptic.stabilization = stabilization;
   m_solvers.emplace_back(
-      normal_stabilization,
+      stabilization,
       internal::elliptic_solver(m_space, elliptic, options, progress, nullptr,
                                 is_mass_needed && m_mass.cols() == 0 ? &m_mass : nullptr));
   const Poisson_solver& result = m_solvers.back().second;
@@ -179,7 +176,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Function_fitter::fit_residual(
     const Progress& progress, internal::Fit_residual& residual, Eigen::MatrixXd& coefficients) {
   const Poisson_solver& solver =
       this->solver(stabilization(), progress.part(0, internal::end_of_setup), true);
-  Solve_options options(*m_options.solver.relative_tolerance,
+  Solve_options options(*m_options.solver.tolerance,
                         progress.part(internal::end_of_setup, 1).callback());
   options.least_squares = {residual.squares, energy_tolerance()};
   const Solve_report report = solver.solve(residual.loads / unit(), coefficients, options);

@@ -62,8 +62,8 @@ private:
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of a `Geodesic_fitter`.
 struct Geodesic_fit_options {
-  /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
-  std::optional<double> normal_stabilization;
+  /// factor \f$c\f$ of the stabilization; without a value `default_stabilization()`
+  std::optional<double> stabilization;
   /// of the linear system; without a value its tolerance is 1e-4
   Poisson_solver_options solver;
 
@@ -72,7 +72,7 @@ struct Geodesic_fit_options {
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Geodesic_fit_options(const NamedParameters& np) : solver(np) {
-    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    internal::read_parameter(np, internal_np::stabilization, stabilization);
   }
 };
 
@@ -94,7 +94,7 @@ public:
   /// \param space is copied, which costs nothing
   /// \param np optional named parameters:
   /// \cgalNamedParamsBegin
-  ///   \named_stabilization
+  ///   \named_usual_stabilization
   ///   \named_of_solver{`1e-4`}
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
@@ -106,12 +106,12 @@ public:
 
   /// Fits a distance. May be called by several threads at once.
   /// \param d distances on the surface of the space
-  /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`,
+  /// \param progress is told which part of the work is done, from 0 to 1; if it returns `false`,
   /// the computation ends with an exception
   /// \throws Parameter_error if `d` is of another surface
-  /// \throws Canceled if the callback returned `false`
+  /// \throws Canceled if `progress` returned `false`
   Geodesic_spline fit(const Geodesic_function& d,
-                      const std::function<bool(double)>& callback = {}) const;
+                      const std::function<bool(double)>& progress = {}) const;
 
 private:
   Spline_space_3 m_space;

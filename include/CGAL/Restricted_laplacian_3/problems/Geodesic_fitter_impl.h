@@ -37,12 +37,11 @@ inline double weight_of_distances(const Spline_space_3& space) {
 
 inline Poisson_solver geodesic_fit_solver(const Spline_space_3& space,
                                           Geodesic_fit_options options) {
-  if(!options.solver.relative_tolerance)
-    options.solver.relative_tolerance = Geodesic_fitter::default_tolerance;
+  if(!options.solver.tolerance)
+    options.solver.tolerance = Geodesic_fitter::default_tolerance;
   Elliptic_operator elliptic;
   elliptic.reaction = weight_of_distances(space);
-  elliptic.normal_stabilization =
-      options.normal_stabilization.value_or(default_normal_stabilization(space));
+  elliptic.stabilization = options.stabilization.value_or(default_stabilization(space));
   return elliptic_solver(space, elliptic, options.solver);
 }
 
@@ -133,7 +132,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_spline Geodesic_fitter::fit(
   const double assembly_seconds = timer.time();
   Eigen::MatrixXd x;
   Solve_options options;
-  options.callback = progress.part(0.5, 1).callback();
+  options.progress = progress.part(0.5, 1).callback();
   Solve_report report = m_solver.solve(loads, x, options);
   report.assembly_seconds = assembly_seconds;
   return Geodesic_spline(d, Spline_function_3(m_space, x.col(0)), report);

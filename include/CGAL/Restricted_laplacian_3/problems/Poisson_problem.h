@@ -58,13 +58,13 @@ struct Poisson_problem {
   std::optional<double> vertex_weight;
   /// what the solution is at points, besides
   std::optional<Point_constraints> constraints;
-  /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
-  std::optional<double> normal_stabilization;
+  /// factor \f$c\f$ of the stabilization; without a value `default_stabilization()`
+  std::optional<double> stabilization;
   /// of the linear system; without a value its tolerance is 1e-3, and 1e-8 with prescribed values
   Poisson_solver_options solver;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with an exception
-  std::function<bool(double)> callback;
+  std::function<bool(double)> progress;
 
   /// a Poisson problem without prescribed values
   explicit Poisson_problem(const Surface_function_view& f) : f(f) {}
@@ -76,7 +76,7 @@ struct Poisson_problem {
 /// \param problem what is solved, and how
 /// \throws Parameter_error if something is outside its domain, if a value of a function is not
 /// finite, or if values or fluxes are given for a boundary of length 0
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 Poisson_solution solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem);
 
 namespace internal {

@@ -132,13 +132,12 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
   CGAL::Real_timer timer;
   timer.start();
   internal::require_enough_points(space);
-  const internal::Progress progress(problem.callback);
+  const internal::Progress progress(problem.progress);
   progress(0);
   internal::Elliptic_operator elliptic;
   elliptic.reaction = problem.alpha;
   elliptic.reaction_function = problem.alpha_function;
-  elliptic.normal_stabilization =
-      problem.normal_stabilization.value_or(default_normal_stabilization(space));
+  elliptic.stabilization = problem.stabilization.value_or(default_stabilization(space));
   Eigen::VectorXd load = assemble_load(space, problem.f);
   if(elliptic.reaction == 0 && !elliptic.reaction_function)
     load = -load;
@@ -157,11 +156,11 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
   if(has_prescribed_values) {
     internal::Prescribed_iteration iteration(solver, load, prescribed.points(), prescribed.mean());
     report = iteration.solve(
-        problem.solver.relative_tolerance.value_or(internal::tolerance_with_constraints), of_solve);
+        problem.solver.tolerance.value_or(internal::tolerance_with_constraints), of_solve);
     solution.coefficients = iteration.coefficients();
   } else {
     Solve_options options;
-    options.callback = of_solve.callback();
+    options.progress = of_solve.callback();
     report = solver.solve(load, solution.coefficients, options);
   }
   solution.assembly_seconds = assembly_seconds;

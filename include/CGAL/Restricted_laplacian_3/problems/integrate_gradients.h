@@ -26,14 +26,14 @@ namespace Restricted_laplacian_3 {
 struct Gradient_report : Solve_report {
   /// \f$(\int \lvert \nabla u_k - v_k \rvert^2 / \mathrm{area})^{1/2}\f$ for each channel, in units
   /// of \f$v\f$: the part of the field that is not a gradient, or that the space does not resolve.
-  /// Of the spline, without `vertex_details`; measured by a rule of three nodes, in the metrics of
+  /// Of the spline, without `details`; measured by a rule of three nodes, in the metrics of
   /// the integration.
   std::vector<double> root_mean_square_residuals;
   /// number of connected components on which the weight vanishes everywhere, if one is given
   int components_without_weight = 0;
-  /// number of iterations for `vertex_details`
+  /// number of iterations for `details`
   int details_iterations = 0;
-  /// wall-clock seconds: `vertex_details`
+  /// wall-clock seconds: `details`
   double details_seconds = 0;
 };
 
@@ -81,13 +81,13 @@ struct Gradient_screening {
 struct Gradient_options {
   /// what pulls the solution
   Gradient_screening screening;
-  /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
-  std::optional<double> normal_stabilization;
+  /// factor \f$c\f$ of the stabilization; without a value `default_stabilization()`
+  std::optional<double> stabilization;
   /// of the linear system; without a value its tolerance is 1e-5
   Poisson_solver_options solver;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with an exception
-  std::function<bool(double)> callback;
+  std::function<bool(double)> progress;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -96,7 +96,7 @@ struct Gradient_options {
 /// \param v the field
 /// \param options what the named parameters of the template say
 /// \throws Parameter_error as there
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 Gradient_fit integrate_gradient_field(const Spline_space_3& space, const Vector_field_view& v,
                                       const Gradient_options& options);
 
@@ -104,7 +104,7 @@ namespace internal {
 
 /// the tolerance of the linear system
 inline double tolerance_of(const Poisson_solver_options& options) {
-  return options.relative_tolerance.value_or(default_gradient_tolerance);
+  return options.tolerance.value_or(default_gradient_tolerance);
 }
 
 /// a fit, with what is needed to keep its means when details are added
@@ -119,11 +119,11 @@ Gradient_solution integrate_gradients(const Spline_space_3& space, const Vector_
                                       const Gradient_options& options, const Progress& progress);
 
 /// corrects the values of a solution at the vertices
-/// \param relative_tolerance as for the splines, or larger
+/// \param tolerance as for the splines, or larger
 /// \throws Input_error if the surface is a point set
 void add_details(const Spline_space_3& space, const Vector_field_view& v,
-                 const Gradient_screening& screening, double relative_tolerance,
-                 int maximum_iterations, Gradient_solution& solution, Eigen::MatrixXd& values);
+                 const Gradient_screening& screening, double tolerance, int maximum_iterations,
+                 Gradient_solution& solution, Eigen::MatrixXd& values);
 
 } // namespace internal
 

@@ -38,14 +38,14 @@ Gradient_screening::mean_or_zero(int channels) const {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Gradient_screening::check(int channels) const {
   if(target && target->components() != channels)
-    throw Parameter_error("target_values", "need as many components as the field has channels");
+    throw Parameter_error("target", "need as many components as the field has channels");
   if(weight && !(*weight > 0 && std::isfinite(*weight)))
-    throw Parameter_error("screening_weight", "is " + std::to_string(*weight) +
-                                                  ", but must be a positive, finite number");
+    throw Parameter_error("alpha", "is " + std::to_string(*weight) +
+                                       ", but must be a positive, finite number");
   if(mean.size() > 0 && mean.size() != channels)
-    throw Parameter_error("mean_value", "needs as many components as the field has channels");
+    throw Parameter_error("mean", "needs as many components as the field has channels");
   if(!mean.allFinite())
-    throw Parameter_error("mean_value", "is not finite");
+    throw Parameter_error("mean", "is not finite");
 }
 
 namespace internal {
@@ -61,8 +61,7 @@ public:
   void evaluate(const Surface_point* points, std::size_t number) {
     m_weights.assign(number, m_screening.weight.value_or(m_screening.weight_function ? 0 : 1));
     if(m_screening.weight_function)
-      Mass_weight{*m_screening.weight_function, "screening_weight"}(points, number,
-                                                                    m_weights.data());
+      Mass_weight{*m_screening.weight_function, "alpha"}(points, number, m_weights.data());
     m_targets.assign(m_channels * number, 0.);
     if(!m_screening.target) {
       const Eigen::VectorXd mean = m_screening.mean_or_zero(static_cast<int>(m_channels));
@@ -77,8 +76,8 @@ public:
       (*m_screening.target)(points + i, 1, target);
       for(std::size_t k = 0; k < m_channels; ++k)
         if(!std::isfinite(target[k]))
-          throw Parameter_error("target_values", "has a value that is not finite in face " +
-                                                     std::to_string(points[i].face));
+          throw Parameter_error("target", "has a value that is not finite in face " +
+                                              std::to_string(points[i].face));
     }
   }
 
@@ -191,9 +190,8 @@ integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
   Elliptic_operator elliptic;
   elliptic.reaction = screening.weight.value_or(0);
   elliptic.reaction_function = screening.weight_function;
-  elliptic.name_of_reaction = "screening_weight";
-  elliptic.normal_stabilization =
-      options.normal_stabilization.value_or(default_normal_stabilization(space));
+  elliptic.name_of_reaction = "alpha";
+  elliptic.stabilization = options.stabilization.value_or(default_stabilization(space));
   Eigen::VectorXd constant_loads;
   const Poisson_solver solver =
       elliptic_solver(space, elliptic, options.solver, progress.part(0.15, 0.65), &constant_loads);
@@ -251,11 +249,11 @@ inline std::vector<int> components_of_vertices(const Spline_space_3& space,
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
 add_details(const Spline_space_3& space, const Vector_field_view& v,
-            const Gradient_screening& screening, double relative_tolerance, int maximum_iterations,
+            const Gradient_screening& screening, double tolerance, int maximum_iterations,
             Gradient_solution& solution, Eigen::MatrixXd& values) {
   CGAL::Real_timer timer;
   timer.start();
-  space.surface().require_triangles("vertex_details");
+  space.surface().require_triangles("details");
   const int degree = (std::max)(v.degree(), screening.has_weight()
                                                 ? weight_degree(screening) +
                                                       (std::max)(2, target_degree(screening) + 1)
@@ -284,7 +282,7 @@ add_details(const Spline_space_3& space, const Vector_field_view& v,
       values.row(row) -= mean;
     }
   const Vertex_details_report report =
-      add_vertex_details(system, relative_tolerance, maximum_iterations, values);
+      add_vertex_details(system, tolerance, maximum_iterations, values);
   shift_to_means(components, measures, solution.means, values);
   solution.fit.worsen_status(report.status);
   solution.fit.details_iterations = report.iterations;
@@ -295,7 +293,7 @@ add_details(const Spline_space_3& space, const Vector_field_view& v,
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_fit integrate_gradient_field(
     const Spline_space_3& space, const Vector_field_view& v, const Gradient_options& options) {
-  return internal::integrate_gradients(space, v, options, internal::Progress(options.callback)).fit;
+  return internal::integrate_gradients(space, v, options, internal::Progress(options.progress)).fit;
 }
 
 } // namespace Restricted_laplacian_3

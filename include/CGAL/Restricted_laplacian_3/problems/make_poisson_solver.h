@@ -54,8 +54,7 @@ Poisson_solver constrained_solver(const Spline_space_3& space, const Elliptic_op
                                   const Poisson_solver_options& options, const Progress& progress);
 
 /// the levels from the coarsest of a hierarchy to depth
-std::vector<Operators> multigrid_operators(const Spline_space_3& space,
-                                           double normal_stabilization);
+std::vector<Operators> multigrid_operators(const Spline_space_3& space, double stabilization);
 
 /// \param operators those of the finest level, or of all levels of a hierarchy, coarsest first; the
 /// patterns of a level may differ, for instance with a lumped mass matrix
@@ -72,20 +71,20 @@ Poisson_solver poisson_solver_of(const Spline_space_3& space, const Operators* o
 /// \param alpha screening weight, at least 0, in units of 1 / area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_stabilization
+///   \named_usual_stabilization
 ///   \named_of_solver{`1e-3`}
-///   \named_callback
+///   \named_progress
 ///   \named_concurrency_tag
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
 Poisson_solver make_poisson_solver(const Spline_space_3& space, double alpha = 0,
                                    const NamedParameters& np = parameters::default_values()) {
   internal::Elliptic_operator elliptic;
   elliptic.reaction = alpha;
-  elliptic.normal_stabilization = internal::normal_stabilization(space, np);
+  elliptic.stabilization = internal::stabilization(space, np);
   return internal::elliptic_solver(space, elliptic, np, internal::progress_of(np));
 }
 
@@ -114,14 +113,14 @@ Poisson_solver make_poisson_solver(const Spline_space_3& space, const Operators&
 /// \param space the space
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_stabilization
+///   \named_usual_stabilization
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if a parameter is outside its domain
 template <class NamedParameters = parameters::Default_named_parameters>
 std::vector<Operators>
 multigrid_operators(const Spline_space_3& space,
                     const NamedParameters& np = parameters::default_values()) {
-  return internal::multigrid_operators(space, internal::normal_stabilization(space, np));
+  return internal::multigrid_operators(space, internal::stabilization(space, np));
 }
 
 /// \ingroup PkgRestrictedLaplacian3Solvers

@@ -88,10 +88,10 @@ constrained_solver(const Spline_space_3& space, const Elliptic_operator& ellipti
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Operators>
-multigrid_operators(const Spline_space_3& space, double normal_stabilization) {
+multigrid_operators(const Spline_space_3& space, double stabilization) {
   // Matrices of the space of the paper are not the Galerkin products, which are computed then.
   const int coarsest = space.is_paper_space() ? space.depth() : coarsest_multigrid_level(space);
-  return assemble_operators_of_levels(space, coarsest, space.depth(), normal_stabilization);
+  return assemble_operators_of_levels(space, coarsest, space.depth(), stabilization);
 }
 
 /// \f$S + \alpha M\f$

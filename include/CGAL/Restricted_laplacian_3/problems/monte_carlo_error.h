@@ -21,11 +21,11 @@ namespace Restricted_laplacian_3 {
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of `estimate_operators()` and `estimate_eigenvalues()`.
 struct Monte_carlo_options {
-  /// of all batches together; each has this over `number_of_batches`, rounded down
-  std::size_t number_of_samples = 1000000;
+  /// of all batches together; each has this over `batches`, rounded down
+  std::size_t samples = 1000000;
   /// at least 2. The standard errors have a relative error of about \f$1 / \sqrt{2 (B - 1)}\f$
   /// themselves, \f$B\f$ the number of batches: 24 % for 10 batches.
-  int number_of_batches = 10;
+  int batches = 10;
   /// the same seed gives the same result with every compiler, and any number of threads
   std::uint64_t seed = 0;
   /// how the samples of a batch are drawn
@@ -36,9 +36,9 @@ struct Monte_carlo_options {
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Monte_carlo_options(const NamedParameters& np) {
-    internal::read_parameter(np, internal_np::number_of_samples, number_of_samples);
-    internal::read_parameter(np, internal_np::number_of_batches, number_of_batches);
-    internal::read_parameter(np, internal_np::random_seed, seed);
+    internal::read_parameter(np, internal_np::samples, samples);
+    internal::read_parameter(np, internal_np::batches, batches);
+    internal::read_parameter(np, internal_np::seed, seed);
     internal::read_parameter(np, internal_np::sampling, sampling);
   }
 };
@@ -75,20 +75,19 @@ struct Estimated_eigenvalues {
 /// \param level from 0, the coarsest, to the depth of the space
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_number_of_samples
-///   \named_number_of_batches
-///   \named_random_seed
+///   \named_samples
+///   \named_batches
+///   \named_seed
 ///   \named_sampling
 /// \cgalNamedParamsEnd
-/// \param normal_stabilization,stabilized as in `assemble_operators()`
+/// \param stabilization,stabilized as in `assemble_operators()`
 /// \throws Parameter_error if the level or a parameter is outside its domain
 Estimated_operators estimate_operators(const Spline_space_3& space, int level,
-                                       const Monte_carlo_options& np = {},
-                                       double normal_stabilization = 0,
+                                       const Monte_carlo_options& np = {}, double stabilization = 0,
                                        Stabilized stabilized = Stabilized::stiffness_and_mass);
 
 /// \ingroup PkgRestrictedLaplacian3Operators
-/// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$ on the finest level by random samples,
+/// The smallest eigenvalues of \f$S x = \lambda M x\f$ on the finest level by random samples,
 /// and how far each is from that of the integrals.
 ///
 /// The eigenvalues are those of the mean matrices of all batches. Their standard errors follow from
@@ -104,20 +103,20 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
 ///
 /// Takes the time of two assemblies for each batch and one eigenproblem by `smallest_eigenpairs()`.
 /// \param space the space; its finest level is used
-/// \param k number of eigenvalues, positive
+/// \param count number of eigenvalues, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_number_of_samples
-///   \named_number_of_batches
-///   \named_random_seed
+///   \named_samples
+///   \named_batches
+///   \named_seed
 ///   \named_sampling
 /// \cgalNamedParamsEnd
-/// \param normal_stabilization of the stiffness matrix, as in `assemble_operators()`
-/// \throws Parameter_error if `k` or a parameter is outside its domain
+/// \param stabilization of the stiffness matrix, as in `assemble_operators()`
+/// \throws Parameter_error if `count` or a parameter is outside its domain
 /// \throws Numerical_error if a factorization fails, or if not all eigenvalues were found
-Estimated_eigenvalues estimate_eigenvalues(const Spline_space_3& space, int k,
+Estimated_eigenvalues estimate_eigenvalues(const Spline_space_3& space, int count,
                                            const Monte_carlo_options& np = {},
-                                           double normal_stabilization = 0);
+                                           double stabilization = 0);
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -29,15 +29,15 @@ public:
   /// \throws Parameter_error
   Sample_batches(const Spline_space_3& space, const Monte_carlo_options& options)
     : m_space(space), m_sampling(options.sampling) {
-    if(options.number_of_batches < 2)
-      throw Parameter_error("number_of_batches", "is " + std::to_string(options.number_of_batches) +
-                                                     ", but must be at least 2");
-    const auto number_of_batches = static_cast<std::size_t>(options.number_of_batches);
-    m_batch_size = options.number_of_samples / number_of_batches;
+    if(options.batches < 2)
+      throw Parameter_error("batches",
+                            "is " + std::to_string(options.batches) + ", but must be at least 2");
+    const auto batches = static_cast<std::size_t>(options.batches);
+    m_batch_size = options.samples / batches;
     if(m_batch_size == 0)
-      throw Parameter_error("number_of_samples", "must be at least the number of batches");
+      throw Parameter_error("samples", "must be at least the number of batches");
     std::mt19937_64 generator(options.seed);
-    for(std::size_t i = 0; i < number_of_batches; ++i)
+    for(std::size_t i = 0; i < batches; ++i)
       m_seeds.push_back(generator());
   }
 
@@ -58,14 +58,14 @@ private:
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Estimated_operators
 estimate_operators(const Spline_space_3& space, int level, const Monte_carlo_options& options,
-                   double normal_stabilization, Stabilized stabilized) {
+                   double stabilization, Stabilized stabilized) {
   space.checked_level(level);
   const internal::Sample_batches batches(space, options);
   internal::Running_mean stiffness, mass;
   Estimated_operators result;
   for(std::size_t b = 0; b < batches.size(); ++b) {
-    Operators of_batch = assemble_operators(space.integrated_by(batches[b]), level,
-                                            normal_stabilization, stabilized);
+    Operators of_batch =
+        assemble_operators(space.integrated_by(batches[b]), level, stabilization, stabilized);
     stiffness.add(of_batch.stiffness.coeffs());
     mass.add(of_batch.mass.coeffs());
     // all have the same pattern
@@ -80,14 +80,13 @@ estimate_operators(const Spline_space_3& space, int level, const Monte_carlo_opt
   return result;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Estimated_eigenvalues
-estimate_eigenvalues(const Spline_space_3& space, int k, const Monte_carlo_options& options,
-                     double normal_stabilization) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Estimated_eigenvalues estimate_eigenvalues(
+    const Spline_space_3& space, int k, const Monte_carlo_options& options, double stabilization) {
   if(k < 1)
-    throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
+    throw Parameter_error("count", "is " + std::to_string(k) + ", but must be positive");
   const internal::Sample_batches batches(space, options);
   const auto operators_of_batch = [&](std::size_t b) {
-    return assemble_operators(space.integrated_by(batches[b]), {}, normal_stabilization,
+    return assemble_operators(space.integrated_by(batches[b]), {}, stabilization,
                               Stabilized::stiffness);
   };
   Operators mean = operators_of_batch(0);

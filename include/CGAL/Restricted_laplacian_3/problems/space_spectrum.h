@@ -55,7 +55,7 @@ struct Laplace_spectrum {
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of `laplace_spectrum()` and `laplace_eigenpairs()`.
 struct Laplace_spectrum_options {
-  /// the default of `relative_tolerance` with `eigenvalues_only`: errors of eigenvalues are of the
+  /// the default of `tolerance` with `eigenvalues_only`: errors of eigenvalues are of the
   /// order of its square, about 1e-5
   static constexpr double tolerance_of_eigenvalues = 2.5e-3;
 
@@ -63,12 +63,12 @@ struct Laplace_spectrum_options {
   Eigensolver eigensolver = Eigensolver::automatic;
   /// factor \f$c\f$ of the stabilization, of the stiffness matrix alone; without a value
   /// `default_spectrum_stabilization()`
-  std::optional<double> normal_stabilization;
+  std::optional<double> stabilization;
   /// Whether eigenfunctions are of no use: they are not evaluated at the vertices, nor made
   /// orthonormal at the end, and the iteration ends at `tolerance_of_eigenvalues`, unless told
   /// otherwise.
   bool eigenvalues_only = false;
-  /// those of `Eigensolver::multigrid`, with `eigenvalues_only` as above; `callback` is called by
+  /// those of `Eigensolver::multigrid`, with `eigenvalues_only` as above; `progress` is called by
   /// both eigensolvers, and whether several threads are used is a matter of the space
   Multigrid_eigenpairs_options multigrid;
 
@@ -78,15 +78,15 @@ struct Laplace_spectrum_options {
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Laplace_spectrum_options(const NamedParameters& np) : multigrid(np) {
     internal::read_parameter(np, internal_np::eigensolver, eigensolver);
-    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    internal::read_parameter(np, internal_np::stabilization, stabilization);
     internal::read_parameter(np, internal_np::eigenvalues_only, eigenvalues_only);
   }
 };
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
+/// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
 /// \param space the space; its finest level is used
-/// \param k number of pairs, positive
+/// \param count number of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_spectrum
@@ -94,16 +94,16 @@ struct Laplace_spectrum_options {
 /// \throws Parameter_error if a parameter is outside its domain, or if so many pairs would take
 /// more than the `maximum_memory` of the space
 /// \throws Numerical_error if a factorization fails
-/// \throws Canceled if the callback returned `false`
-Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
+/// \throws Canceled if `progress` returned `false`
+Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int count,
                                   const Laplace_spectrum_options& np = {});
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// The `k` smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
+/// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
 /// \f$S \eta = \lambda M \eta\f$ (paper, section 5.1), without values at the vertices: the member
 /// `vertex_values` remains empty.
 /// \param space the space; its finest level is used
-/// \param k number of pairs, positive
+/// \param count number of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_spectrum
@@ -111,19 +111,19 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int k,
 /// \throws Parameter_error if a parameter is outside its domain, or if so many pairs would take
 /// more than the `maximum_memory` of the space
 /// \throws Numerical_error if a factorization fails
-/// \throws Canceled if the callback returned `false`
-Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int k,
+/// \throws Canceled if `progress` returned `false`
+Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int count,
                                     const Laplace_spectrum_options& np = {});
 
 namespace internal {
 
 /// `multigrid_eigenpairs()` on a space, with operators of the levels from `coarsest` to depth
 Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest,
-                                   std::vector<Operators> operators, int k,
+                                   std::vector<Operators> operators, int count,
                                    const Multigrid_eigenpairs_options& options);
 
 /// `cotangent_spectrum()` of a surface
-Laplace_spectrum cotangent_eigenpairs(const Triangulated_surface_3& surface, int k,
+Laplace_spectrum cotangent_eigenpairs(const Triangulated_surface_3& surface, int count,
                                       bool lumped_mass);
 
 } // namespace internal

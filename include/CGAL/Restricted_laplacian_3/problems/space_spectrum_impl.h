@@ -71,7 +71,7 @@ inline bool has_more_components(const Spline_space_3& space, std::size_t number)
 }
 
 /// Whether `multigrid_eigenpairs()` is used.
-inline bool uses_multigrid(const Spline_space_3& space, double normal_stabilization,
+inline bool uses_multigrid(const Spline_space_3& space, double stabilization,
                            const Laplace_spectrum_options& options) {
   constexpr std::size_t smallest_dimension = 5000; // with fewer a factorization is as fast
   // Equal parts have equal eigenvalues. One vector at a time finds those in turn, by rounding
@@ -82,7 +82,7 @@ inline bool uses_multigrid(const Spline_space_3& space, double normal_stabilizat
                                          "levels are not nested");
   return options.eigensolver == Eigensolver::multigrid ||
          (options.eigensolver == Eigensolver::automatic && !space.is_paper_space() &&
-          normal_stabilization > 0 &&
+          stabilization > 0 &&
           (space.dimension() >= smallest_dimension || has_more_components(space, few_components)));
 }
 
@@ -138,7 +138,7 @@ inline bool tries_factorization(const Spline_space_3& space, int k, const Eigenp
 /// vertices, would take more memory than the space may have
 inline void check_number_of_pairs(const Spline_space_3& space, int k, bool with_vertex_values) {
   if(k < 1)
-    throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
+    throw Parameter_error("count", "is " + std::to_string(k) + ", but must be positive");
   const double maximum = *space.options().maximum_memory,
                needed = memory_of_pairs(space, k, with_vertex_values);
   if(!(needed > maximum))
@@ -156,7 +156,7 @@ inline void check_number_of_pairs(const Spline_space_3& space, int k, bool with_
   if(with_vertex_values && memory_of_pairs(space, k, false) <= maximum)
     reason += "; without values at the vertices they would take " +
               memory_text(memory_of_pairs(space, k, false));
-  throw Parameter_error("k", reason);
+  throw Parameter_error("count", reason);
 }
 
 /// Computes pairs by a factorization, and takes them if their residuals are smaller than those that
@@ -166,7 +166,7 @@ inline void factorize(const Spline_space_3& space, int k, double stabilization,
   const std::vector<Operators> operators = assemble_operators_of_levels(
       space, space.depth(), space.depth(), stabilization, Stabilized::stiffness, {});
   Eigenpairs_options of_factorization;
-  of_factorization.callback = options.callback;
+  of_factorization.progress = options.progress;
   Eigenpairs pairs;
   try {
     pairs = smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization);
@@ -177,7 +177,7 @@ inline void factorize(const Spline_space_3& space, int k, double stabilization,
     return;
   // Spectra has a tolerance of its own.
   if(!(pairs.residuals.maxCoeff() <=
-       options.relative_tolerance.value_or(Multigrid_eigenpairs_options::default_tolerance))) {
+       options.tolerance.value_or(Multigrid_eigenpairs_options::default_tolerance))) {
     pairs.set_status(Solve_status::stalled);
   }
   take_pairs(std::move(pairs), Eigensolver::shift_invert, spectrum);
@@ -190,13 +190,13 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
   internal::check_number_of_pairs(space, k, false);
   internal::require_enough_points(space);
   const double stabilization =
-      options.normal_stabilization.value_or(default_spectrum_stabilization(space));
+      options.stabilization.value_or(default_spectrum_stabilization(space));
   const bool is_multigrid = internal::uses_multigrid(space, stabilization, options);
   Laplace_spectrum spectrum;
   CGAL::Real_timer timer;
   timer.start();
   constexpr double part_of_assembly = 0.15;
-  const internal::Progress progress(options.multigrid.callback);
+  const internal::Progress progress(options.multigrid.progress);
   const internal::Progress of_solver = progress.part(part_of_assembly, 1);
   const int coarsest = is_multigrid ? internal::coarsest_multigrid_level(space) : space.depth();
   std::vector<Operators> operators = assemble_operators_of_levels(
@@ -206,10 +206,10 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
   if(is_multigrid) {
     Multigrid_eigenpairs_options of_multigrid = options.multigrid;
     of_multigrid.is_parallel = space.options().is_parallel;
-    of_multigrid.callback = of_solver.callback();
+    of_multigrid.progress = of_solver.callback();
     of_multigrid.eigenvalues_only = options.eigenvalues_only;
-    if(options.eigenvalues_only && !of_multigrid.relative_tolerance)
-      of_multigrid.relative_tolerance = Laplace_spectrum_options::tolerance_of_eigenvalues;
+    if(options.eigenvalues_only && !of_multigrid.tolerance)
+      of_multigrid.tolerance = Laplace_spectrum_options::tolerance_of_eigenvalues;
     internal::name_step("not enough memory for the eigenvectors", [&] {
       internal::take_pairs(
           internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
@@ -219,7 +219,7 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
       internal::factorize(space, k, stabilization, of_multigrid, spectrum);
   } else {
     Eigenpairs_options of_factorization;
-    of_factorization.callback = of_solver.callback();
+    of_factorization.progress = of_solver.callback();
     internal::take_pairs(
         smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization),
         Eigensolver::shift_invert, spectrum);

@@ -20,7 +20,7 @@ namespace Restricted_laplacian_3 {
 /// For Poisson problems and gradient fields: 1e-3, and 0 in the space of the paper. The number of
 /// iterations does not depend on the depth of the octree then, while the error of the solution is
 /// up to about twice that without stabilization.
-inline double default_normal_stabilization(const Spline_space_3& space) {
+inline double default_stabilization(const Spline_space_3& space) {
   return space.is_paper_space() ? 0 : 1e-3;
 }
 
@@ -35,9 +35,9 @@ inline double default_spectrum_stabilization(const Spline_space_3& space) {
 namespace internal {
 
 /// the smoothing weight in units of the squared cell width
-inline double smoothing_in_cells(const Spline_space_3& space, double smoothing_weight) {
+inline double smoothing_in_cells(const Spline_space_3& space, double smoothing) {
   const double h = space.octree().cell_width(space.depth());
-  return smoothing_weight / (h * h);
+  return smoothing / (h * h);
 }
 
 } // namespace internal
@@ -49,10 +49,10 @@ inline double smoothing_in_cells(const Spline_space_3& space, double smoothing_w
 /// residuals; then \f$10^{-3}\, w / h^2\f$ with the cell width \f$h\f$, as in the Poisson problem,
 /// but not more than 1e-4.
 /// \param space the space of the fit
-/// \param smoothing_weight \f$w\f$, in units of length^2
-inline double default_fit_stabilization(const Spline_space_3& space, double smoothing_weight = 0) {
+/// \param smoothing \f$w\f$, in units of length^2
+inline double default_fit_stabilization(const Spline_space_3& space, double smoothing = 0) {
   constexpr double smallest = 1e-14, largest = 1e-4, of_smoothing = 1e-3;
-  return std::clamp(of_smoothing * internal::smoothing_in_cells(space, smoothing_weight), smallest,
+  return std::clamp(of_smoothing * internal::smoothing_in_cells(space, smoothing), smallest,
                     largest);
 }
 
@@ -73,9 +73,9 @@ namespace internal {
 /// errors add as squares: with 0.1, the root mean square error is larger than the least one by half
 /// a percent. Where waves as long as cells are wide are smoothed by more than a thousandth or so,
 /// what is minimized says nothing of the error that is wanted.
-inline double default_fit_tolerance(const Spline_space_3& space, double smoothing_weight) {
+inline double default_fit_tolerance(const Spline_space_3& space, double smoothing) {
   constexpr double least_smoothing = 1e-3;
-  return smoothing_in_cells(space, smoothing_weight) <= least_smoothing ? 0.1 : 0;
+  return smoothing_in_cells(space, smoothing) <= least_smoothing ? 0.1 : 0;
 }
 
 /// The same for `estimate_curvature()`, small because it is the derivatives that count: on a ragged
@@ -83,11 +83,11 @@ inline double default_fit_tolerance(const Spline_space_3& space, double smoothin
 /// the solved system.
 constexpr double default_curvature_tolerance = 3e-4;
 
-/// the value of `normal_stabilization`, by default that of the space
+/// the value of `stabilization`, by default that of the space
 template <class NamedParameters>
-double normal_stabilization(const Spline_space_3& space, const NamedParameters& np) {
-  double result = default_normal_stabilization(space);
-  read_parameter(np, internal_np::normal_stabilization, result);
+double stabilization(const Spline_space_3& space, const NamedParameters& np) {
+  double result = default_stabilization(space);
+  read_parameter(np, internal_np::stabilization, result);
   return result;
 }
 

@@ -33,11 +33,11 @@ class Mean_projection;
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of a `Poisson_solver`.
 struct Poisson_solver_options {
-  /// the default of `relative_tolerance` in `Poisson_solver`
+  /// the default of `tolerance` in `Poisson_solver`
   static constexpr double default_tolerance = 1e-3;
   /// \f$ \|b - A x\|_2 \le \f$ tolerance times \f$\|b\|_2\f$ ends the iteration; without a value
   /// what the application needs
-  std::optional<double> relative_tolerance;
+  std::optional<double> tolerance;
   /// the iteration also ends at an estimated error of that size, relative to the solution, in the
   /// norm of the energy; 0: never
   double energy_tolerance = 0;
@@ -59,9 +59,9 @@ struct Poisson_solver_options {
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Poisson_solver_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
-    internal::read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
+    internal::read_parameter(np, internal_np::tolerance, tolerance);
     internal::read_parameter(np, internal_np::energy_tolerance, energy_tolerance);
-    internal::read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
+    internal::read_parameter(np, internal_np::maximum_iterations, maximum_iterations);
     internal::read_parameter(np, internal_np::cycle, cycle);
     internal::read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
     internal::read_parameter(np, internal_np::stand_alone_multigrid, stand_alone_multigrid);
@@ -84,10 +84,10 @@ struct Least_squares_end {
 /// What a call of `Poisson_solver::solve()` has otherwise than the solver.
 struct Solve_options {
   /// in place of that of the solver, between 0 and 1
-  std::optional<double> relative_tolerance;
+  std::optional<double> tolerance;
   /// is told which part of the work is done, from 0 to 1, as far as residuals show it; if it
   /// returns `false`, the computation ends with an exception
-  std::function<bool(double)> callback;
+  std::function<bool(double)> progress;
   /// Whether the argument for the solution is a first guess, as that of the time step before is. It
   /// is improved by nested iteration where that makes the residual smaller, and ignored if its
   /// residual is larger than the right-hand side.
@@ -97,10 +97,10 @@ struct Solve_options {
 
   /// the defaults
   Solve_options() = default;
-  /// \param relative_tolerance in place of that of the solver, between 0 and 1
-  /// \param callback as above
-  Solve_options(double relative_tolerance, std::function<bool(double)> callback = {})
-    : relative_tolerance(relative_tolerance), callback(std::move(callback)) {}
+  /// \param tolerance in place of that of the solver, between 0 and 1
+  /// \param progress as above
+  Solve_options(double tolerance, std::function<bool(double)> progress = {})
+    : tolerance(tolerance), progress(std::move(progress)) {}
 };
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
@@ -206,7 +206,7 @@ public:
   /// \param x on return the solution; its old content is used if it is a first guess
   /// \param options what is not as in the constructor; a number stands for a tolerance
   /// \throws Parameter_error if the number of rows does not fit, or if an entry is not finite
-  /// \throws Canceled if the callback returned `false`
+  /// \throws Canceled if `progress` returned `false`
   Solve_report solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
                      const Solve_options& options = Solve_options()) const;
 

@@ -32,7 +32,7 @@ namespace internal {
 
 inline void check_tolerance(double tolerance) {
   if(!(tolerance > 0 && tolerance < 1))
-    throw Parameter_error("relative_tolerance", "must be between 0 and 1");
+    throw Parameter_error("tolerance", "must be between 0 and 1");
 }
 
 /// A row with a negative diagonal entry would be left out by the smoother, without a word. Sums of
@@ -52,16 +52,16 @@ inline void check_entries(const Sparse_matrix& a) {
 inline Poisson_solver_options checked(const Sparse_matrix& a, const Eigen::VectorXd& integrals,
                                       const Eigen::VectorXd& constant_loads,
                                       Poisson_solver_options options) {
-  if(!options.relative_tolerance)
-    options.relative_tolerance = Poisson_solver_options::default_tolerance;
+  if(!options.tolerance)
+    options.tolerance = Poisson_solver_options::default_tolerance;
   if(integrals.size() != a.cols())
     throw Parameter_error("element_integrals", "does not fit the size of the matrix");
   if(constant_loads.size() != a.cols())
     throw Parameter_error("constant_loads", "does not fit the size of the matrix");
   check_entries(a);
-  check_tolerance(*options.relative_tolerance);
+  check_tolerance(*options.tolerance);
   if(options.maximum_iterations < 0)
-    throw Parameter_error("number_of_iterations", "must not be negative");
+    throw Parameter_error("maximum_iterations", "must not be negative");
   if(options.smoothing_steps < 1)
     throw Parameter_error("smoothing_steps", "must be positive");
   if(!(options.energy_tolerance >= 0 && options.energy_tolerance < 1))
@@ -75,7 +75,7 @@ inline Poisson_solver_options checked(const Sparse_matrix& a, const Eigen::Vecto
 struct Poisson_solver::Impl {
   /// what is asked of the iteration for some columns
   struct Block_options {
-    double relative_tolerance;
+    double tolerance;
     bool has_first_guess;
     Least_squares_end least_squares;
     internal::Progress progress;
@@ -105,8 +105,8 @@ struct Poisson_solver::Impl {
         multigrid);
   }
 
-  void check(const Eigen::Ref<const Eigen::MatrixXd>& b, double relative_tolerance) const {
-    internal::check_tolerance(relative_tolerance);
+  void check(const Eigen::Ref<const Eigen::MatrixXd>& b, double tolerance) const {
+    internal::check_tolerance(tolerance);
     if(b.rows() != matrix().rows())
       throw Parameter_error("b", "has " + std::to_string(b.rows()) + " rows, but the matrix has " +
                                      std::to_string(matrix().rows()));
@@ -135,11 +135,11 @@ struct Poisson_solver::Impl {
   Solve_report solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Vectors& x,
                      const Solve_options& given) const {
     Block_options of_block;
-    of_block.relative_tolerance = given.relative_tolerance.value_or(*options.relative_tolerance);
+    of_block.tolerance = given.tolerance.value_or(*options.tolerance);
     of_block.has_first_guess = given.has_first_guess;
     of_block.least_squares = given.least_squares;
-    const internal::Progress progress(given.callback);
-    check(b, of_block.relative_tolerance);
+    const internal::Progress progress(given.progress);
+    check(b, of_block.tolerance);
     check_least_squares(b, given.least_squares);
     if(given.has_first_guess)
       check_guess(b, x);
@@ -204,7 +204,7 @@ struct Poisson_solver::Impl {
                Solve_report& report) const {
     using Block = internal::Block_vector<K>;
     using Row = internal::Block_row<K>;
-    const double relative_tolerance = given.relative_tolerance;
+    const double tolerance = given.tolerance;
     const internal::Progress& progress = given.progress;
     const Eigen::Index count = (std::min)(b_all.cols(), Eigen::Index(K));
     Block load = Block::Zero(b_all.rows(), K), b, x, r;
@@ -219,7 +219,7 @@ struct Poisson_solver::Impl {
     // What the projection leaves of the load of a constant is rounding error.
     norm = (norm > projection_tolerance * internal::dot<K>(load, load).sqrt()).select(norm, 0.);
     b = b * (norm > 0).select(Row::Ones(), Row::Zero()).matrix().asDiagonal();
-    const Row target = relative_tolerance * norm;
+    const Row target = tolerance * norm;
 
     const internal::Symmetric_matrix& matrix = this->matrix();
     const auto multiply = [&](const Block& p, Block& q) {
@@ -229,7 +229,7 @@ struct Poisson_solver::Impl {
     const auto project = [&](Block& p) {
       means.template project_load<K>(p);
       if(progress.is_shown())
-        progress(part_done<K>(internal::dot<K>(p, p).sqrt(), norm, relative_tolerance));
+        progress(part_done<K>(internal::dot<K>(p, p).sqrt(), norm, tolerance));
     };
     Row residual;
     const auto update_residual = [&] {
@@ -328,7 +328,7 @@ struct Poisson_solver::Impl {
             record.knows_error(k)
                 ? (std::max)(report.relative_energy_error, std::sqrt(record.squared_error(k)))
                 : std::numeric_limits<double>::quiet_NaN();
-      if(relative <= relative_tolerance || record.has_converged(k))
+      if(relative <= tolerance || record.has_converged(k))
         continue;
       report.worsen_status(!(relative <= 1) ? Solve_status::diverged
                            : has_improved   ? Solve_status::iteration_limit
@@ -339,12 +339,12 @@ struct Poisson_solver::Impl {
   /// Residuals fall by about the same factor in each step; the last of the right-hand sides counts.
   template <int K>
   static double part_done(const internal::Block_row<K>& residual,
-                          const internal::Block_row<K>& norm, double relative_tolerance) {
-    double largest = relative_tolerance;
+                          const internal::Block_row<K>& norm, double tolerance) {
+    double largest = tolerance;
     for(int k = 0; k < K; ++k)
       if(norm[k] > 0)
         largest = (std::max)(largest, residual[k] / norm[k]);
-    return std::log(largest) / std::log(relative_tolerance);
+    return std::log(largest) / std::log(tolerance);
   }
 
   /// a restart has to reduce a residual by this factor at least, else the iteration ends

@@ -55,16 +55,16 @@ struct Eigenpairs_options {
   double regularization = 1e-12;
   /// is told about which part of the work is done, from 0 to 1; if it returns `false`, the
   /// computation ends with a `Canceled` exception
-  std::function<bool(double)> callback;
+  std::function<bool(double)> progress;
 
   /// the defaults
   Eigenpairs_options() = default;
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Eigenpairs_options(const NamedParameters& np) {
-    internal::read_parameter(np, internal_np::relative_tolerance, tolerance);
-    internal::read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
-    internal::read_parameter(np, internal_np::callback, callback);
+    internal::read_parameter(np, internal_np::tolerance, tolerance);
+    internal::read_parameter(np, internal_np::maximum_iterations, maximum_iterations);
+    internal::read_parameter(np, internal_np::progress, progress);
   }
 };
 

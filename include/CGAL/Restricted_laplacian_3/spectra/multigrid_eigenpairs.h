@@ -21,13 +21,13 @@ namespace Restricted_laplacian_3 {
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of `multigrid_eigenpairs()`.
 struct Multigrid_eigenpairs_options {
-  /// the default of `relative_tolerance`
+  /// the default of `tolerance`
   static constexpr double default_tolerance = 1e-3;
 
   /// the largest of `Eigenpairs::residuals` that counts as converged; the error of an eigenvector
   /// is of the order of its residual, the relative one of an eigenvalue of the order of its square.
   /// Without a value `default_tolerance`.
-  std::optional<double> relative_tolerance;
+  std::optional<double> tolerance;
   /// on each level
   int maximum_iterations = 100;
   /// of a cycle: smoothing steps before, and again after the coarse correction
@@ -39,29 +39,29 @@ struct Multigrid_eigenpairs_options {
   bool is_parallel = false;
   /// is told which part of the work is done, from 0 to 1; if it returns `false`, the computation
   /// ends with a `Canceled` exception
-  std::function<bool(double)> callback;
+  std::function<bool(double)> progress;
 
   /// the defaults
   Multigrid_eigenpairs_options() = default;
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Multigrid_eigenpairs_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
-    internal::read_parameter(np, internal_np::relative_tolerance, relative_tolerance);
-    internal::read_parameter(np, internal_np::number_of_iterations, maximum_iterations);
+    internal::read_parameter(np, internal_np::tolerance, tolerance);
+    internal::read_parameter(np, internal_np::maximum_iterations, maximum_iterations);
     internal::read_parameter(np, internal_np::smoothing_steps, smoothing_steps);
     internal::read_parameter(np, internal_np::eigenvalues_only, eigenvalues_only);
-    internal::read_parameter(np, internal_np::callback, callback);
+    internal::read_parameter(np, internal_np::progress, progress);
   }
 };
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
+/// The smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
 /// for symmetric positive semi-definite matrices that are given on all levels of a hierarchy.
 ///
 /// *Nested iteration.* The coarsest level with ten unknowns for each vector is solved by
 /// `smallest_eigenpairs()`, or the next one if that fails. The eigenvectors of a level are
 /// prolongated to the next finer one and improved there, until their residuals are at most 1e-2, on
-/// the finest level at most `relative_tolerance`.
+/// the finest level at most `tolerance`.
 ///
 /// *Improvement* is by LOBPCG (A. V. Knyazev, *Toward the optimal preconditioned eigensolver*, SIAM
 /// J. Sci. Comput. 23, 2001), preconditioned by one V-cycle for \f$S + \alpha M\f$, where
@@ -85,28 +85,28 @@ struct Multigrid_eigenpairs_options {
 /// same pattern
 /// \param prolongations from each level to the next finer one
 /// \param patches of each level but the coarsest, see `smoothing_patches()`
-/// \param k number of pairs
+/// \param count number \f$k\f$ of pairs
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_relative_tolerance{`1e-3`}
-///   \named_number_of_iterations{`100`, on each level}
+///   \named_tolerance{`1e-3`}
+///   \named_maximum_iterations{`100`, on each level}
 ///   \named_smoothing_steps
 ///   \named_eigenvalues_only
 ///   \named_concurrency_tag
-///   \named_callback
+///   \named_progress
 /// \cgalNamedParamsEnd
 /// \return pairs that are orthonormal with respect to \f$M\f$, with `eigenvalues_only` nearly so.
 /// If not all residuals got below the tolerance, `converged` is `false` and the pairs are the best
 /// approximations that were found. `iterations` are those on the finest level; 0 if that was solved
 /// by `smallest_eigenpairs()`, because it is small.
-/// \throws Parameter_error if sizes do not fit, if an entry is not finite, if `k` is not positive
-/// or exceeds the number of independent functions, or if an option is outside its domain
+/// \throws Parameter_error if sizes do not fit, if an entry is not finite, if `count` is not
+/// positive or exceeds the number of independent functions, or if an option is outside its domain
 /// \throws Numerical_error if neither a coarse problem nor the finest one can be solved directly
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 Eigenpairs multigrid_eigenpairs(std::vector<Sparse_matrix> stiffness,
                                 std::vector<Sparse_matrix> mass,
                                 std::vector<Sparse_matrix> prolongations,
-                                std::vector<Smoothing_patches> patches, int k,
+                                std::vector<Smoothing_patches> patches, int count,
                                 const Multigrid_eigenpairs_options& np = {});
 
 } // namespace Restricted_laplacian_3

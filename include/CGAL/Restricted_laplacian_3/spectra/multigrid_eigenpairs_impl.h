@@ -60,16 +60,16 @@ inline void check_levels(const std::vector<Sparse_matrix>& stiffness,
 }
 
 inline double tolerance_of(const Multigrid_eigenpairs_options& options) {
-  return options.relative_tolerance.value_or(Multigrid_eigenpairs_options::default_tolerance);
+  return options.tolerance.value_or(Multigrid_eigenpairs_options::default_tolerance);
 }
 
 /// \throws Parameter_error see `multigrid_eigenpairs()`
 inline void check_options(const Multigrid_eigenpairs_options& options) {
   const double tolerance = tolerance_of(options);
   if(!(tolerance > 0 && tolerance < 1))
-    throw Parameter_error("relative_tolerance", "must be between 0 and 1");
+    throw Parameter_error("tolerance", "must be between 0 and 1");
   if(options.maximum_iterations < 0)
-    throw Parameter_error("number_of_iterations", "must not be negative");
+    throw Parameter_error("maximum_iterations", "must not be negative");
   if(options.smoothing_steps < 1)
     throw Parameter_error("smoothing_steps", "must be positive");
 }
@@ -112,7 +112,7 @@ inline bool solve_start(const Sparse_matrix& stiffness, const Sparse_matrix& mas
                         const Progress& progress, Eigenpairs& pairs) {
   Eigenpairs_options options;
   options.tolerance = tolerance_of_start;
-  options.callback = progress.callback();
+  options.progress = progress.callback();
   try {
     pairs = smallest_eigenpairs(stiffness, mass, number, options);
   } catch(const Numerical_error&) {
@@ -135,7 +135,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   const double tolerance = internal::tolerance_of(options);
   const std::size_t finest = stiffness.size() - 1;
   Eigenpairs_options start_options;
-  start_options.callback = options.callback;
+  start_options.progress = options.progress;
   if(k < 1 || k > stiffness[finest].cols() / internal::unknowns_of_a_start_vector)
     return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
   const int carried = internal::number_of_carried_vectors(k);
@@ -143,7 +143,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   while(start < finest && stiffness[start].cols() < internal::unknowns_of_a_start_vector * carried)
     ++start;
 
-  const internal::Progress progress(options.callback);
+  const internal::Progress progress(options.progress);
   progress(0);
   Eigenpairs at_start;
   double work = 0, done = 0;

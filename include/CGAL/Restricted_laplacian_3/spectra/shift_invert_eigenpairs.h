@@ -102,13 +102,13 @@ Eigen::MatrixXd all_copies(Pencil& pencil, const Eigen::MatrixXd& constants, dou
 /// \param k number of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_relative_tolerance{`1e-10`, of the eigenvalues}
-///   \named_number_of_iterations{`1000` restarts of the Lanczos iteration}
-///   \named_callback
+///   \named_tolerance{`1e-10`, of the eigenvalues}
+///   \named_maximum_iterations{`1000` restarts of the Lanczos iteration}
+///   \named_progress
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error if `k` or a matrix is not as it must be, as in `smallest_eigenpairs()`
 /// \throws Numerical_error if no factorization succeeds
-/// \throws Canceled if the callback returned `false`
+/// \throws Canceled if `progress` returned `false`
 template <class SparseCholesky>
 Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
                                    const Eigenpairs_options& np = {}) {
@@ -131,10 +131,10 @@ Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& 
   pairs.regularization = pencil.regularization();
   pairs.set_status(Solve_status::converged);
   int operations = 0;
-  if(np.callback)
+  if(np.progress)
     pencil.on_operation = [&operations, &np, k] {
       // Most problems take two to four times the dimension of the Krylov space.
-      if(!np.callback(1 - std::exp(-++operations / (4. * k + 20))))
+      if(!np.progress(1 - std::exp(-++operations / (4. * k + 20))))
         throw Canceled();
     };
   Eigen::MatrixXd vectors = internal::all_copies(pencil, internal::constants_in_kernel(s),

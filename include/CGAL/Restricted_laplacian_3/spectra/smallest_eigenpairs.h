@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
-/// The `k` smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
+/// The smallest eigenvalues of \f$S x = \lambda M x\f$, with multiplicities, and eigenvectors,
 /// for symmetric positive semi-definite matrices.
 ///
 /// By Spectra, a restarted Lanczos iteration for \f$K^{-1} M\f$, in the symmetric form
@@ -39,27 +39,27 @@ namespace Restricted_laplacian_3 {
 /// *Multiplicity.* A second iteration, with all pairs found so far deflated, looks for copies of a
 /// multiple eigenvalue that the first one missed, and is repeated until it finds none.
 ///
-/// Problems with fewer than 100 unknowns, or with `k` more than a third of them, are solved
+/// Problems with fewer than 100 unknowns, or with `count` more than a third of them, are solved
 /// densely.
 ///
 /// Takes one factorization, and two to four times \f$2 k\f$ solves with it and products with
 /// \f$M\f$; memory for the factor and \f$2 k\f$ vectors.
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
-/// \param k number of pairs, positive
+/// \param count number \f$k\f$ of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_relative_tolerance{`1e-10`, of the eigenvalues}
-///   \named_number_of_iterations{`1000` restarts of the Lanczos iteration}
-///   \named_callback
+///   \named_tolerance{`1e-10`, of the eigenvalues}
+///   \named_maximum_iterations{`1000` restarts of the Lanczos iteration}
+///   \named_progress
 /// \cgalNamedParamsEnd
-/// \throws Parameter_error if `k` is not positive, exceeds the number of independent functions, or
-/// is more than a third of more than 10,000 unknowns; if the matrices are not square and of the
+/// \throws Parameter_error if `count` is not positive, exceeds the number of independent functions,
+/// or is more than a third of more than 10,000 unknowns; if the matrices are not square and of the
 /// same size, if an entry is not finite, or the entries of `m` do not have a positive sum
 /// \throws Numerical_error if no factorization succeeds; also for each problem that is not solved
 /// densely, if this was compiled without Spectra
-/// \throws Canceled if the callback returned `false`
-Eigenpairs smallest_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
+/// \throws Canceled if `progress` returned `false`
+Eigenpairs smallest_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int count,
                                const Eigenpairs_options& np = {});
 
 } // namespace Restricted_laplacian_3

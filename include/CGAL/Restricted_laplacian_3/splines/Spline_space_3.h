@@ -32,7 +32,7 @@ class Partial_space;
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
-/// The depth of the octree for functions that are given no `octree_depth`.
+/// The depth of the octree for functions that are given no `depth`.
 ///
 /// For a mesh or soup it is the smallest depth from 5 to 8 at which sides of triangles, in the
 /// mean, are at least half as long as a cell is wide. That gives about one to four unknowns for
@@ -48,22 +48,22 @@ class Partial_space;
 /// \param cube_scale side of the domain cube over the longest side of the bounding box, from 1 to
 /// \f$10^6\f$
 /// \throws Parameter_error if `cube_scale` is out of range
-int default_octree_depth(const Triangulated_surface_3& surface, double cube_scale);
+int default_depth(const Triangulated_surface_3& surface, double cube_scale);
 
 /// \ingroup PkgRestrictedLaplacian3Options
 /// How a `Spline_space_3` is made: the named parameters of its constructors.
 struct Spline_space_options {
-  /// depth \f$d\f$ of the octree; without a value `default_octree_depth()`
-  std::optional<int> octree_depth;
+  /// depth \f$d\f$ of the octree; without a value `default_depth()`
+  std::optional<int> depth;
   /// side of the domain cube over the longest side of the bounding box; without a value 1.1, or 1.2
   /// in the space of the paper
   std::optional<double> cube_scale;
   /// only elements centered inside the grid exist, and they are not split
-  bool paper_space = false;
+  bool paper = false;
   /// an element is split into one for each connected component of the surface in its support; has
   /// no effect on the space of the paper
-  bool split_elements = true;
-  /// the same for a point set, in place of `split_elements`: by the components that links between
+  bool split = true;
+  /// the same for a point set, in place of `split`: by the components that links between
   /// points form, see `read_point_set()`
   bool split_point_set = false;
   /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
@@ -82,11 +82,11 @@ struct Spline_space_options {
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Spline_space_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
-    internal::read_parameter(np, internal_np::octree_depth, octree_depth);
+    internal::read_parameter(np, internal_np::depth, depth);
     internal::read_parameter(np, internal_np::cube_scale, cube_scale);
-    internal::read_parameter(np, internal_np::paper_space, paper_space);
-    internal::read_parameter(np, internal_np::split_elements, split_elements);
-    internal::read_parameter(np, internal_np::split_elements, split_point_set);
+    internal::read_parameter(np, internal_np::paper, paper);
+    internal::read_parameter(np, internal_np::split, split);
+    internal::read_parameter(np, internal_np::split, split_point_set);
     internal::read_parameter(np, internal_np::joining_tolerance, joining_tolerance);
     internal::read_parameter(np, internal_np::maximum_memory, maximum_memory);
   }
@@ -108,7 +108,7 @@ struct Spline_space_options {
 /// space between them is. All properties above remain: an element of the finer level lies in the
 /// support of its coarse ones, and its component in exactly one of theirs.
 ///
-/// With `paper_space(true)` only elements centered inside the grid exist, and they are not split,
+/// With `paper(true)` only elements centered inside the grid exist, and they are not split,
 /// as in the paper (section 4.4).
 ///
 /// Elements of a level are numbered in Morton order of their cells; those centered outside the grid
@@ -194,7 +194,7 @@ public:
   /// the surface that the splines are restricted to
   const Triangulated_surface_3& surface() const { return m_octree->surface(); }
   /// whether only elements centered inside the grid exist, unsplit
-  bool is_paper_space() const { return m_options.paper_space; }
+  bool is_paper_space() const { return m_options.paper; }
   /// whether elements are split by the components of the surface in their support
   bool is_split() const { return m_octree->is_split(); }
 
@@ -255,7 +255,7 @@ private:
 
   /// whether elements are split, by checked options
   static bool splits(const Triangulated_surface_3& surface, const Options& o) {
-    return surface.is_point_set() ? o.split_point_set : o.split_elements;
+    return surface.is_point_set() ? o.split_point_set : o.split;
   }
 
   /// with defaults, also those that depend on the surface

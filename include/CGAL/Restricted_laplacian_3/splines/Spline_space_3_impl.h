@@ -28,8 +28,8 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_octree_depth(const Triangulated_surface_3& surface,
-                                                            double cube_scale) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_depth(const Triangulated_surface_3& surface,
+                                                     double cube_scale) {
   const double side = internal::checked_cube_scale(cube_scale) * surface.extent();
   if(surface.is_point_set())
     return internal::depth_of_points(internal::cells_of_points(surface, side),
@@ -74,10 +74,10 @@ Spline_space_3::checked_level(std::optional<int> level) const {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_3
 Spline_space_3::make_octree(Triangulated_surface_3&& surface, const Options& o) {
-  internal::check_memory(surface, *o.octree_depth, *o.cube_scale, *o.maximum_memory);
+  internal::check_memory(surface, *o.depth, *o.cube_scale, *o.maximum_memory);
   const bool is_split = splits(surface, o);
   return internal::name_step("not enough memory for the octree", [&] {
-    return Octree_3(std::move(surface), *o.octree_depth, *o.cube_scale, is_split,
+    return Octree_3(std::move(surface), *o.depth, *o.cube_scale, is_split,
                     o.joining_tolerance.value_or(-1), o.is_parallel);
   });
 }
@@ -86,16 +86,16 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_space_3::Options
 Spline_space_3::checked(const Triangulated_surface_3& surface, Options options) {
   constexpr double default_cube_scale = 1.1, default_cube_scale_of_paper = 1.2;
   if(!options.cube_scale)
-    options.cube_scale = options.paper_space ? default_cube_scale_of_paper : default_cube_scale;
-  if(!options.octree_depth)
-    options.octree_depth = default_octree_depth(surface, *options.cube_scale);
+    options.cube_scale = options.paper ? default_cube_scale_of_paper : default_cube_scale;
+  if(!options.depth)
+    options.depth = default_depth(surface, *options.cube_scale);
   if(!options.maximum_memory)
     options.maximum_memory = memory_of_machine();
   if(!(*options.maximum_memory > 0))
     throw Parameter_error("maximum_memory", "is " + std::to_string(*options.maximum_memory) +
                                                 ", but must be a positive number");
-  options.split_elements = options.split_elements && !options.paper_space;
-  options.split_point_set = options.split_point_set && !options.paper_space;
+  options.split = options.split && !options.paper;
+  options.split_point_set = options.split_point_set && !options.paper;
   const double tolerance = options.joining_tolerance.value_or(0);
   if(!(tolerance >= 0 && std::isfinite(tolerance)))
     throw Parameter_error("joining_tolerance",

@@ -96,7 +96,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void check_memory(const Triangulated_surface_
         "; a depth of " + std::to_string(possible) + " would take " + memory_text(total(possible));
   else
     reason += "; the surface itself takes " + memory_text(memory_of_space(surface, 0).surface);
-  throw Parameter_error("octree_depth", reason);
+  throw Parameter_error("depth", reason);
 }
 
 } // namespace internal

@@ -95,7 +95,7 @@ sample_surface(const Triangulated_surface_3& surface, std::size_t number, std::u
                Sampling sampling) {
   surface.require_triangles("a sample of it");
   if(number == 0)
-    throw Parameter_error("number_of_samples", "is 0, but must be positive");
+    throw Parameter_error("samples", "is 0, but must be positive");
   const bool is_stratified = sampling == Sampling::stratified;
   std::vector<std::uint32_t> faces;
   if(is_stratified)

@@ -44,7 +44,7 @@ struct Color_stitching_options {
   /// which vertices a scan covers
   Back_projection_options back_projection;
   /// where the vector field that is integrated comes from
-  Gradient_source gradient_source = Gradient_source::back_projection;
+  Gradient_source gradients = Gradient_source::back_projection;
   /// \f$w \ge 0\f$: weight of seams in the choice of scans
   double seam_weight = 0.05;
   /// how often qualities are smoothed before scans are chosen
@@ -54,13 +54,13 @@ struct Color_stitching_options {
   /// whether colors are taken to linear light before, and back to sRGB after
   bool linear_light = false;
   /// \f$\alpha > 0\f$, in units of 1 / area; without a value `default_screening` / area
-  std::optional<double> screening_weight;
+  std::optional<double> alpha;
   /// whether details below a cell are added at the vertices
-  bool vertex_details = true;
+  bool details = true;
   /// relative residual of the details, if it is larger than that of the solver
   double details_tolerance = 1e-3;
-  /// factor \f$c\f$ of the stabilization; without a value `default_normal_stabilization()`
-  std::optional<double> normal_stabilization;
+  /// factor \f$c\f$ of the stabilization; without a value `default_stabilization()`
+  std::optional<double> stabilization;
   /// of the linear systems; without a value the tolerance is 1e-5
   Poisson_solver_options solver;
 
@@ -69,15 +69,15 @@ struct Color_stitching_options {
   /// what is among named parameters, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Color_stitching_options(const NamedParameters& np) : back_projection(np), solver(np) {
-    internal::read_parameter(np, internal_np::gradient_source, gradient_source);
+    internal::read_parameter(np, internal_np::gradients, gradients);
     internal::read_parameter(np, internal_np::seam_weight, seam_weight);
     internal::read_parameter(np, internal_np::quality_smoothing_steps, quality_smoothing_steps);
     internal::read_parameter(np, internal_np::match_exposures, match_exposures);
     internal::read_parameter(np, internal_np::linear_light, linear_light);
-    internal::read_parameter(np, internal_np::screening_weight, screening_weight);
-    internal::read_parameter(np, internal_np::vertex_details, vertex_details);
+    internal::read_parameter(np, internal_np::alpha, alpha);
+    internal::read_parameter(np, internal_np::details, details);
     internal::read_parameter(np, internal_np::details_tolerance, details_tolerance);
-    internal::read_parameter(np, internal_np::normal_stabilization, normal_stabilization);
+    internal::read_parameter(np, internal_np::stabilization, stabilization);
   }
 };
 
@@ -181,9 +181,9 @@ class Color_stitcher {
   using Options = Color_stitching_options;
 
 public:
-  /// the default of `screening_weight`, in units of 1 / area of the surface
+  /// the default of `alpha`, in units of 1 / area of the surface
   static constexpr double default_screening = 10;
-  /// the default of `relative_tolerance`
+  /// the default of `tolerance`
   static constexpr double default_tolerance = internal::default_gradient_tolerance;
 
   /// \param space of a mesh or soup; is copied, which costs nothing
@@ -231,11 +231,11 @@ public:
   Vertex_colors chosen_colors() const;
 
   /// Stitches the colors; calls `choose()` unless that was done.
-  /// \param callback is told which part of the work is done, from 0 to 1; if it returns `false`,
+  /// \param progress is told which part of the work is done, from 0 to 1; if it returns `false`,
   /// the computation ends with an exception
   /// \throws Input_error as `choose()`
-  /// \throws Canceled if the callback returned `false`
-  Stitched_colors stitch(const std::function<bool(double)>& callback = {});
+  /// \throws Canceled if `progress` returned `false`
+  Stitched_colors stitch(const std::function<bool(double)>& progress = {});
 
 private:
   using Corner_colors = Corner_vector_field<Eigen::Vector3d>;

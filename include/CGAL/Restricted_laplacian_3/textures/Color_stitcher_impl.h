@@ -42,10 +42,10 @@ inline Color_stitching_options checked_options(const Color_stitching_options& op
     if(!is_good)
       throw Parameter_error(name, "is " + std::to_string(value) + ", but must be " + domain);
   };
-  const double weight = options.seam_weight, alpha = options.screening_weight.value_or(1);
+  const double weight = options.seam_weight, alpha = options.alpha.value_or(1);
   check(weight >= 0 && std::isfinite(weight), "seam_weight", weight,
         "a finite number that is not negative");
-  check(alpha > 0 && std::isfinite(alpha), "screening_weight", alpha, "a positive finite number");
+  check(alpha > 0 && std::isfinite(alpha), "alpha", alpha, "a positive finite number");
   check(options.quality_smoothing_steps >= 0, "quality_smoothing_steps",
         options.quality_smoothing_steps, "0 or more");
   return options;
@@ -54,7 +54,7 @@ inline Color_stitching_options checked_options(const Color_stitching_options& op
 inline Back_projection_options back_projection_options(const Color_stitching_options& options,
                                                        bool is_parallel) {
   Back_projection_options result = options.back_projection;
-  result.with_gradients = options.gradient_source == Gradient_source::scans;
+  result.with_gradients = options.gradients == Gradient_source::scans;
   result.is_parallel = is_parallel;
   return result;
 }
@@ -194,7 +194,7 @@ Color_stitcher::stitch(const std::function<bool(double)>& callback) {
   const Corner_colors target(std::move(colors));
   Stitched_colors result;
   Eigen::MatrixXd values;
-  if(m_options.gradient_source == Gradient_source::scans)
+  if(m_options.gradients == Gradient_source::scans)
     values = integrate(scan_gradients(target), target, progress.part(0.2, 1), result);
   else
     values = integrate(back_projected_gradients(target), target, progress.part(0.2, 1), result);
@@ -333,7 +333,7 @@ Color_stitcher::scan_gradients(const Corner_colors& colors) const {
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
 Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& target,
                           const internal::Progress& progress, Stitched_colors& result) const {
-  const double alpha = m_options.screening_weight.value_or(default_screening / surface().area());
+  const double alpha = m_options.alpha.value_or(default_screening / surface().area());
   std::vector<double> weights(surface().number_of_faces(), 0);
   for(std::size_t f = 0; f < weights.size(); ++f)
     if(m_scans_of_faces[f] != no_scan)
@@ -345,14 +345,14 @@ Color_stitcher::integrate(const Vector_field_view& field, const Corner_colors& t
   Gradient_options options;
   options.screening.target = target_function;
   options.screening.weight_function = weight;
-  options.normal_stabilization = m_options.normal_stabilization;
+  options.stabilization = m_options.stabilization;
   options.solver = m_options.solver;
   options.solver.is_parallel = is_parallel();
   internal::Gradient_solution solution = internal::integrate_gradients(
-      m_space, field, options, progress.part(0, m_options.vertex_details ? 0.8 : 1));
+      m_space, field, options, progress.part(0, m_options.details ? 0.8 : 1));
   Eigen::MatrixXd values =
       Spline_functions_3(m_space, solution.fit.coefficients).values_at_vertices();
-  if(m_options.vertex_details) {
+  if(m_options.details) {
     const double tolerance =
         (std::max)(internal::tolerance_of(options.solver), m_options.details_tolerance);
     internal::add_details(m_space, field, options.screening, tolerance,

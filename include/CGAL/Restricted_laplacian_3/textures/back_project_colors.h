@@ -34,14 +34,14 @@ struct Back_projection_options {
   /// smallest cosine of the angle \f$\theta\f$ between the normal of the surface and the direction
   /// to the viewpoint, from 0 to 1
   double minimum_facing_cosine = 0.1;
-  /// smallest cosine of the angle between the normals of surface and scan, from -1 to 1
-  double minimum_normal_cosine = 0.5;
+  /// largest angle between the normals of surface and scan in degrees, from 0 to 180
+  double normal_angle = 60;
   /// \f$B\f$: distance from the boundary of the scan from which on it does not matter; without a
   /// value ten times the spacing of the scan
   std::optional<double> boundary_width;
   /// whether the normals of the surface point outwards; else they are turned to the viewpoint, and
   /// a thin plate may take colors from a scan of its other side
-  bool oriented_surface = true;
+  bool oriented = true;
   /// whether gradients are computed
   bool with_gradients = true;
   /// whether several threads are used
@@ -54,9 +54,9 @@ struct Back_projection_options {
   Back_projection_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
     internal::read_parameter(np, internal_np::maximum_distance, maximum_distance);
     internal::read_parameter(np, internal_np::minimum_facing_cosine, minimum_facing_cosine);
-    internal::read_parameter(np, internal_np::minimum_normal_cosine, minimum_normal_cosine);
+    internal::read_parameter(np, internal_np::normal_angle, normal_angle);
     internal::read_parameter(np, internal_np::boundary_width, boundary_width);
-    internal::read_parameter(np, internal_np::oriented_surface, oriented_surface);
+    internal::read_parameter(np, internal_np::oriented, oriented);
     internal::read_parameter(np, internal_np::color_gradients, with_gradients);
   }
 };
@@ -87,7 +87,7 @@ struct Back_projection {
 /// - the normal of the surface there faces the viewpoint, \f$\cos\theta \ge\f$
 ///   `minimum_facing_cosine`, where \f$\theta\f$ is its angle to the direction to the viewpoint,
 /// - the nearest point of the scan is at a distance \f$d \le D\f$,
-/// - the normals of surface and scan agree up to `minimum_normal_cosine`,
+/// - the angle between the normals of surface and scan is at most `normal_angle`,
 /// - the vertex is not beyond the boundary of the scan, see `Scan_sample`.
 ///
 /// What hides a part of the surface from the viewpoint needs no test: a range scan does not come

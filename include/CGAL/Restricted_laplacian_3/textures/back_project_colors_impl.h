@@ -10,6 +10,8 @@
 #include <CGAL/Restricted_laplacian_3/textures/back_project_colors.h>
 #include <CGAL/Restricted_laplacian_3/textures/internal/scan_properties.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -28,9 +30,9 @@ inline Back_projection_options checked_options(const Back_projection_options& op
     if(!is_good)
       throw Parameter_error(name, "is " + std::to_string(value) + ", but must be " + domain);
   };
-  const double facing = options.minimum_facing_cosine, normal = options.minimum_normal_cosine;
+  const double facing = options.minimum_facing_cosine, angle = options.normal_angle;
   check(facing >= 0 && facing <= 1, "minimum_facing_cosine", facing, "in 0 .. 1");
-  check(normal >= -1 && normal <= 1, "minimum_normal_cosine", normal, "in -1 .. 1");
+  check(angle >= 0 && angle <= 180, "normal_angle", angle, "in 0 .. 180");
   const double distance = options.maximum_distance.value_or(1),
                width = options.boundary_width.value_or(0);
   check(distance > 0 && std::isfinite(distance), "maximum_distance", distance,
@@ -100,14 +102,15 @@ Color_back_projector::project(const Colored_scan& scan, std::size_t begin, std::
                               Back_projection& result) const {
   constexpr double boundary_spacings = 10;
   const double distance = maximum_distance(scan), spacing = scan.spacing(),
-               width = m_options.boundary_width.value_or(boundary_spacings * spacing);
+               width = m_options.boundary_width.value_or(boundary_spacings * spacing),
+               smallest_cosine = std::cos(m_options.normal_angle * CGAL_PI / 180);
   Colored_scan::Sampler sampler(scan);
   Scan_sample sample;
   for(std::size_t v = begin; v < end; ++v) {
     Vector_3 normal = m_normals[v];
     double facing = normal * internal::unit_or_zero((scan.viewpoint() - m_surface->point(v)) /
                                                     m_surface->extent());
-    if(!m_options.oriented_surface && facing < 0) {
+    if(!m_options.oriented && facing < 0) {
       facing = -facing;
       normal = -normal;
     }
@@ -115,7 +118,7 @@ Color_back_projector::project(const Colored_scan& scan, std::size_t begin, std::
       continue;
     ++result.number_of_facing_vertices;
     if(!sampler(m_surface->point(v), distance, sample) || sample.is_beyond_boundary ||
-       !(sample.normal * normal >= m_options.minimum_normal_cosine))
+       !(sample.normal * normal >= smallest_cosine))
       continue;
     const double of_distance = 1 - sample.distance / (2 * distance),
                  of_boundary = sample.boundary_distance < width

@@ -18,7 +18,7 @@ int main() {
   for(const Mesh::Vertex_index v : mesh.vertices())
     f[v] = mesh.point(v).z();
 
-  const auto report = RL::solve_poisson(mesh, f, u, RL::parameters::octree_depth(3));
+  const auto report = RL::solve_poisson(mesh, f, u, RL::parameters::depth(3));
 
   // Laplacian u = z has, by the symmetry of the icosahedron, a solution that is odd in z and of
   // the opposite sign.

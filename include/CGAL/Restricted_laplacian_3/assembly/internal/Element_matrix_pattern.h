@@ -68,7 +68,7 @@ public:
         count += number_of_bits(rows_of(element, word));
       outer[element + 1] = count;
     });
-    matrix.resizeNonZeros(sum_counts(outer + 1, n, "octree_depth", "matrix"));
+    matrix.resizeNonZeros(sum_counts(outer + 1, n, "depth", "matrix"));
     int* inner = matrix.innerIndexPtr();
     double* values = matrix.valuePtr();
     for_each_column([=](std::size_t element, Words& words) {

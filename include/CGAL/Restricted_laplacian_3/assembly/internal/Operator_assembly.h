@@ -56,9 +56,9 @@ class Operator_assembly {
 public:
   /// \param mass_weight of the mass matrix; may be null
   Operator_assembly(const Spline_space_3& space, const Mass_weight* mass_weight,
-                    double normal_stabilization, bool stabilizes_mass)
+                    double stabilization, bool stabilizes_mass)
     : m_space(space), m_octree(space.octree()), m_integration(space.integration()),
-      m_mass_weight(mass_weight), m_normal_stabilization(normal_stabilization),
+      m_mass_weight(mass_weight), m_normal_stabilization(stabilization),
       m_stabilizes_mass(stabilizes_mass) {}
 
   /// Assembles everything in one pass over the surface.

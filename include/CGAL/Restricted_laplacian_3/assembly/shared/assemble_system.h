@@ -34,7 +34,7 @@ struct Elliptic_operator {
   /// the name of \f$\alpha\f$ in errors
   const char* name_of_reaction = "alpha";
   /// factor \f$c\f$ of `assemble_operators()`
-  double normal_stabilization = 0;
+  double stabilization = 0;
 };
 
 /// The matrices of an elliptic operator on the levels from `coarsest` to depth, coarsest first.

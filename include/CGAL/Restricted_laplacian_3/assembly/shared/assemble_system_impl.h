@@ -25,7 +25,7 @@ namespace internal {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double checked_normal_stabilization(double c) {
   if(!(c >= 0 && std::isfinite(c)))
-    throw Parameter_error("normal_stabilization",
+    throw Parameter_error("stabilization",
                           "is " + std::to_string(c) +
                               ", but must be a finite number that is not negative");
   return c;
@@ -34,7 +34,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double checked_normal_stabilization(double c)
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE System_matrices
 assemble_system(const Spline_space_3& space, int coarsest, const Elliptic_operator& elliptic,
                 Stored_entries stored, const Progress& progress, Sparse_matrix* mass) {
-  checked_normal_stabilization(elliptic.normal_stabilization);
+  checked_normal_stabilization(elliptic.stabilization);
   std::optional<Mass_weight> weight;
   if(elliptic.reaction_function)
     weight = Mass_weight{*elliptic.reaction_function, elliptic.name_of_reaction};
@@ -61,7 +61,7 @@ assemble_system(const Spline_space_3& space, int coarsest, const Elliptic_operat
       result.constant_loads = result.integrals;
       finest.weighted_integrals = &result.constant_loads;
     }
-    Operator_assembly(space, weight ? &*weight : nullptr, elliptic.normal_stabilization, true)
+    Operator_assembly(space, weight ? &*weight : nullptr, elliptic.stabilization, true)
         .run(targets, progress.part(part_of_pattern, 1));
     if(!weight)
       result.constant_loads = elliptic.reaction * result.integrals;

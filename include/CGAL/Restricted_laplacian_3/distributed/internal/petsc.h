@@ -81,10 +81,9 @@ using Petsc_null_space = Petsc_handle<MatNullSpace, MatNullSpaceDestroy>;
 /// \throws Parameter_error if there are more numbers than PETSc's indices can hold
 inline PetscInt petsc_int(std::uint64_t number) {
   if(number > static_cast<std::uint64_t>((std::numeric_limits<PetscInt>::max)()))
-    throw Parameter_error("octree_depth", "gives more unknowns or entries, " +
-                                              std::to_string(number) +
-                                              ", than this PETSc can number: it needs one with "
-                                              "indices of 64 bits");
+    throw Parameter_error("depth", "gives more unknowns or entries, " + std::to_string(number) +
+                                       ", than this PETSc can number: it needs one with "
+                                       "indices of 64 bits");
   return static_cast<PetscInt>(number);
 }
 

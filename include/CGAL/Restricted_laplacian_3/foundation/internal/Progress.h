@@ -26,7 +26,7 @@ public:
 
   /// nobody listens
   Progress() = default;
-  /// \param callback may be empty
+  /// \param progress may be empty
   explicit Progress(Callback callback) {
     if(callback)
       m_listener = std::make_shared<Listener>(Listener{std::move(callback), 0});
@@ -48,7 +48,7 @@ public:
 
   /// Tells that a part is done; anything outside of 0 to 1 counts as one of these.
   /// \return `true`, as a callback does
-  /// \throws Canceled if the callback returns `false`
+  /// \throws Canceled if `progress` returns `false`
   bool operator()(double done) const {
     if(!m_listener)
       return true;
@@ -72,7 +72,7 @@ private:
 
 /// the `callback` among named parameters, if it is there
 template <class NamedParameters> Progress progress_of(const NamedParameters& np) {
-  return Progress(parameters::choose_parameter(parameters::get_parameter(np, internal_np::callback),
+  return Progress(parameters::choose_parameter(parameters::get_parameter(np, internal_np::progress),
                                                Progress::Callback()));
 }
 

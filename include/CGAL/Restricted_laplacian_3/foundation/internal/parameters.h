@@ -15,7 +15,7 @@
 
 /// \file
 /// The named parameters that this package takes, its own and some of \cgal. They chain in any
-/// order: `parameters::octree_depth(7).vertex_point_map(map).cube_scale(1.2)`.
+/// order: `parameters::depth(7).vertex_point_map(map).cube_scale(1.2)`.
 ///
 /// \cgal makes its own out of one list, which a package outside of its tree cannot extend, and
 /// names like `cycle` may be on that list one day. So names and tags are in namespaces of this
@@ -24,17 +24,17 @@
 
 // The list of this package's own. A new one is a line here, and its description in the manual.
 #define CGAL_RESTRICTED_LAPLACIAN_3_OWN_PARAMETERS(PARAMETER)                                      \
-  PARAMETER(octree_depth)                                                                          \
+  PARAMETER(depth)                                                                                 \
   PARAMETER(cube_scale)                                                                            \
-  PARAMETER(paper_space)                                                                           \
-  PARAMETER(split_elements)                                                                        \
+  PARAMETER(paper)                                                                                 \
+  PARAMETER(split)                                                                                 \
   PARAMETER(joining_tolerance)                                                                     \
   PARAMETER(maximum_memory)                                                                        \
-  PARAMETER(surface_geometry)                                                                      \
+  PARAMETER(geometry)                                                                              \
   PARAMETER(crease_angle)                                                                          \
   PARAMETER(edge_is_feature_map)                                                                   \
   PARAMETER(vertex_data)                                                                           \
-  PARAMETER(relative_tolerance)                                                                    \
+  PARAMETER(tolerance)                                                                             \
   PARAMETER(cycle)                                                                                 \
   PARAMETER(energy_tolerance)                                                                      \
   PARAMETER(smoothing_steps)                                                                       \
@@ -45,32 +45,36 @@
   PARAMETER(boundary_values)                                                                       \
   PARAMETER(has_boundary_value)                                                                    \
   PARAMETER(boundary_flux)                                                                         \
-  PARAMETER(constraint_values)                                                                     \
+  PARAMETER(constraints)                                                                           \
   PARAMETER(constraint_weight)                                                                     \
   PARAMETER(area_map)                                                                              \
-  PARAMETER(number_of_neighbors)                                                                   \
-  PARAMETER(smoothing_weight)                                                                      \
-  PARAMETER(refinement_steps)                                                                      \
+  PARAMETER(neighbors)                                                                             \
+  PARAMETER(samples)                                                                               \
+  PARAMETER(seed)                                                                                  \
+  PARAMETER(maximum_iterations)                                                                    \
+  PARAMETER(progress)                                                                              \
+  PARAMETER(smoothing)                                                                             \
+  PARAMETER(refinements)                                                                           \
   PARAMETER(pose)                                                                                  \
   PARAMETER(viewpoint)                                                                             \
   PARAMETER(minimum_facing_cosine)                                                                 \
-  PARAMETER(minimum_normal_cosine)                                                                 \
+  PARAMETER(normal_angle)                                                                          \
   PARAMETER(boundary_width)                                                                        \
-  PARAMETER(oriented_surface)                                                                      \
-  PARAMETER(gradient_source)                                                                       \
+  PARAMETER(oriented)                                                                              \
+  PARAMETER(gradients)                                                                             \
   PARAMETER(seam_weight)                                                                           \
   PARAMETER(quality_smoothing_steps)                                                               \
   PARAMETER(match_exposures)                                                                       \
   PARAMETER(linear_light)                                                                          \
-  PARAMETER(curvature_method)                                                                      \
-  PARAMETER(target_values)                                                                         \
-  PARAMETER(screening_weight)                                                                      \
-  PARAMETER(mean_value)                                                                            \
-  PARAMETER(vertex_details)                                                                        \
-  PARAMETER(normal_stabilization)                                                                  \
+  PARAMETER(method)                                                                                \
+  PARAMETER(target)                                                                                \
+  PARAMETER(alpha)                                                                                 \
+  PARAMETER(mean)                                                                                  \
+  PARAMETER(details)                                                                               \
+  PARAMETER(stabilization)                                                                         \
   PARAMETER(smoother)                                                                              \
   PARAMETER(maximum_distance)                                                                      \
-  PARAMETER(number_of_batches)                                                                     \
+  PARAMETER(batches)                                                                               \
   PARAMETER(sampling)                                                                              \
   PARAMETER(color_gradients)                                                                       \
   PARAMETER(details_tolerance)                                                                     \
@@ -81,14 +85,9 @@
   PARAMETER(vertex_point_t, vertex_point, vertex_point_map)                                        \
   PARAMETER(geom_traits_t, geom_traits, geom_traits)                                               \
   PARAMETER(vertex_normal_map_t, vertex_normal_map, vertex_normal_map)                             \
-  PARAMETER(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map)             \
   PARAMETER(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                   \
   PARAMETER(point_t, point_map, point_map)                                                         \
   PARAMETER(normal_t, normal_map, normal_map)                                                      \
-  PARAMETER(number_of_iterations_t, number_of_iterations, number_of_iterations)                    \
-  PARAMETER(callback_t, callback, callback)                                                        \
-  PARAMETER(number_of_samples_t, number_of_samples, number_of_samples)                             \
-  PARAMETER(random_seed_t, random_seed, random_seed)                                               \
   CGAL_RESTRICTED_LAPLACIAN_3_PARAMETERS_OF_THIS_CGAL(PARAMETER)
 
 #if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)

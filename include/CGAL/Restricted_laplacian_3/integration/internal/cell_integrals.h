@@ -260,14 +260,13 @@ public:
   /// one, else 0. If one of them is not 0, all of the sheet lies in walls.
   using Walls = std::array<int, 3>;
 
-  Sheet_stabilization(const Sheet_integrals& integrals, double normal_stabilization,
-                      const Walls& walls) {
+  Sheet_stabilization(const Sheet_integrals& integrals, double stabilization, const Walls& walls) {
     const double area = integrals.area();
     if(!(area > 0)) // no sample in the cell
       return;
     const double size = (std::min)(area / tiny_area, 1.);
     for(int k = 0; k < 6; ++k)
-      m_tensor[k] = normal_stabilization * size *
+      m_tensor[k] = stabilization * size *
                     (integrals.normals[k] / area + (k < 3 ? part_of_tangents * (1 - size) : 0));
     const auto number_of_walls = 3 - std::count(walls.begin(), walls.end(), 0);
     if(number_of_walls == 0) {

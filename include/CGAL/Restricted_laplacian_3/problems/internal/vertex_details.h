@@ -115,7 +115,7 @@ using Incomplete_cholesky =
 template <int K>
 void solve_vertex_system(const Eigen::SparseMatrix<double>& a, const Incomplete_cholesky& factor,
                          const Eigen::VectorXd& scale, const Eigen::MatrixXd& loads,
-                         double relative_tolerance, int maximum_iterations, Eigen::MatrixXd& x,
+                         double tolerance, int maximum_iterations, Eigen::MatrixXd& x,
                          Vertex_details_report& report) {
   const Eigen::Index n = x.rows(), count = x.cols();
   Block_vector<K> b = Block_vector<K>::Zero(n, K), y = Block_vector<K>::Zero(n, K);
@@ -128,7 +128,7 @@ void solve_vertex_system(const Eigen::SparseMatrix<double>& a, const Incomplete_
     q = factor.solve(p);
   };
   const auto project = [](Block_vector<K>&) {};
-  const Block_row<K> norm = dot<K>(b, b).sqrt(), target = relative_tolerance * norm;
+  const Block_row<K> norm = dot<K>(b, b).sqrt(), target = tolerance * norm;
   Block_vector<K> r = b - a * y;
   int iterations = 0;
   Conjugate_gradient_record<K> record;
@@ -158,9 +158,8 @@ void solve_vertex_system(const Eigen::SparseMatrix<double>& a, const Incomplete_
 /// outweigh the others in the residual.
 /// \param x values of the spline, and on return the solution; those that are not finite count as 0
 /// at vertices that have an equation, and are left alone elsewhere
-inline Vertex_details_report add_vertex_details(const Vertex_system& system,
-                                                double relative_tolerance, int maximum_iterations,
-                                                Eigen::MatrixXd& x) {
+inline Vertex_details_report add_vertex_details(const Vertex_system& system, double tolerance,
+                                                int maximum_iterations, Eigen::MatrixXd& x) {
   const Eigen::Index n = x.rows();
   Eigen::VectorXd scale(n);
   const Eigen::VectorXd diagonal = system.matrix.diagonal();
@@ -182,7 +181,7 @@ inline Vertex_details_report add_vertex_details(const Vertex_system& system,
     Eigen::MatrixXd channels = x.middleCols(first, count);
     const Eigen::MatrixXd loads = system.loads.middleCols(first, count);
     const auto solve = [&](auto size) {
-      solve_vertex_system<decltype(size)::value>(a, factor, scale, loads, relative_tolerance,
+      solve_vertex_system<decltype(size)::value>(a, factor, scale, loads, tolerance,
                                                  maximum_iterations, channels, report);
     };
     if(count == 1)

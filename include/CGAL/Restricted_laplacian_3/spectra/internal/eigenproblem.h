@@ -43,10 +43,10 @@ inline void check_eigenproblem(const Sparse_matrix& s, const Sparse_matrix& m, i
   if(s.rows() != s.cols() || m.rows() != m.cols() || s.rows() != m.rows())
     throw Parameter_error("m", "does not have the size of s, or they are not square");
   if(k < 1)
-    throw Parameter_error("k", "is " + std::to_string(k) + ", but must be positive");
+    throw Parameter_error("count", "is " + std::to_string(k) + ", but must be positive");
   if(k > s.rows())
-    throw Parameter_error("k", "is " + std::to_string(k) + ", but there are only " +
-                                   std::to_string(s.rows()) + " unknowns");
+    throw Parameter_error("count", "is " + std::to_string(k) + ", but there are only " +
+                                       std::to_string(s.rows()) + " unknowns");
   for(const Sparse_matrix* a : {&s, &m})
     if(!a->coeffs().allFinite())
       throw Parameter_error(a == &s ? "s" : "m", "has an entry that is not a finite number");
@@ -111,9 +111,9 @@ inline void dense_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int
   const Eigen::Index independent =
       rank_of(symmetric_eigenpairs(scaled(m, scale_of(m.diagonal())), "the mass matrix"));
   if(k > independent)
-    throw Parameter_error("k", "is " + std::to_string(k) + ", but the space has only " +
-                                   std::to_string(independent) +
-                                   " independent functions on the surface");
+    throw Parameter_error("count", "is " + std::to_string(k) + ", but the space has only " +
+                                       std::to_string(independent) +
+                                       " independent functions on the surface");
   const Eigen::MatrixXd shifted = Eigen::MatrixXd(s) - pairs.shift * Eigen::MatrixXd(m);
   const Eigen::VectorXd scale = scale_of(shifted.diagonal());
   const Symmetric_eigenpairs of_shifted =
@@ -143,8 +143,8 @@ inline bool is_solved_densely(const Sparse_matrix& s, const Sparse_matrix& m, in
   if(n >= smallest_iterative_problem && k <= n / unknowns_of_a_pair)
     return false;
   if(n > largest_dense_problem)
-    throw Parameter_error("k", "is more than a third of the " + std::to_string(n) +
-                                   " unknowns; that calls for a dense solver");
+    throw Parameter_error("count", "is more than a third of the " + std::to_string(n) +
+                                       " unknowns; that calls for a dense solver");
   dense_eigenpairs(s, m, k, pairs);
   return true;
 }

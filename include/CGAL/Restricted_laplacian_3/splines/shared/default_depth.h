@@ -15,7 +15,7 @@
 #include <vector>
 
 /// \file
-/// What `default_octree_depth()` says: of a whole surface, or from what is known of its parts.
+/// What `default_depth()` says: of a whole surface, or from what is known of its parts.
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
