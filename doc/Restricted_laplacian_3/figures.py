@@ -388,10 +388,11 @@ for name, tolerance in [("iterations", 1e-8), ("iterations_paper", 5e-3)]:
 
 def everywhere():
     """iterations, with * where the largest number was not enough"""
-    for r in rows("iterations_everywhere", "mesh", "problem", "c", "its"):
-        r["enough"] = not str(r["its"]).endswith("*")
-        r["its"] = int(str(r["its"]).rstrip("*"))
-        yield r
+    for of_cycle in rows("iterations_everywhere", "mesh", "depth", "c", "unknowns"):
+        for problem in list(of_cycle)[list(of_cycle).index("unknowns") + 1:]:
+            its = str(of_cycle[problem])
+            yield {"mesh": of_cycle["mesh"], "depth": of_cycle["depth"], "c": of_cycle["c"], "problem": problem,
+                   "its": int(its.rstrip("*")), "enough": not its.endswith("*")}
 
 
 def table_iterations_worst():

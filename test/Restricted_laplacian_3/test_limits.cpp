@@ -183,7 +183,7 @@ TEST_CASE("pairs_that_are_too_many_for_the_memory_are_refused", "[limits]") {
   const double memory = of_space + at_vertices / 2;
   const std::string message = refusal_of_pairs(memory);
   INFO(message);
-  CHECK(contains(message, "k is 100, which would take about "));
+  CHECK(contains(message, "count is 100, which would take about "));
   CHECK(contains(message, "and " + internal::memory_text(memory) + " are there; "));
   CHECK(contains(message, " would fit; without values at the vertices they would take "));
   CHECK(refusal_of_pairs(2 * of_space + 2 * at_vertices).empty());
@@ -204,7 +204,7 @@ TEST_CASE("pairs_that_are_too_many_for_the_memory_are_refused", "[limits]") {
     FAIL("no exception");
   } catch(const RL::Parameter_error& error) {
     INFO(error.what());
-    CHECK(contains(error.what(), "k is 1, which would take about "));
+    CHECK(contains(error.what(), "count is 1, which would take about "));
     CHECK(contains(error.what(), "; not even one would fit: choose a smaller depth"));
     CHECK_FALSE(contains(error.what(), "without values"));
   }
