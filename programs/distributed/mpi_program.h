@@ -233,7 +233,7 @@ inline void add_space(Summary& summary, const RL::Distributed_space& space,
   summary.add("depth", depth);
   summary.add("dimension", space.dimension(depth));
   summary.add_detail("sheets", space.number_of_sheets(depth));
-  summary.add_detail("split", space.level(depth).number_of_split_elements);
+  summary.add_detail("split_elements", space.level(depth).number_of_split_elements);
   if(!space.part().is_split())
     return;
   const std::uint64_t components = space.number_of_sheets(0);

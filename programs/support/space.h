@@ -85,7 +85,7 @@ inline void add_space(Summary& summary, const RL::Spline_space_3& space,
                           ", they remain flat");
   summary.add_detail("cells", octree.number_of_cells(space.depth()));
   summary.add_detail("sheets", octree.number_of_sheets(space.depth()));
-  summary.add_detail("split", space.number_of_split_elements(space.depth()));
+  summary.add_detail("split_elements", space.number_of_split_elements(space.depth()));
   // the whole surface is in the one cell of level 0
   if(!space.is_split())
     return;

@@ -387,7 +387,7 @@ test_poisson_table() {
       "$(echo "minimum -0.5 maximum 0.5 mean 0" | grep -o "$name [^ ]*" | cut -d' ' -f2)" 0.01
   done
   check "format of the table" has_table_format table.csv vertex,value
-  for name in vertices faces depth dimension cells sheets split components \
+  for name in vertices faces depth dimension cells sheets split_elements components \
     kernel_dimension area setup_seconds assembly_seconds solve_seconds iterations \
     relative_residual; do
     check "comment $name is a number" is_near "$(comment $name table.csv)" 0 1e6
@@ -826,7 +826,7 @@ test_spectrum() {
   check "format of the table" has_table_format s.csv index,eigenvalue
   check "as many eigenvalues as asked for" [ "$(numbers s.csv | wc -l)" -eq 16 ]
   check "eigenvalues of the sphere" has_sphere_spectrum s.csv 1e-2
-  for name in vertices faces depth dimension cells sheets split components area \
+  for name in vertices faces depth dimension cells sheets split_elements components area \
     assembly_seconds solve_seconds; do
     check "comment $name is a number" is_near "$(comment $name s.csv)" 0 1e6
   done
@@ -1475,14 +1475,14 @@ PLATES
   check "plates that are near have a sheet each in a cell" \
     [ $((2 * $(comment sheets split.csv))) -eq $((3 * $(comment cells split.csv))) ]
   check "and share no element" \
-    [ $((3 * $(comment split split.csv))) -eq $((2 * $(comment dimension split.csv))) ]
+    [ $((3 * $(comment split_elements split.csv))) -eq $((2 * $(comment dimension split.csv))) ]
   check "each has its constants" [ "$(comment kernel_dimension split.csv)" = 3 ]
   check "--no-split: they are one" \
     [ $((3 * $(comment dimension unsplit.csv))) -eq $((2 * $(comment dimension split.csv))) ]
   check "--no-split: and have one constant" [ "$(comment kernel_dimension unsplit.csv)" = 2 ]
   for options in --no-split --paper; do
     succeeds laplace_spectrum plates.off --depth 4 $options --csv unsplit.csv
-    check "$options: no element is split" [ "$(comment split unsplit.csv)" = 0 ]
+    check "$options: no element is split" [ "$(comment split_elements unsplit.csv)" = 0 ]
   done
 }
 
