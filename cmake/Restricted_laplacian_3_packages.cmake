@@ -80,6 +80,10 @@ mark_as_advanced(DPKG_SHLIBDEPS)
 if(DPKG_SHLIBDEPS)
   set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
 endif()
+if(BUILD_SHARED_LIBS)
+  set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS
+    "${CPACK_DEBIAN_COMPILED_PACKAGE_NAME} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+endif()
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION
 "Programs for the command line that solve Poisson problems on surfaces, compute
 spectra, descriptors, curvature and distances, fit functions, and color meshes

@@ -28,8 +28,8 @@ CONSTANTS = (
 # What has a default in Python, or an option in a program, and is no named parameter of C++: data, places
 # and files; what is returned and shown; and numbers that C++ takes as arguments. `threads` is the
 # `concurrency_tag` of CGAL, which is a type.
-PYTHON_ONLY = """F F areas as_spline barycentric boundary cache check colors count dtype energies exact f faces first
-    guess height isolines labels level lines longest_side name names normalization normals number orthonormal other
+PYTHON_ONLY = """F areas as_spline barycentric boundary check colors count energies exact f faces first
+    guess height isolines labels level lines longest_side name names normalization normals number orthonormal
     patterns points processes range refine report return_report scaled scans segments sigma sources stabilize_mass
     start subdivisions threads times title up v values vertex_normals""".split()
 PROGRAMS_ONLY = """assembly beside boundary boundary-property clip column columns compare count csv descriptor
@@ -152,6 +152,8 @@ def compare_words(names, of_python, of_programs):
                if word.removeprefix("no-").replace("-", "_") not in names]
     errors += [f"{word} is a named parameter of C++, too" for word in sorted(
         names & {*PYTHON_ONLY, *(word.replace("-", "_") for word in PROGRAMS_ONLY)})]
+    errors += [f"Python has no argument {word}" for word in PYTHON_ONLY if word not in of_python]
+    errors += [f"no program has the option --{word}" for word in PROGRAMS_ONLY if word not in of_programs]
     table = ["| C++ and Python | programs |", "|---|---|"]
     for name in sorted(names):
         word = name.replace("_", "-")

@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from typing import Any, Optional
 
-# what the parameters of the C++ library are called here
-
 
 class InputError(ValueError):
     """An argument cannot be used.

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -168,6 +169,10 @@ TEST_CASE("values_at_vertices_are_held", "[constraints]") {
         REQUIRE(u[v] == Approx(1).margin(5e-3));
     }
   }
+  value[south] = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH(
+      static_cast<void>(RL::solve_poisson(mesh, zero, u, params::depth(3).constraints(value))),
+      Catch::Contains("constraints has an infinite value at vertex 5"));
   const RL::Spline_space_3 space(mesh, params::depth(3));
   RL::Point_constraints constraints(space);
   RL::Surface_location nowhere;

@@ -4,9 +4,9 @@
 # Makes all packages of the project ROOT, which is built in BUILD_DIR, and unpacks them into
 # OUTPUT_DIR/deb (those of Debian), OUTPUT_DIR/archive and OUTPUT_DIR/source. The first two must hold what
 # is installed in PREFIX, those of Debian without the programs for several machines, and the last one what
-# belongs to the sources. If there is a LIBRARY, its package is for ARCHITECTURE, as that of the programs, and DEPENDS is
-# what it depends on besides the headers.
-# Without DPKG_DEB the Debian packages are only made; with LINTIAN they must have no error.
+# belongs to the sources. If there is a LIBRARY, its package is for ARCHITECTURE, as that of the programs,
+# and DEPENDS is what it depends on besides the headers. Without DPKG_DEB the Debian packages are only
+# made; with LINTIAN they must have no error.
 
 cmake_minimum_required(VERSION 3.19)
 
