@@ -114,7 +114,8 @@ void study_boundary(const Options& o) {
               "error", "order");
   for(const Case& c : cases())
     for(const int depth : o.depths) {
-      const RL::Spline_space_3 space(c.surface.points, c.surface.faces, params::depth(depth));
+      const RL::Spline_space_3 space(RL::soup(c.surface.points, c.surface.faces),
+                                     params::depth(depth));
       const auto f = [](const RL::Surface_point&) { return 0.; };
       const auto g = [&](const RL::Surface_point& p) {
         return c.u.value(p.point.x(), p.point.y());
@@ -149,7 +150,7 @@ void study_one_value(const Options& o) {
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
   constexpr std::size_t vertex = 7;
   for(const int depth : o.depths) {
-    const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(depth));
+    const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(depth));
     std::vector<double> at_zero;
     for(const double value : {0., 1., 100., 1e4, 1e8}) {
       RL::Poisson_problem problem(f);
@@ -178,7 +179,7 @@ void study_two_sides(const Options& o) {
   const Triangles square = shapes::grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
   const auto f = [](const RL::Surface_point&) { return 0.; };
   for(const int depth : o.depths) {
-    const RL::Spline_space_3 space(square.points, square.faces, params::depth(depth));
+    const RL::Spline_space_3 space(RL::soup(square.points, square.faces), params::depth(depth));
     RL::Poisson_problem problem(f);
     for(const RL::Point_3& p : square.points)
       problem.vertex_values.push_back(

@@ -93,7 +93,7 @@ struct Colored_mesh {
       throw std::runtime_error("cannot read " + file);
     colors = programs::read_colors(file);
     solution.resize(points.size());
-    const RL::Triangulated_surface_3 surface = RL::read_surface(points, triangles);
+    const RL::Triangulated_surface_3 surface = RL::read_surface(RL::soup(points, triangles));
     area = surface.area();
     areas.assign(points.size(), 0.);
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
@@ -102,7 +102,7 @@ struct Colored_mesh {
   }
 
   auto color_map() const { return CGAL::make_property_map(colors); }
-  auto gradients() const { return RL::vertex_gradients(points, triangles, color_map()); }
+  auto gradients() const { return RL::vertex_gradients(RL::soup(points, triangles), color_map()); }
 };
 
 struct Row {
@@ -139,7 +139,7 @@ void print(const Colored_mesh& m, const Row& row) {
 void write(const Options& o, const Colored_mesh& m, const Row& row) {
   if(o.folder.empty())
     return;
-  const RL::Triangulated_surface_3 surface = RL::read_surface(m.points, m.triangles);
+  const RL::Triangulated_surface_3 surface = RL::read_surface(RL::soup(m.points, m.triangles));
   const std::string file = o.folder + "/" + m.name;
   programs::write_mesh(file + ".ply", surface, m.colors);
   programs::write_mesh(file + "_d" + std::to_string(row.depth) + "_" + row.method + ".ply", surface,
@@ -152,7 +152,7 @@ void integrate(const Options& o, Colored_mesh& m, Row row, const std::string& me
   CGAL::Real_timer timer;
   timer.start();
   row.method = method;
-  row.report = RL::integrate_gradient_field(m.points, m.triangles, m.gradients(),
+  row.report = RL::integrate_gradient_field(RL::soup(m.points, m.triangles), m.gradients(),
                                             CGAL::make_property_map(m.solution), np);
   row.total_seconds = timer.time();
   print(m, row);
@@ -173,8 +173,8 @@ void run(const Options& o, Colored_mesh& m, const std::string& space, int depth)
   Row row;
   row.depth = depth;
   row.space = space;
-  row.unknowns =
-      RL::Spline_space_3(m.points, m.triangles, all(params::default_values())).dimension();
+  row.unknowns = RL::Spline_space_3(RL::soup(m.points, m.triangles), all(params::default_values()))
+                     .dimension();
   integrate(o, m, row, "guess", cycles(0));
   integrate(o, m, row, "w_cycle", cycles(1));
   if(is_paper)
@@ -195,8 +195,9 @@ void run_cholmod(Colored_mesh& m) {
   row.method = "cholmod";
   const auto field = m.gradients();
   auto system = RL::internal::vertex_system(
-      RL::read_surface(m.points, m.triangles), field, [](const RL::Surface_point*, std::size_t) {},
-      [](std::size_t) { return 0.; }, [](std::size_t) -> const double* { return nullptr; }, 0);
+      RL::read_surface(RL::soup(m.points, m.triangles)), field,
+      [](const RL::Surface_point*, std::size_t) {}, [](std::size_t) { return 0.; },
+      [](std::size_t) -> const double* { return nullptr; }, 0);
   row.unknowns = static_cast<std::size_t>(system.matrix.cols());
   row.report.assembly_seconds = timer.time();
   system.matrix.coeffRef(0, 0) *= 2;

@@ -289,7 +289,7 @@ Soup read_soup(const std::string& name) {
 }
 
 RL::Triangulated_surface_3 surface_of(const Soup& soup) {
-  return RL::read_surface(soup.points, soup.faces);
+  return RL::read_surface(RL::soup(soup.points, soup.faces));
 }
 
 /// The vertices of each of the scans that a file of poses lists, with normals from the faces around

@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Matrices of Eigen in, vectors out: a row of V is a vertex, a row of F a triangle. There is no
-// mesh data structure.
+// Matrices of Eigen in, vectors out: a row of V is a vertex, a row of F a face. There is no mesh
+// data structure.
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
@@ -21,12 +22,12 @@
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = RL::parameters;
 
-// Solves Laplacian u = f, with f and u at the vertices. Rows are a range of points, or triangles.
+// Solves Laplacian u = f, with f and u at the vertices. Rows are a range of points, or faces.
 Eigen::VectorXd solve(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
                       const Eigen::VectorXd& f) {
   Eigen::VectorXd u(V.rows());
   const RL::Solve_report report =
-      RL::solve_poisson(V.rowwise(), F.rowwise(), CGAL::make_property_map(f.data()),
+      RL::solve_poisson(RL::soup(V.rowwise(), F.rowwise()), CGAL::make_property_map(f.data()),
                         CGAL::make_property_map(u.data()), params::depth(5));
   if(!report.converged)
     throw std::runtime_error("the solver did not converge");
@@ -37,12 +38,12 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
 // rows belong to splines: vertices come in with the load, and out with the values at the end.
 Eigen::VectorXd diffuse(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
                         const Eigen::VectorXd& f, double time) {
-  const RL::Spline_space_3 space(V.rowwise(), F.rowwise(), params::depth(5));
+  const RL::Spline_space_3 space(RL::soup(V.rowwise(), F.rowwise()), params::depth(5));
   const RL::Operators operators = RL::assemble_operators(space);
   std::cout << V.rows() << " vertices; S has " << operators.stiffness.rows() << " rows\n";
 
-  const Eigen::VectorXd load =
-      RL::assemble_load(space, RL::index_function(V.rows(), CGAL::make_property_map(f.data())));
+  const Eigen::VectorXd load = RL::assemble_load(
+      space, RL::vertex_function(space.surface(), CGAL::make_property_map(f.data())));
   const RL::Poisson_solver solver = RL::make_poisson_solver(space, operators, 1 / time);
   Eigen::VectorXd eta;
   if(!solver.solve(load / time, eta).converged)
@@ -52,18 +53,17 @@ Eigen::VectorXd diffuse(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
 }
 
 int main() {
-  // the unit square, each of n x n squares divided into two triangles
+  // the unit square, divided into n x n squares
   const int n = 40;
   Eigen::MatrixXd V((n + 1) * (n + 1), 3);
-  Eigen::MatrixXi F(2 * n * n, 3);
+  Eigen::MatrixXi F(n * n, 4);
   for(int i = 0; i <= n; ++i)
     for(int j = 0; j <= n; ++j)
       V.row(i * (n + 1) + j) << double(i) / n, double(j) / n, 0;
   for(int i = 0; i < n; ++i)
     for(int j = 0; j < n; ++j) {
       const int a = i * (n + 1) + j, b = a + n + 1;
-      F.row(2 * (i * n + j)) << a, b, b + 1;
-      F.row(2 * (i * n + j) + 1) << a, b + 1, a + 1;
+      F.row(i * n + j) << a, b, b + 1, a + 1;
     }
 
   // an eigenfunction: its Laplacian is -pi^2 f, and it does not change across the boundary

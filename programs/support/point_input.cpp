@@ -6,7 +6,7 @@
 #include "program.h"
 #include "vertex_data.h"
 
-#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -37,7 +37,7 @@ Mesh_input read_mesh_or_points(const std::string& file, int neighbors, const Cal
                       .neighbors(neighbors)
                       .concurrency_tag(CGAL::Parallel_if_available_tag());
   try {
-    return {RL::read_point_set(mesh.points, np), false};
+    return {RL::read_surface(mesh.points, np), false};
   } catch(const RL::Parameter_error&) {
     throw;
   } catch(const RL::Input_error& e) {

@@ -9,7 +9,7 @@
 #include "vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 
 #include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
@@ -49,10 +49,10 @@ RL::Triangulated_surface_3 surface_of_scan(const std::vector<RL::Point_3>& point
         scan, neighbors, CGAL::parameters::point_map(point_map).normal_map(normal_map));
   }
   // the areas that points stand for do not matter
-  return RL::read_point_set(
-      scan, RL::parameters::point_map(point_map)
-                .normal_map(normal_map)
-                .area_map(CGAL::Constant_property_map<Point_with_normal, double>(1)));
+  return RL::read_surface(scan,
+                          RL::parameters::point_map(point_map)
+                              .normal_map(normal_map)
+                              .area_map(CGAL::Constant_property_map<Point_with_normal, double>(1)));
 }
 
 } // namespace

@@ -129,7 +129,7 @@ class DistanceFunction(Viewable):
         Parameters
         ----------
         faces : array_like, (N,)
-            Numbers of faces.
+            Rows of `Space.triangles`: of F, if its faces are triangles.
         barycentric : array_like, (N, 3)
             Coordinates with respect to their vertices.
 
@@ -272,7 +272,7 @@ class Geodesics:
     @property
     def number_of_faces(self) -> int:
         """Number of rows of F; of points without faces their number."""
-        return self._surface.number_of_faces  # type: ignore[no-any-return,unused-ignore]
+        return self._surface.number_of_polygons  # type: ignore[no-any-return,unused-ignore]
 
     def _query(self, exact: bool, progress: Progress) -> Any:
         return _core.DistanceQuery(bool(exact), self._maximum_memory, self._threads,

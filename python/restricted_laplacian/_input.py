@@ -9,7 +9,7 @@ import copyreg
 import functools
 import sys
 import time
-from typing import Any, Callable, Optional, TypeVar, Union
+from typing import Any, Callable, NamedTuple, Optional, TypeVar, Union
 
 import numpy as np
 
@@ -113,18 +113,31 @@ def listener(progress: Progress) -> Optional[Callable[[float], Any]]:
     return progress
 
 
-def divided(V: Any, sizes: np.ndarray, corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Points and triangles of polygons: numbers of their corners, and the corners in a row."""
-    points = numbers(V, "V", np.float64)
-    if (sizes == 3).all():
-        return points, corners.reshape(-1, 3)
-    # as read_mesh() divides them, which knows them as lists
-    lists = np.insert(corners, np.concatenate([[0], np.cumsum(sizes)[:-1]]), sizes)
-    text = (f"# vtk DataFile Version 3.0\n\nBINARY\nDATASET POLYDATA\nPOINTS {len(points)} double\n").encode()
-    text += points.astype(">f8").tobytes() + f"\nPOLYGONS {len(sizes)} {len(lists)}\n".encode()
-    text += np.clip(lists, -1, 2 ** 31 - 1).astype(">i4").tobytes()
-    surface = _core.Surface.of_bytes("mesh.vtk", text)
-    return surface.points(), surface.faces()
+class Polygons(NamedTuple):
+    """Faces with any number of corners."""
+    corners: np.ndarray  #: numbers of points, one face after the other
+    sizes: np.ndarray  #: number of corners of each face
+
+
+def polygons_of(F: Any) -> Optional[Polygons]:
+    """Faces, given as rows of more than three columns or as lists, that are not all triangles."""
+    if isinstance(F, Polygons):
+        return F
+    if isinstance(F, (list, tuple)) or getattr(F, "dtype", None) == np.dtype(object):
+        try:
+            sizes = np.array([len(face) for face in F], np.int64)
+        except TypeError:  # not a list of lists
+            return None
+        if len(np.unique(sizes)) > 1:
+            return Polygons(np.concatenate([numbers(face, "F").ravel() for face in F if len(face)]), sizes)
+    array = numbers(F, "F")
+    if array.ndim != 2 or array.shape[1] <= 3:
+        return None
+    return Polygons(array.ravel(), np.full(len(array), array.shape[1], np.int64))
+
+
+def _triangles_or_polygons(corners: np.ndarray, sizes: np.ndarray) -> Any:
+    return corners.reshape(-1, 3) if (sizes == 3).all() else Polygons(corners, sizes)
 
 
 def _of_vtk(mesh: Any) -> tuple[Any, Any]:
@@ -139,9 +152,8 @@ def _of_vtk(mesh: Any) -> tuple[Any, Any]:
     polygons = mesh.GetPolys()
     if mesh.GetPoints() is None or polygons.GetNumberOfCells() == 0:
         raise argument_error("V", "is a mesh without faces")
-    return divided(vtk_to_numpy(mesh.GetPoints().GetData()),
-                   np.diff(vtk_to_numpy(polygons.GetOffsetsArray())),
-                   vtk_to_numpy(polygons.GetConnectivityArray()))
+    corners, sizes = (vtk_to_numpy(a) for a in (polygons.GetConnectivityArray(), polygons.GetOffsetsArray()))
+    return vtk_to_numpy(mesh.GetPoints().GetData()), _triangles_or_polygons(corners, np.diff(sizes))
 
 
 def _of_meshio(mesh: Any) -> tuple[Any, Any]:
@@ -153,8 +165,8 @@ def _of_meshio(mesh: Any) -> tuple[Any, Any]:
     points = np.asarray(mesh.points)
     if points.ndim == 2 and points.shape[1] == 2:  # in a plane
         points = np.column_stack([points, np.zeros(len(points))])
-    return divided(points, np.concatenate([np.full(len(f), f.shape[1]) for f in faces]),
-                   np.concatenate([f.ravel() for f in faces]))
+    return points, _triangles_or_polygons(np.concatenate([f.ravel() for f in faces]),
+                                          np.concatenate([np.full(len(f), f.shape[1]) for f in faces]))
 
 
 def _of_gifti(mesh: Any) -> tuple[Any, Any]:
@@ -167,8 +179,16 @@ def _of_gifti(mesh: Any) -> tuple[Any, Any]:
 def _is_pair(value: Any) -> bool:
     """Whether it is (V, F), and not rows of V."""
     try:
-        return len(value) == 2 and all(np.ndim(a) == 2 for a in value)
-    except ValueError:  # ragged lists
+        return len(value) == 2 and np.ndim(value[0]) == 2 and (
+            isinstance(value[1], Polygons) or np.ndim(value[1]) == 2)
+    except ValueError:  # lists of different lengths, which are polygons
+        return np.ndim(value[0]) == 2 if _is_table(value[0]) else False
+
+
+def _is_table(value: Any) -> bool:
+    try:
+        return np.ndim(value) == 2
+    except ValueError:
         return False
 
 
@@ -242,7 +262,11 @@ def make_surface(V: Any, F: Any = None, *, normals: Any = None, areas: Any = Non
     if F is not None:
         if normals is not None or areas is not None:
             raise argument_error("normals", "and areas belong to points without faces")
-        return _core.Surface.of_triangles(numbers(V, "V"), numbers(F, "F"))
+        polygons = polygons_of(F)
+        if polygons is None:
+            return _core.Surface.of_triangles(numbers(V, "V"), numbers(F, "F"))
+        return _core.Surface.of_polygons(numbers(V, "V"), numbers(polygons.corners, "F"),
+                                         np.ascontiguousarray(polygons.sizes, np.int64))
     if areas is not None:
         areas = numbers(areas, "areas", np.float64).ravel()
     if neighbors is None:
@@ -258,14 +282,15 @@ def _surface_again(points: np.ndarray, faces: Any, normals: Any, areas: Any) -> 
     """What pickle calls."""
     if faces is None:
         return _core.Surface.of_points(points, normals, areas, _core.default_neighbors, 0)
-    return _core.Surface.of_triangles(points, faces)
+    return make_surface(points, faces)
 
 
 def surface_state(surface: _core.Surface) -> tuple[Any, Any, Any, Any]:
     """Points, faces, normals and areas; without faces, or without the others."""
     if surface.is_point_set:
         return surface.points(), None, surface.face_normals(), surface.face_areas()
-    return surface.points(), surface.faces(), None, None
+    faces = Polygons(*surface.polygons()) if surface.has_polygons else surface.faces()
+    return surface.points(), faces, None, None
 
 
 # a flat one; a smooth geometry is what a space knows
@@ -277,15 +302,34 @@ class Corners:
 
     Parameters
     ----------
-    values : array_like, (m, 3) or (m, 3, 3) or (m, 3, 3, K)
-        Of each face, at its first, second and third vertex: a number; a vector; or the columns of
-        a matrix, a vector for each channel.
+    values : array_like, (m, k) or (m, k, 3) or (m, k, 3, K), or a list of such without the first axis
+        Of each face, at its k corners: a number; a vector; or the columns of a matrix, a vector for
+        each channel. A list where faces have different numbers of corners.
     """
 
     def __init__(self, values: Any) -> None:
-        self.values = numbers(values, "values", np.float64)
-        if self.values.ndim not in (2, 3, 4) or self.values.shape[1] != 3:
-            raise argument_error("values", "must have the shape (m, 3), (m, 3, 3) or (m, 3, 3, K)")
+        self.sizes: Optional[np.ndarray] = None
+        polygons = [] if isinstance(values, np.ndarray) else list(values)
+        if len({np.shape(face)[:1] for face in polygons}) > 1:
+            self.sizes = np.array([len(face) for face in polygons])
+            self.values = np.concatenate([numbers(face, "values", np.float64) for face in polygons])[:, np.newaxis]
+        else:
+            self.values = numbers(values, "values", np.float64)
+        if self.values.ndim not in (2, 3, 4) or (self.sizes is None and self.values.shape[1] < 3):
+            raise argument_error("values", "must have the shape (m, k), (m, k, 3) or (m, k, 3, K)")
+
+    def _of_triangles(self, surface: _core.Surface, name: str) -> np.ndarray:
+        """The values at the corners of the triangles, one after the other."""
+        sizes = np.full(len(self.values), self.values.shape[1]) if self.sizes is None else self.sizes
+        expected = surface.polygons()[1] if surface.has_polygons else np.full(surface.number_of_faces, 3)
+        if not np.array_equal(sizes, expected):
+            raise argument_error(name, f"has values at {sizes.sum()} corners of {len(sizes)} faces, but there are "
+                                 f"{len(expected)} faces with {expected.sum()} corners")
+        values = self.values.reshape(-1, *self.values.shape[2:])
+        if not surface.has_polygons:
+            return values
+        first = np.cumsum(sizes) - sizes
+        return values[(first[surface.polygons_of_faces()][:, np.newaxis] + surface.corners_of_polygons()).ravel()]
 
 
 def _check_finite(array: np.ndarray, surface: _core.Surface, name: str, at: str) -> None:
@@ -305,6 +349,8 @@ def _check_finite(array: np.ndarray, surface: _core.Surface, name: str, at: str)
         return
     kind = "vertex" if at == "vertices" or surface.is_point_set else "face"
     number = int(bad[0]) // (3 if at == "corners" else 1)
+    if at != "vertices" and surface.has_polygons:
+        number = int(surface.polygons_of_faces()[number])
     value = array[bad[0]][~np.isfinite(array[bad[0]])][0]
     error = argument_error(name, f"is {value} at {kind} {number}")
     setattr(error, kind, number)
@@ -340,11 +386,11 @@ def as_function(f: Any, surface: _core.Surface, name: str, vectors: bool = False
     at = ""
     if isinstance(f, Corners):
         at = "corners"
-        f = f.values.reshape(-1, *f.values.shape[2:])
+        f = f._of_triangles(surface, name)
     array = numbers(f, name, np.float64)
-    n, m = surface.number_of_vertices, surface.number_of_faces
+    n, m = surface.number_of_vertices, surface.number_of_polygons
     if array.ndim == 0 and not vectors:
-        return _core.array_function(np.full((m, 1), float(array)), "faces")
+        return _core.array_function(np.full((surface.number_of_faces, 1), float(array)), "faces")
     if array.ndim == 0:
         raise argument_error(name, "must be an array of vectors")
     length = array.shape[0]
@@ -353,6 +399,9 @@ def as_function(f: Any, surface: _core.Surface, name: str, vectors: bool = False
             raise argument_error(
                 name, f"has {length} rows, but there are {n} vertices and {m} faces")
         at = "vertices" if length == n else "faces"
+        if at == "faces" and surface.has_polygons:
+            array = array[surface.polygons_of_faces()]
+            length = len(array)
     if vectors and array.ndim == 3:
         array = np.moveaxis(array, 2, 1)
     if array.ndim > (3 if vectors else 2):

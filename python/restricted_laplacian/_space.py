@@ -189,8 +189,9 @@ class Space:
     V : array_like, (n, 3)
         Points of any type of numbers; or a mesh with ``.vertices`` and ``.faces`` (trimesh), or
         one of meshio, in place of `V` and `F`.
-    F : array_like, (m, 3), optional
-        Numbers of three points for each triangle. The triangles need not form a manifold.
+    F : array_like, (m, k), or list of lists, optional
+        Numbers of the points at the corners of each face, three or more, in a list of lists as many
+        as each has. The faces need not form a manifold.
     normals : array_like, (n, 3), optional
         For points without faces.
     areas : array_like, (n,), optional
@@ -330,9 +331,17 @@ class Space:
         return self._surface.number_of_vertices
 
     @property
+    def triangles(self) -> np.ndarray:
+        """(k, 3) rows of V: the triangles that the faces are divided into, to which locations refer.
+
+        They are the rows of F if these are triangles. Points without faces have none.
+        """
+        return np.zeros((0, 3), int) if self._surface.is_point_set else self._surface.faces()
+
+    @property
     def number_of_faces(self) -> int:
         """Number of rows of F; of points without faces their number."""
-        return self._surface.number_of_faces
+        return self._surface.number_of_polygons
 
     def _function(self, f: Any, name: str, vectors: bool = False, *, everywhere: bool = True
                   ) -> _core.Function:
@@ -481,7 +490,7 @@ class Space:
         Parameters
         ----------
         faces : array_like, (N,), optional
-            Numbers of faces.
+            Rows of `Space.triangles`: of F, if its faces are triangles.
         barycentric : array_like, (N, 3), optional
             Coordinates with respect to their vertices.
 
@@ -620,7 +629,7 @@ class SplineFunction(Viewable):
         Parameters
         ----------
         faces : array_like, (N,)
-            Numbers of faces.
+            Rows of `Space.triangles`: of F, if its faces are triangles.
         barycentric : array_like, (N, 3), optional
             Coordinates with respect to their vertices; of point sets none.
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from . import _core
 from ._errors import InputError, argument_error
-from ._input import mesh_arrays, numbers, takes_surface
+from ._input import make_surface, mesh_arrays, numbers, polygons_of, takes_surface
 
 _VIEWER = pathlib.Path(__file__).with_name("viewer.html")
 
@@ -140,6 +140,8 @@ class View:
                  title: str = "Surface", isolines: int = 0, up: str = "y", first: int = 0) -> None:
         if F is None and normals is None:
             V, F = mesh_arrays(V) or (V, None)
+        if F is not None and polygons_of(F) is not None:
+            F = make_surface(V, F).faces()
         points = _three_columns(V, "V")
         n = len(points)
         faces = None if F is None else _faces(F, n)

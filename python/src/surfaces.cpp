@@ -17,6 +17,7 @@
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/Surface_builder.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <nanobind/stl/optional.h>
@@ -86,6 +87,27 @@ std::vector<Surface::Triangle> read_faces(const Array& a, std::size_t number_of_
   return result;
 }
 
+// polygons: the numbers of their corners, and the corners in a row
+Surface make_polygons(
+    const Array& v, const Array& corners,
+    const nb::ndarray<const std::int64_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>& sizes) {
+  RL::internal::Surface_builder builder;
+  const std::vector<RL::Point_3> points = read_rows<RL::Point_3>(v, "V");
+  builder.reserve(points.size(), sizes.size());
+  for(const RL::Point_3& p : points)
+    builder.add_point(p);
+  std::vector<std::uint32_t> polygon;
+  visit_numbers(corners, "F", [&](const auto* data) {
+    for(std::size_t i = 0; i < sizes.size(); ++i) {
+      polygon.clear();
+      for(std::int64_t k = 0; k < sizes.data()[i]; ++k, data += corners.stride(0))
+        polygon.push_back(read_index(*data, i, points.size()));
+      builder.add_polygon(polygon);
+    }
+  });
+  return std::move(builder).surface();
+}
+
 Surface make_surface(const Array& v, const Array& f) {
   std::vector<RL::Point_3> points = read_rows<RL::Point_3>(v, "V");
   std::vector<Surface::Triangle> faces = read_faces(f, points.size());
@@ -134,6 +156,24 @@ void warn(const std::string& file, const std::vector<std::string>& warnings) {
   for(const std::string& warning : warnings)
     if(PyErr_WarnEx(PyExc_UserWarning, ("'" + file + "': " + warning).c_str(), 2) < 0)
       throw nb::python_error();
+}
+
+// numbers of the corners of the polygons, and the corners in a row
+nb::tuple polygons_of(const Surface& surface) {
+  std::vector<std::int64_t> sizes, corners;
+  for(std::size_t face = 0, polygon = 0; polygon < surface.number_of_polygons(); ++polygon) {
+    constexpr std::int64_t none = -1;
+    std::vector<std::int64_t> vertices(surface.size_of_polygon(polygon), none);
+    for(; face < surface.number_of_faces() && surface.polygon(face) == polygon; ++face)
+      for(int k = 0; k < 3; ++k)
+        vertices[surface.corner_of_polygon(face, k)] = surface.triangle(face)[k];
+    for(std::size_t k = 1; k < vertices.size(); ++k)
+      if(vertices[k] == none) // the point before once more
+        vertices[k] = vertices[k - 1];
+    sizes.push_back(static_cast<std::int64_t>(vertices.size()));
+    corners.insert(corners.end(), vertices.begin(), vertices.end());
+  }
+  return nb::make_tuple(array_of_rows(std::move(corners), 1), array_of_rows(std::move(sizes), 1));
 }
 
 // the surface of a file; faces that are not triangles have been divided
@@ -297,6 +337,7 @@ nb::tuple derivatives(const RL::Spline_space_3& space, const Rows& coefficients,
 void add_surfaces(nb::module_& m) {
   nb::class_<Surface>(m, "Surface")
       .def_static("of_triangles", &make_surface, "V"_a, "F"_a)
+      .def_static("of_polygons", &make_polygons, "V"_a, "corners"_a, "sizes"_a)
       .def_static("of_file", &read_mesh, "file"_a, "progress"_a.none())
       .def_static("of_bytes", &read_mesh_of_bytes, "file"_a, "bytes"_a)
       .def_static("of_points", &make_point_surface, "V"_a, "normals"_a, "areas"_a.none(),
@@ -311,6 +352,21 @@ void add_surfaces(nb::module_& m) {
       .def_prop_ro("number_of_degenerate_faces", &Surface::number_of_degenerate_faces)
       .def_prop_ro("is_point_set", &Surface::is_point_set)
       .def_prop_ro("area", nb::overload_cast<>(&Surface::area, nb::const_))
+      .def_prop_ro("has_polygons", &Surface::has_polygons)
+      .def_prop_ro("number_of_polygons", &Surface::number_of_polygons)
+      .def("polygons", &polygons_of)
+      .def("polygons_of_faces",
+           [](const Surface& s) {
+             return array_of_faces<std::int64_t>(
+                 s, 1, [&](std::size_t i, auto& result) { result.push_back(s.polygon(i)); });
+           })
+      .def("corners_of_polygons",
+           [](const Surface& s) {
+             return array_of_faces<std::int64_t>(s, 3, [&](std::size_t i, auto& result) {
+               for(int k = 0; k < 3; ++k)
+                 result.push_back(static_cast<std::int64_t>(s.corner_of_polygon(i, k)));
+             });
+           })
       .def("faces",
            [](const Surface& s) {
              return array_of_faces<std::int64_t>(s, 3, [&](std::size_t i, auto& result) {

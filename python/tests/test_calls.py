@@ -107,10 +107,11 @@ def test_polygons_of_other_libraries_are_divided():
     meshio = pytest.importorskip("meshio")
     V = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0], [2, 1, 0]], float)
     quads = meshio.Mesh(V, [("quad", [[0, 1, 2, 3]]), ("triangle", [[1, 4, 2]]), ("triangle", [[4, 5, 2]])])
-    assert rl.Space(quads, depth=DEPTH).number_of_faces == 4
+    assert rl.Space(quads, depth=DEPTH).number_of_faces == 3
+    assert len(rl.Space(quads, depth=DEPTH).triangles) == 4
     assert abs(rl.Space(quads, depth=DEPTH).area - 2) < 1e-12
     flat = meshio.Mesh(V[:, :2], [("quad", [[0, 1, 2, 3], [1, 4, 5, 2]])])
-    assert rl.Space(flat, depth=DEPTH).number_of_faces == 4
+    assert rl.Space(flat, depth=DEPTH).number_of_faces == 2
     with pytest.raises(rl.InputError, match="without triangles; it has line"):
         rl.Space(meshio.Mesh(V, [("line", [[0, 1]])]))
 

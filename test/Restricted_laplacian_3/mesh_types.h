@@ -7,6 +7,7 @@
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>

@@ -73,23 +73,6 @@ TEST_CASE("meshes_without_surface_are_refused", "[input]") {
                   RL::Zero_area_error);
 }
 
-TEST_CASE("faces_that_are_no_triangles_are_named", "[input]") {
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  for(const RL::Point_3& p : {RL::Point_3(0, 0, 0), RL::Point_3(1, 0, 0), RL::Point_3(1, 1, 0),
-                              RL::Point_3(0, 1, 0), RL::Point_3(2, 0, 0), RL::Point_3(2, 1, 0)})
-    v.push_back(mesh.add_vertex(p));
-  mesh.add_face(v[0], v[1], v[2]);
-  mesh.add_face(v[1], v[4], v[5], v[2]);
-  try {
-    RL::Spline_space_3 space(mesh);
-    FAIL("no exception");
-  } catch(const RL::Invalid_face_error& error) {
-    CHECK(error.face() == 1);
-    CHECK(std::string(error.what()).find("face 1") != std::string::npos);
-  }
-}
-
 TEST_CASE("coordinates_that_are_not_finite_are_named", "[input]") {
   for(double bad : {not_a_number, infinity, -infinity})
     for(int axis = 0; axis < 3; ++axis) {
@@ -213,7 +196,7 @@ TEST_CASE("values_that_are_not_finite_are_named", "[input]") {
     });
     check("f", [&] { static_cast<void>(RL::solve_screened_poisson(mesh, f, 1., u, depth)); });
     check("f", [&] {
-      static_cast<void>(RL::solve_poisson(soup.points, soup.faces, index_map(f_of_soup),
+      static_cast<void>(RL::solve_poisson(RL::soup(soup.points, soup.faces), index_map(f_of_soup),
                                           index_map(values), depth));
     });
     check("f", [&] { RL::fit_function(mesh, f, u, depth); });
@@ -243,7 +226,7 @@ TEST_CASE("values_are_not_written_to_another_mesh", "[input]") {
   for(int n : {1, 3}) {
     Mesh other = shapes::mesh(shapes::sphere(n));
     Vertex_map u = other.add_property_map<Mesh::Vertex_index, double>("v:u").first;
-    CHECK(refused_parameter([&] { RL::evaluate_at_vertices(one, other, u); }) == "tm");
+    CHECK(refused_parameter([&] { RL::evaluate_at_vertices(one, other, u); }) == "surface");
   }
 }
 

@@ -39,7 +39,7 @@ constexpr double free_value = std::numeric_limits<double>::quiet_NaN();
 /// \param has_value where values are prescribed; the conormal derivative is elsewhere
 double error_at_depth(const Triangles& t, const Harmonic& u,
                       const std::function<bool(const RL::Point_3&)>& has_value, int depth) {
-  const RL::Spline_space_3 space(t.points, t.faces, params::depth(depth));
+  const RL::Spline_space_3 space(RL::soup(t.points, t.faces), params::depth(depth));
   const auto f = [](const RL::Surface_point&) { return 0.; };
   const auto g = [&](const RL::Surface_point& p) { return u.value(p.point.x(), p.point.y()); };
   const auto flux = [&](const RL::Surface_point& p) {
@@ -181,7 +181,7 @@ TEST_CASE("conditions_on_a_smooth_boundary", "[boundary_conditions]") {
   for(const bool is_smooth : {false, true}) {
     const auto np = params::depth(4).geometry(is_smooth ? RL::Surface_geometry::smooth
                                                         : RL::Surface_geometry::flat);
-    const RL::Spline_space_3 space(half.points, half.faces, np);
+    const RL::Spline_space_3 space(RL::soup(half.points, half.faces), np);
     const RL::Boundary_integration equator(space);
     CHECK(equator.length() == Approx(2 * pi).epsilon(is_smooth ? 1e-4 : 1e-2));
     for(const RL::Boundary_integration::Node& node : equator.nodes()) {

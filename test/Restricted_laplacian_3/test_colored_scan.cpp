@@ -54,7 +54,7 @@ shapes::Triangles scan_plane(int n) {
 }
 
 RL::Triangulated_surface_3 scan_surface(const shapes::Triangles& t) {
-  return RL::read_surface(t.points, t.faces);
+  return RL::read_surface(RL::soup(t.points, t.faces));
 }
 
 /// linear in space
@@ -306,7 +306,7 @@ TEST_CASE("pose_and_viewpoint_of_named_parameters_are_those_of_the_constructor",
   const std::vector<Rgb_color> colors = linear_colors(t.points);
   const RL::Scan_pose pose = RL::scan_pose({0, 0, 2.5, 1, 2.5, 0, 0, -2, 0, 2.5, 0, 3, 0, 0, 0, 1});
   const auto np = params::pose(pose).viewpoint(Point_3(1, 2, 3));
-  const RL::Colored_scan soup(t.points, t.faces, CGAL::make_property_map(colors), np);
+  const RL::Colored_scan soup(RL::soup(t.points, t.faces), CGAL::make_property_map(colors), np);
   shapes::Mesh mesh = shapes::mesh(t);
   auto map = mesh.add_property_map<shapes::Mesh::Vertex_index, Rgb_color>("v:rgb").first;
   for(const auto v : mesh.vertices())

@@ -62,7 +62,7 @@ TEST_CASE("boundary_values_are_met_with_order_three", "[constraints]") {
   const auto g = [&](const RL::Surface_point& p) { return square.solution(p.point); };
   std::vector<double> errors, boundary_errors;
   for(int depth = 3; depth <= 5; ++depth) {
-    const RL::Spline_space_3 space(square.triangles.points, square.triangles.faces,
+    const RL::Spline_space_3 space(RL::soup(square.triangles.points, square.triangles.faces),
                                    params::depth(depth));
     const RL::Dirichlet_boundary boundary(space);
     CHECK(boundary.length() == Approx(4).epsilon(1e-12));
@@ -134,8 +134,9 @@ TEST_CASE("components_without_boundary_keep_their_mean", "[constraints]") {
   const auto f = [&](const RL::Surface_point& p) { return on_sphere(p) ? p.point.z() : 0.; };
   const auto g = [](const RL::Surface_point&) { return 7.; };
   std::vector<double> u(t.points.size());
-  const RL::Solve_report report = RL::solve_poisson(
-      t.points, t.faces, f, CGAL::make_property_map(u), params::depth(5).boundary_values(g));
+  const RL::Solve_report report =
+      RL::solve_poisson(RL::soup(t.points, t.faces), f, CGAL::make_property_map(u),
+                        params::depth(5).boundary_values(g));
   CHECK(report.converged);
   for(std::size_t i = 0; i < u.size(); ++i)
     REQUIRE(u[i] ==
@@ -187,7 +188,7 @@ TEST_CASE("a_value_at_one_vertex_fixes_the_constant_only", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
   for(const int depth : {3, 4}) {
-    const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(depth));
+    const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(depth));
     std::vector<double> expected;
     for(const double g : {0., 1., 100., 1e4, 1e8}) {
       RL::Poisson_problem problem(f);
@@ -217,7 +218,7 @@ TEST_CASE("a_value_at_one_vertex_fixes_the_constant_only", "[constraints]") {
 TEST_CASE("equal_values_at_vertices_give_a_constant", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
   const auto f = [](const RL::Surface_point&) { return 0.; };
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(4));
   for(const double g : {0., 1. / 3, -1e6})
     for(const std::size_t step : {1, 7, 1000}) {
       RL::Poisson_problem problem(f);
@@ -236,7 +237,7 @@ TEST_CASE("equal_values_at_vertices_give_a_constant", "[constraints]") {
 TEST_CASE("iterations_with_prescribed_values_are_limited", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(4));
   RL::Poisson_problem problem(f);
   problem.vertex_values.assign(sphere.points.size(), std::nan(""));
   problem.vertex_values[7] = 1;
@@ -257,7 +258,7 @@ TEST_CASE("boundary_values_may_have_an_offset", "[constraints]") {
     const auto g = [&](const RL::Surface_point& p) { return p.point.x() * p.point.y() + offset; };
     std::vector<double> u(square.points.size());
     const RL::Solve_report report =
-        RL::solve_poisson(square.points, square.faces, zero, CGAL::make_property_map(u),
+        RL::solve_poisson(RL::soup(square.points, square.faces), zero, CGAL::make_property_map(u),
                           params::depth(5).boundary_values(g));
     CHECK(report.converged);
     CHECK(report.constraint_error == 0);
@@ -276,7 +277,7 @@ TEST_CASE("values_at_vertices_hold_along_the_boundary", "[constraints]") {
   constexpr std::size_t on_square = (n + 1) * (n + 1);
   const auto f = [](const RL::Surface_point& p) { return p.point.x() > 1.5 ? p.point.z() : 0.; };
   for(const int depth : {4, 5, 6}) {
-    const RL::Spline_space_3 space(square.points, square.faces, params::depth(depth));
+    const RL::Spline_space_3 space(RL::soup(square.points, square.faces), params::depth(depth));
     RL::Poisson_problem problem(f);
     problem.vertex_values.assign(square.points.size(), std::nan(""));
     for(std::size_t j = 0; j <= n; ++j) {
@@ -303,7 +304,8 @@ TEST_CASE("values_at_vertices_hold_along_the_boundary", "[constraints]") {
 
 TEST_CASE("values_may_be_prescribed_on_a_part_of_the_boundary", "[constraints]") {
   const Tilted_square square(8);
-  const RL::Spline_space_3 space(square.triangles.points, square.triangles.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(square.triangles.points, square.triangles.faces),
+                                 params::depth(4));
   const auto is_left = [&](const RL::Surface_point& p) {
     return square.coordinates(p.point)[0] < 1e-9;
   };
@@ -324,7 +326,7 @@ TEST_CASE("values_at_vertices_are_exact_where_functions_have_them", "[constraint
   for(const int depth : {3, 4, 5})
     for(const double scale : {1e-6, 1., 1e6})
       for(const double alpha : {0., 3.}) {
-        const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(depth));
+        const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(depth));
         RL::Poisson_problem problem(f);
         problem.alpha = alpha;
         problem.vertex_values.assign(sphere.points.size(), std::nan(""));
@@ -346,7 +348,7 @@ TEST_CASE("values_at_vertices_are_exact_where_functions_have_them", "[constraint
 
 TEST_CASE("values_with_a_weight_pull_beside_exact_ones", "[constraints]") {
   const Triangles sphere = shapes::sphere(3);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(3));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(3));
   const std::vector<RL::Surface_location> locations =
       RL::internal::locations_of_vertices(space.surface());
   RL::Point_constraints constraints(space);
@@ -379,7 +381,7 @@ TEST_CASE("values_with_a_weight_pull_beside_exact_ones", "[constraints]") {
 
 TEST_CASE("values_at_vertices_that_no_function_has_are_told_of", "[constraints]") {
   const Triangles sphere = shapes::sphere(4);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(2));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(2));
   const auto f = [](const RL::Surface_point&) { return 0.; };
   RL::Poisson_problem problem(f);
   for(std::size_t v = 0; v < sphere.points.size(); ++v)
@@ -404,10 +406,10 @@ TEST_CASE("weights_pull_the_solution", "[constraints]") {
   const auto np = params::depth(4).tolerance(1e-5);
   std::vector<double> by_number(sphere.points.size()), by_map = by_number, pulled = by_number;
   const auto f = [](const RL::Surface_point& p) { return 8 * p.point.z(); };
-  static_cast<void>(RL::solve_screened_poisson(sphere.points, sphere.faces, f, 2.,
+  static_cast<void>(RL::solve_screened_poisson(RL::soup(sphere.points, sphere.faces), f, 2.,
                                                CGAL::make_property_map(by_number), np));
   std::vector<double> twos(sphere.points.size(), 2);
-  static_cast<void>(RL::solve_screened_poisson(sphere.points, sphere.faces, f,
+  static_cast<void>(RL::solve_screened_poisson(RL::soup(sphere.points, sphere.faces), f,
                                                CGAL::make_property_map(twos),
                                                CGAL::make_property_map(by_map), np));
   for(std::size_t i = 0; i < by_map.size(); ++i) {
@@ -418,8 +420,9 @@ TEST_CASE("weights_pull_the_solution", "[constraints]") {
   // strong weights on the upper half only: u is g there, and harmonic below
   const auto weight = [](const RL::Surface_point& p) { return p.point.z() > 0 ? 1e5 : 0.; };
   const auto weighted_g = [&](const RL::Surface_point& p) { return weight(p) * (1 + p.point.x()); };
-  const RL::Solve_report report = RL::solve_screened_poisson(
-      sphere.points, sphere.faces, weighted_g, weight, CGAL::make_property_map(pulled), np);
+  const RL::Solve_report report =
+      RL::solve_screened_poisson(RL::soup(sphere.points, sphere.faces), weighted_g, weight,
+                                 CGAL::make_property_map(pulled), np);
   CHECK(report.converged);
   for(std::size_t i = 0; i < pulled.size(); ++i) {
     const RL::Point_3& p = sphere.points[i];
@@ -430,7 +433,7 @@ TEST_CASE("weights_pull_the_solution", "[constraints]") {
   }
   for(double bad : {-1., std::nan("")})
     CHECK_THROWS_AS(RL::solve_screened_poisson(
-                        sphere.points, sphere.faces, f,
+                        RL::soup(sphere.points, sphere.faces), f,
                         [bad](const RL::Surface_point&) { return bad; },
                         CGAL::make_property_map(pulled), params::depth(2)),
                     RL::Parameter_error);

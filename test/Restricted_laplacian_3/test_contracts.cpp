@@ -43,7 +43,7 @@ namespace params = RL::parameters;
 using shapes::Mesh;
 
 RL::Spline_space_3 contract_space(const shapes::Triangles& t, int depth) {
-  return RL::Spline_space_3(t.points, t.faces, params::depth(depth));
+  return RL::Spline_space_3(RL::soup(t.points, t.faces), params::depth(depth));
 }
 
 /// The nodes of a cubature, moved to the unit sphere along their radius: some leave their cell a

@@ -75,7 +75,7 @@ std::vector<RL::Surface_curvature> curvatures(const shapes::Triangles& t,
                                               const NamedParameters& np) {
   std::vector<RL::Surface_curvature> result(t.points.size());
   const RL::Fit_report report =
-      RL::estimate_curvature(t.points, t.faces, CGAL::make_property_map(result), np);
+      RL::estimate_curvature(RL::soup(t.points, t.faces), CGAL::make_property_map(result), np);
   CHECK(report.converged);
   CHECK(report.iterations <= 15);
   return result;
@@ -167,7 +167,7 @@ TEST_CASE("the_mean_curvature_vector_needs_its_boundary_term", "[curvature]") {
   const double r = 2; // an arc of a cylinder along the y axis, outward normals
   const shapes::Triangles arc =
       curved_graph(40, [&](double x, double) { return std::sqrt(r * r - x * x); });
-  const RL::Spline_space_3 space(arc.points, arc.faces, params::depth(3));
+  const RL::Spline_space_3 space(RL::soup(arc.points, arc.faces), params::depth(3));
   const double h = space.octree().cell_width(3);
   const Eigen::MatrixXd values =
       RL::estimate_curvature(space, params::method(Curvature_method::coordinates))
@@ -199,7 +199,7 @@ TEST_CASE("curvature_of_ragged_scans_ends_by_its_own_error", "[curvature]") {
       80, [&](double x, double y) { return 0.2 * std::sin(3 * x * y) + 0.02 * random(); });
   const auto is_lost = [&](const std::array<std::uint32_t, 3>&) { return random() < 0.33; };
   scan.faces.erase(std::remove_if(scan.faces.begin(), scan.faces.end(), is_lost), scan.faces.end());
-  const RL::Spline_space_3 space(scan.points, scan.faces, params::depth(5));
+  const RL::Spline_space_3 space(RL::soup(scan.points, scan.faces), params::depth(5));
   const RL::Curvature_field field = RL::estimate_curvature(space),
                             solved = RL::estimate_curvature(space, params::energy_tolerance(0.));
   CHECK(field.report().converged);
@@ -256,7 +256,7 @@ TEST_CASE("mean_curvature_of_a_fold_is_that_of_its_edge", "[curvature]") {
   const double angle = 0.3;
   const shapes::Triangles fold =
       curved_graph(24, [&](double x, double) { return -std::tan(angle / 2) * std::abs(x); });
-  const RL::Spline_space_3 space(fold.points, fold.faces, params::depth(5));
+  const RL::Spline_space_3 space(RL::soup(fold.points, fold.faces), params::depth(5));
   const double h = space.octree().cell_width(5);
   for(const Curvature_method method :
       {Curvature_method::face_normals, Curvature_method::coordinates}) {
@@ -332,13 +332,13 @@ TEST_CASE("vertex_normals_of_spheres_and_boundaries", "[curvature]") {
     const RL::Vector_3 v(p.x() + 0.4 * p.y() * p.z(), p.y(), 0.3 * p.z());
     p = CGAL::ORIGIN + v / std::sqrt(v.squared_length());
   }
-  const auto normals = RL::vertex_normals(RL::read_surface(sphere.points, sphere.faces));
+  const auto normals = RL::vertex_normals(RL::read_surface(RL::soup(sphere.points, sphere.faces)));
   for(std::size_t i = 0; i < normals.size(); ++i)
     CHECK((normals[i] - (sphere.points[i] - CGAL::ORIGIN)).squared_length() < 1e-20);
 
   const shapes::Triangles bowl =
       curved_graph(20, [](double x, double y) { return (x * x + 0.5 * y * y) / 2; });
-  const auto of_bowl = RL::vertex_normals(RL::read_surface(bowl.points, bowl.faces));
+  const auto of_bowl = RL::vertex_normals(RL::read_surface(RL::soup(bowl.points, bowl.faces)));
   for(std::size_t i = 0; i < of_bowl.size(); ++i) {
     const RL::Point_3& p = bowl.points[i];
     const RL::Vector_3 n(-p.x(), -0.5 * p.y(), 1);
@@ -348,7 +348,7 @@ TEST_CASE("vertex_normals_of_spheres_and_boundaries", "[curvature]") {
   // both sides of one face: normals cancel
   const std::vector<RL::Point_3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const std::vector<std::array<int, 3>> faces = {{0, 1, 2}, {0, 2, 1}};
-  for(const RL::Vector_3& n : RL::vertex_normals(RL::read_surface(corners, faces)))
+  for(const RL::Vector_3& n : RL::vertex_normals(RL::read_surface(RL::soup(corners, faces))))
     CHECK(n == CGAL::NULL_VECTOR);
 }
 
@@ -357,15 +357,16 @@ TEST_CASE("curvature_of_hostile_input", "[curvature]") {
   const auto map = CGAL::make_property_map(c);
   const std::vector<std::array<int, 3>> faces = {{0, 1, 2}};
   const std::vector<RL::Point_3> triangle = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  RL::estimate_curvature(triangle, faces, map);
+  RL::estimate_curvature(RL::soup(triangle, faces), map);
   for(const RL::Surface_curvature& value : c)
     CHECK(std::abs(value.mean) < 1e-5);
   // normals that cancel at all vertices: those of the faces are taken
-  RL::estimate_curvature(triangle, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 1}}, map);
+  RL::estimate_curvature(RL::soup(triangle, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 1}}),
+                         map);
   const std::vector<RL::Point_3> line = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  CHECK_THROWS_AS(RL::estimate_curvature(line, faces, map), RL::Zero_area_error);
+  CHECK_THROWS_AS(RL::estimate_curvature(RL::soup(line, faces), map), RL::Zero_area_error);
   const std::vector<std::array<int, 3>> none;
-  CHECK_THROWS_AS(RL::estimate_curvature(triangle, none, map), RL::Empty_surface_error);
-  CHECK_THROWS_AS(RL::estimate_curvature(triangle, faces, map, params::smoothing(-1.)),
+  CHECK_THROWS_AS(RL::estimate_curvature(RL::soup(triangle, none), map), RL::Empty_surface_error);
+  CHECK_THROWS_AS(RL::estimate_curvature(RL::soup(triangle, faces), map, params::smoothing(-1.)),
                   RL::Parameter_error);
 }

@@ -110,7 +110,7 @@ TEST_CASE("many_functions_have_the_values_of_each_of_them", "[descriptors][threa
   options.depth = 4;
   for(bool is_parallel : {false, true}) {
     options.is_parallel = is_parallel;
-    const RL::Spline_space_3 space(RL::read_surface(t.points, t.faces), options);
+    const RL::Spline_space_3 space(RL::read_surface(RL::soup(t.points, t.faces)), options);
     const auto locations = RL::sample_surface(space.surface(), 1000, 3);
     for(int level : {2, 4}) {
       const Eigen::MatrixXd coefficients = random_matrix(space.dimension(level), 5);
@@ -165,7 +165,7 @@ TEST_CASE("a_vertex_whose_first_face_is_lost_has_the_value_of_another", "[descri
     t.faces.push_back({5 * i, 5 * i + 1, 5 * i + 2});
     t.faces.push_back({5 * i, 5 * i + 3, 5 * i + 4});
   }
-  const RL::Spline_space_3 space(t.points, t.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(t.points, t.faces), params::depth(4));
   const Eigen::MatrixXd coefficients = random_matrix(space.dimension(), 2);
   const Eigen::MatrixXd values = RL::Spline_functions_3(space, coefficients).values_at_vertices();
   const RL::Spline_function_3 u(space, coefficients.col(1));
@@ -191,7 +191,7 @@ TEST_CASE("a_vertex_whose_only_face_is_lost_has_the_value_of_a_neighbor", "[desc
   const RL::Point_3 a(1, 0, 0), b(1, 1, 0), near_b(1 + 8e-15, 1, 0), c(0, 0, 1), far(1, 0.5, 1);
   const std::vector<RL::Point_3> points = {a, b, near_b, c, far};
   const std::vector<std::array<std::uint32_t, 3>> faces = {{0, 1, 3}, {0, 2, 1}, {1, 2, 4}};
-  const RL::Spline_space_3 space(points, faces, params::depth(3).cube_scale(1));
+  const RL::Spline_space_3 space(RL::soup(points, faces), params::depth(3).cube_scale(1));
   for(std::size_t sheet = 0; sheet < space.number_of_sheets(3); ++sheet)
     for(std::uint32_t face : space.octree().faces(sheet))
       REQUIRE(face == 0);

@@ -30,7 +30,7 @@ namespace params = RL::parameters;
 using shapes::Mesh;
 
 RL::Spline_space_3 fitting_space(const shapes::Triangles& t, int depth) {
-  return RL::Spline_space_3(t.points, t.faces, params::depth(depth));
+  return RL::Spline_space_3(RL::soup(t.points, t.faces), params::depth(depth));
 }
 
 /// L2 norm of the difference of two spline functions over that of the second
@@ -303,7 +303,7 @@ TEST_CASE("property_maps_are_fitted_on_meshes_and_soups", "[fit]") {
   std::vector<double> values, fitted(sphere.points.size());
   for(const RL::Point_3& p : sphere.points)
     values.push_back(p.z());
-  RL::fit_function(sphere.points, sphere.faces, CGAL::make_property_map(values),
+  RL::fit_function(RL::soup(sphere.points, sphere.faces), CGAL::make_property_map(values),
                    CGAL::make_property_map(fitted), np);
   for(std::size_t i = 0; i < values.size(); ++i)
     CHECK(fitted[i] == Approx(values[i]).margin(1e-6));

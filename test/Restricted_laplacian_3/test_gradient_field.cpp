@@ -38,7 +38,7 @@ using Jacobian = Eigen::Matrix3d;
 constexpr double field_nan = std::numeric_limits<double>::quiet_NaN();
 
 RL::Spline_space_3 gradient_space(const shapes::Triangles& t, int depth) {
-  return RL::Spline_space_3(t.points, t.faces, params::depth(depth));
+  return RL::Spline_space_3(RL::soup(t.points, t.faces), params::depth(depth));
 }
 
 // three quadrics, which are in the space, and the gradients in space, each a column
@@ -253,28 +253,31 @@ TEST_CASE("fields_by_vertices_corners_and_faces_agree_with_function_objects", "[
     for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
       by_halfedge[h] = {at_corner(f, target(h, mesh))};
   }
-  using RL::internal::vector_field_on_surface;
   const RL::internal::Mesh_source<Mesh> source(mesh);
+  const auto field = [&](const auto& map) {
+    return RL::internal::vector_field_on_surface(
+        source, map,
+        RL::internal::vertex_interpolation(source, space.surface(), params::default_values()));
+  };
   const auto same_loads = [&](const auto& a, const auto& b) {
     return matrix_difference<Eigen::MatrixXd>(RL::assemble_gradient_loads(space, a),
                                               RL::assemble_gradient_loads(space, b)) < 1e-13;
   };
   // quadrics have linear gradients
-  CHECK(same_loads(quadric_field, vector_field_on_surface(source, by_vertex)));
-  CHECK(same_loads(vector_field_on_surface(source, by_halfedge), [&](const RL::Surface_point& p) {
+  CHECK(same_loads(quadric_field, field(by_vertex)));
+  CHECK(same_loads(field(by_halfedge), [&](const RL::Surface_point& p) {
     RL::Vector_3 sum(0, 0, 0);
     for(int i = 0; i < 3; ++i)
       sum += p.barycentric[i] * at_corner(p.face, p.vertices[i]);
     return sum;
   }));
-  CHECK(same_loads(vector_field_on_surface(source, by_face),
-                   [&](const RL::Surface_point& p) { return at_corner(p.face, 0); }));
+  CHECK(
+      same_loads(field(by_face), [&](const RL::Surface_point& p) { return at_corner(p.face, 0); }));
   std::vector<RL::Vector_3> corners;
   for(std::size_t f = 0; f < t.faces.size(); ++f)
     for(int i = 0; i < 3; ++i)
       corners.push_back(at_corner(f, space.surface().triangle(f)[i]));
-  CHECK(same_loads(RL::Corner_vector_field<RL::Vector_3>(corners),
-                   vector_field_on_surface(source, by_halfedge)));
+  CHECK(same_loads(RL::Corner_vector_field<RL::Vector_3>(corners), field(by_halfedge)));
 
   // to the end, with means
   const auto u = mesh.add_property_map<Mesh::Vertex_index, std::array<float, 3>>("u", {}).first;
@@ -465,13 +468,13 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
         error = std::max(error, std::abs(result[i][k] - values[i][k]));
     return error;
   };
-  const auto gradients = RL::vertex_gradients(t.points, t.faces, g);
+  const auto gradients = RL::vertex_gradients(RL::soup(t.points, t.faces), g);
   const auto np = params::depth(4).target(g).tolerance(1e-9);
-  RL::integrate_gradient_field(t.points, t.faces, gradients, u, np);
+  RL::integrate_gradient_field(RL::soup(t.points, t.faces), gradients, u, np);
   CHECK(largest_error() > 0.1);
   const auto check = [&](const auto& with_details) {
     const RL::Gradient_report report =
-        RL::integrate_gradient_field(t.points, t.faces, gradients, u, with_details);
+        RL::integrate_gradient_field(RL::soup(t.points, t.faces), gradients, u, with_details);
     CHECK(report.converged);
     CHECK(report.details_iterations > 0);
     CHECK(largest_error() < 1e-6);
@@ -488,7 +491,7 @@ TEST_CASE("vertex_details_make_functions_exact_that_are_linear_in_each_triangle"
 
 TEST_CASE("details_solve_the_cotangent_system", "[gradient]") {
   const shapes::Triangles t = shapes::sphere(2);
-  const RL::Triangulated_surface_3 surface = RL::read_surface(t.points, t.faces);
+  const RL::Triangulated_surface_3 surface = RL::read_surface(RL::soup(t.points, t.faces));
   const auto field = [](const RL::Surface_point& p) { return RL::Vector_3(1 + p.point.y(), 1, 2); };
   std::vector<double> targets;
   const auto system = RL::internal::vertex_system(
@@ -544,7 +547,8 @@ TEST_CASE("gradients_on_point_sets_are_integrated", "[gradient]") {
 TEST_CASE("gradients_are_integrated_the_same_on_any_number_of_threads", "[gradient][threads]") {
   const shapes::Triangles t = shapes::sphere(4);
   const auto solve = [&](const auto& tag) {
-    const RL::Spline_space_3 space(t.points, t.faces, params::depth(5).concurrency_tag(tag));
+    const RL::Spline_space_3 space(RL::soup(t.points, t.faces),
+                                   params::depth(5).concurrency_tag(tag));
     const Weight w = [](const RL::Surface_point& p) { return p.face % 2; };
     return RL::integrate_gradient_field(
         space, quadric_field,
@@ -565,7 +569,7 @@ TEST_CASE("gradients_are_integrated_at_any_scale", "[gradient]") {
       g.push_back(value * std::exp(p.x() - 2 * p.y()));
     const auto map = CGAL::make_property_map(g);
     CHECK(RL::integrate_gradient_field(
-              t.points, t.faces, RL::vertex_gradients(t.points, t.faces, map),
+              RL::soup(t.points, t.faces), RL::vertex_gradients(RL::soup(t.points, t.faces), map),
               CGAL::make_property_map(u),
               params::depth(2).details(true).target(map).tolerance(1e-8).alpha(1e-3 / length /
                                                                                length))
@@ -610,7 +614,7 @@ TEST_CASE("bad_input_of_gradient_fields_is_refused", "[gradient]") {
   const Single_field one = [](const RL::Surface_point&) { return RL::Vector_3(1, 0, 0); };
   const auto solve = [&](const std::vector<RL::Point_3>& points,
                          const std::vector<std::array<int, 3>>& faces) {
-    return RL::integrate_gradient_field(points, faces, one, CGAL::make_property_map(u),
+    return RL::integrate_gradient_field(RL::soup(points, faces), one, CGAL::make_property_map(u),
                                         params::depth(3).details(true));
   };
   CHECK_THROWS_AS(solve({}, {}), RL::Empty_surface_error);

@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/input/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
@@ -80,7 +81,7 @@ private:
 
 TEST_CASE("functions_may_evaluate_themselves_at_many_points", "[interface]") {
   const shapes::Triangles sphere = shapes::sphere(3);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(3));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(3));
   const Powers powers(6);
   const RL::Surface_function_view view(powers);
   CHECK(view.components() == 6);
@@ -113,7 +114,7 @@ TEST_CASE("functions_may_evaluate_themselves_at_many_points", "[interface]") {
 TEST_CASE("evaluation_matrices_give_the_values_of_functions", "[interface]") {
   shapes::Triangles t = shapes::box(1, 0.7, 0.4, 3, 1);
   t.points.emplace_back(0.3, 0.2, 0.1); // of no face
-  const RL::Spline_space_3 space(t.points, t.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(t.points, t.faces), params::depth(4));
   const auto locations = RL::sample_surface(space.surface(), 60, 1);
   for(int level : {2, 4}) {
     const auto n = static_cast<Eigen::Index>(space.dimension(level));
@@ -305,9 +306,16 @@ TEST_CASE("values_at_vertices_are_interpolated_linearly", "[interface]") {
     first_component[v] = map[v].x();
   }
   const RL::Spline_space_3 space(mesh, params::depth(3));
-  const auto field = RL::vertex_vector_field(mesh, map);
+  const auto of_components = RL::vertex_function(mesh, map);
+  const auto field = RL::function_of_degree(
+      [&](const RL::Surface_point& p) {
+        const Eigen::Vector3d v = of_components(p);
+        return RL::Vector_3(v[0], v[1], v[2]);
+      },
+      of_components.degree());
+  CHECK(field.degree() == 1);
   const auto function =
-      RL::index_function(first_component.size(), CGAL::make_property_map(first_component));
+      RL::vertex_function(space.surface(), CGAL::make_property_map(first_component));
   for(const RL::Surface_location& location : RL::sample_surface(space.surface(), 50, 1)) {
     const RL::Surface_point p = space.surface().surface_point(location);
     const RL::Vector_3 expected = linear_field(p.point);

@@ -94,7 +94,7 @@ TEST_CASE("any_allocation_may_fail", "[memory]") {
   };
   const auto depth = params::depth(3);
   const auto spectrum = [&](RL::Eigensolver solver) {
-    const RL::Spline_space_3 space(t.points, t.faces, depth);
+    const RL::Spline_space_3 space(RL::soup(t.points, t.faces), depth);
     const RL::Laplace_spectrum result = RL::laplace_spectrum(space, 4, params::eigensolver(solver));
     return std::vector<double>(result.eigenvalues.begin(), result.eigenvalues.end());
   };
@@ -102,12 +102,12 @@ TEST_CASE("any_allocation_may_fail", "[memory]") {
       {"solve_poisson",
        [&] {
          std::vector<double> u(t.points.size());
-         static_cast<void>(RL::solve_poisson(t.points, t.faces, z, map(u), depth));
+         static_cast<void>(RL::solve_poisson(RL::soup(t.points, t.faces), z, map(u), depth));
          return u;
        }},
       {"fit_function",
        [&] {
-         const RL::Spline_space_3 space(t.points, t.faces, depth);
+         const RL::Spline_space_3 space(RL::soup(t.points, t.faces), depth);
          return RL::Function_fitter(space).fit(z).root_mean_square_errors;
        }},
       {"shift_invert", [&] { return spectrum(RL::Eigensolver::shift_invert); }},

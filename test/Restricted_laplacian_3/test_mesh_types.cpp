@@ -95,16 +95,17 @@ TEST_CASE("traits_read_points_of_any_type", "[mesh_types]") {
                             expected_solution()) == 0);
 
   const RL::Triangulated_surface_3 of_soup =
-      RL::read_surface(plain_points, t.faces, params::geom_traits(traits));
+      RL::read_surface(RL::soup(plain_points, t.faces), params::geom_traits(traits));
   CHECK((points_of(of_soup) == t.points));
-  const RL::Spline_space_3 space(plain_points, t.faces, params::depth(3).geom_traits(traits));
+  const RL::Spline_space_3 space(RL::soup(plain_points, t.faces),
+                                 params::depth(3).geom_traits(traits));
   CHECK((points_of(space.surface()) == t.points));
 
   // normals are vectors of the traits, too
   std::vector<Plain_point> plain_normals;
   for(std::size_t f = 0; f < t.points.size(); ++f)
     plain_normals.push_back(plain(CGAL::ORIGIN + of_mesh.normal(f), unit));
-  const RL::Triangulated_surface_3 of_points = RL::read_point_set(
+  const RL::Triangulated_surface_3 of_points = RL::read_surface(
       plain_points, params::normal_map(CGAL::make_property_map(plain_normals)).geom_traits(traits));
   CHECK((points_of(of_points) == t.points));
   for(std::size_t i = 0; i < t.points.size(); ++i)

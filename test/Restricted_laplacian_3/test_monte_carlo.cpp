@@ -34,9 +34,9 @@ namespace params = RL::parameters;
 
 RL::Spline_space_3 sampled_space(const shapes::Triangles& t, int depth, bool is_parallel = false) {
   const auto np = params::depth(depth);
-  return is_parallel ? RL::Spline_space_3(t.points, t.faces,
+  return is_parallel ? RL::Spline_space_3(RL::soup(t.points, t.faces),
                                           np.concurrency_tag(CGAL::Parallel_if_available_tag()))
-                     : RL::Spline_space_3(t.points, t.faces, np);
+                     : RL::Spline_space_3(RL::soup(t.points, t.faces), np);
 }
 
 /// all eigenvalues of it are different

@@ -239,7 +239,7 @@ private:
 
 TEST_CASE("a_newcomers_smoother_makes_a_hierarchy", "[newcomers]") {
   const shapes::Triangles sphere = shapes::sphere(4);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(4));
   const RL::Operators o = RL::assemble_operators(space, 4, 0.1);
   const RL::Sparse_matrix a = o.stiffness + o.mass;
   const Eigen::VectorXd b =
@@ -262,8 +262,8 @@ TEST_CASE("a_newcomers_integration_gives_the_spectrum_of_another_surface", "[new
   shapes::Triangles ellipsoid = sphere;
   for(RL::Point_3& p : ellipsoid.points)
     p = RL::Point_3(factors.x() * p.x(), factors.y() * p.y(), factors.z() * p.z());
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(4)),
-      other(ellipsoid.points, ellipsoid.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(4)),
+      other(RL::soup(ellipsoid.points, ellipsoid.faces), params::depth(4));
   const RL::Operators stretched = RL::assemble_operators(
                           space.integrated_by(Stretched_surface(space.integration(), factors))),
                       direct = RL::assemble_operators(other, 4);
@@ -281,7 +281,7 @@ TEST_CASE("a_newcomers_integration_gives_the_spectrum_of_another_surface", "[new
 TEST_CASE("a_newcomers_curved_integration_is_more_accurate_than_the_mesh", "[newcomers]") {
   // nothing changes where the patches are plane
   const shapes::Triangles box = shapes::box(1, 0.7, 0.4, 3, 1);
-  const RL::Spline_space_3 flat_space(box.points, box.faces, params::depth(3));
+  const RL::Spline_space_3 flat_space(RL::soup(box.points, box.faces), params::depth(3));
   const std::vector<RL::Vector_3> none(box.points.size(), RL::Vector_3(0, 0, 0));
   const RL::Operators flat = RL::assemble_operators(flat_space),
                       plane = RL::assemble_operators(
@@ -293,7 +293,7 @@ TEST_CASE("a_newcomers_curved_integration_is_more_accurate_than_the_mesh", "[new
   std::vector<RL::Vector_3> normals;
   for(const RL::Point_3& p : sphere.points)
     normals.push_back(p - CGAL::ORIGIN);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(4));
   const RL::Spline_space_3 curved = space.integrated_by(Cubic_patches(space, normals));
   // worst relative error of the eigenvalues 2, 2, 2, 6, ...; the area has another
   const auto errors = [](const RL::Spline_space_3& s) {
@@ -319,7 +319,7 @@ TEST_CASE("a_newcomers_interpolation_is_exact_for_quadratic_functions", "[newcom
     values.push_back(f(p));
     gradients.emplace_back(p.y() - 1, p.x(), 2 * p.z());
   }
-  const RL::Spline_space_3 space(t.points, t.faces, params::depth(3));
+  const RL::Spline_space_3 space(RL::soup(t.points, t.faces), params::depth(3));
   const Eigen::VectorXd expected = RL::assemble_load(
                             space, [&](const RL::Surface_point&p) { return f(p.point); }),
                         linear =
@@ -337,7 +337,7 @@ TEST_CASE("a_newcomers_interpolation_is_exact_for_quadratic_functions", "[newcom
 
 TEST_CASE("a_newcomers_application_lets_heat_flow", "[newcomers]") {
   const shapes::Triangles sphere = shapes::sphere(5);
-  const RL::Spline_space_3 space(sphere.points, sphere.faces, params::depth(4));
+  const RL::Spline_space_3 space(RL::soup(sphere.points, sphere.faces), params::depth(4));
   // z is an eigenfunction with the eigenvalue 2
   constexpr double tau = 0.1;
   constexpr int steps = 5;

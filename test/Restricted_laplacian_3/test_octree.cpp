@@ -8,7 +8,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Restricted_laplacian_3/basis/B_spline_1.h>
-#include <CGAL/Restricted_laplacian_3/input/vector_fields.h>
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Surface_windows.h>
 #include <CGAL/Restricted_laplacian_3/octree/internal/Grid_vertices.h>

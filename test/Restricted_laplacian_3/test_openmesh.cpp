@@ -52,7 +52,7 @@ TEMPLATE_TEST_CASE("solution_does_not_depend_on_the_type_of_the_openmesh_mesh", 
   check_mesh_type(mesh);
 }
 
-TEST_CASE("square_of_an_openmesh_mesh_is_refused", "[mesh_types]") {
+TEST_CASE("square_of_an_openmesh_mesh_is_divided", "[mesh_types]") {
   OpenMesh::PolyMesh_ArrayKernelT<> mesh =
       converted<OpenMesh::PolyMesh_ArrayKernelT<>>(shapes::mesh(surface()));
   const std::size_t number_of_faces = mesh.n_faces();
@@ -60,10 +60,9 @@ TEST_CASE("square_of_an_openmesh_mesh_is_refused", "[mesh_types]") {
   for(const auto& p : {std::array<float, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}})
     corners.push_back(mesh.add_vertex({p[0], p[1], 5}));
   mesh.add_face(corners);
-  try {
-    RL::read_surface(mesh);
-    FAIL("no exception");
-  } catch(const RL::Invalid_face_error& error) {
-    CHECK(error.face() == number_of_faces);
-  }
+  const RL::Triangulated_surface_3 s = RL::read_surface(mesh);
+  REQUIRE(s.number_of_faces() == number_of_faces + 2);
+  CHECK(s.polygon(number_of_faces) == number_of_faces);
+  CHECK(s.polygon(number_of_faces + 1) == number_of_faces);
+  CHECK(s.area(number_of_faces) + s.area(number_of_faces + 1) == Approx(1));
 }

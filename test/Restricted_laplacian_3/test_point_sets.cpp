@@ -13,7 +13,7 @@
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/input/point_areas.h>
-#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
@@ -213,18 +213,17 @@ TEST_CASE("point_sets_of_all_types_are_the_same", "[points]") {
                     std::sqrt((surface.point(i) - expected.point(i)).squared_length());
     CHECK(difference <= 1e-12);
   };
-  check(RL::read_point_set(set, params::area_map(area)));
-  check(
-      RL::read_point_set(points, maps_of_pairs(params::area_map(CGAL::make_property_map(areas)))));
+  check(RL::read_surface(set, params::area_map(area)));
+  check(RL::read_surface(points, maps_of_pairs(params::area_map(CGAL::make_property_map(areas)))));
   // points are the elements, normals are found by position
-  check(RL::read_point_set(bare_points, params::area_map(CGAL::make_property_map(areas))
-                                            .normal_map(CGAL::make_property_map(bare_normals))));
+  check(RL::read_surface(bare_points, params::area_map(CGAL::make_property_map(areas))
+                                          .normal_map(CGAL::make_property_map(bare_normals))));
   // indices are the elements
   std::vector<std::size_t> indices(points.size());
   std::iota(indices.begin(), indices.end(), std::size_t(0));
-  check(RL::read_point_set(indices, params::area_map(CGAL::make_property_map(areas))
-                                        .point_map(CGAL::make_property_map(bare_points))
-                                        .normal_map(CGAL::make_property_map(bare_normals))));
+  check(RL::read_surface(indices, params::area_map(CGAL::make_property_map(areas))
+                                      .point_map(CGAL::make_property_map(bare_points))
+                                      .normal_map(CGAL::make_property_map(bare_normals))));
   // without areas they are estimated
   const RL::Spline_space_3 space(set, params::depth(2).neighbors(12));
   CHECK_FALSE(space.is_split());
@@ -388,7 +387,8 @@ TEST_CASE("spectrum_of_many_points_on_a_torus", "[points][slow]") {
     }
   const int count = 36;
   const Eigen::VectorXd expected =
-      RL::laplace_spectrum(torus.points, torus.faces, count, params::depth(5)).eigenvalues;
+      RL::laplace_spectrum(RL::soup(torus.points, torus.faces), count, params::depth(5))
+          .eigenvalues;
   const Eigen::VectorXd found = RL::laplace_spectrum(shapes::torus_points(100000, 1, 0.4), count,
                                                      maps_of_pairs(params::depth(4)))
                                     .eigenvalues;
@@ -516,7 +516,7 @@ TEST_CASE("point_sets_that_cannot_be_used", "[points]") {
                   RL::Zero_area_error);
   Point_set without_normals;
   without_normals.insert(RL::Point_3(0, 0, 0));
-  CHECK(message_of<RL::Input_error>([&] { RL::read_point_set(without_normals); }) ==
+  CHECK(message_of<RL::Input_error>([&] { RL::read_surface(without_normals); }) ==
         "the point set has no normals");
 
   // what needs faces says so

@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -149,7 +149,7 @@ TEST_CASE("matrices_of_smooth_surfaces_keep_their_identities") {
 
 TEST_CASE("the_integration_of_smooth_surfaces_needs_patches") {
   const shapes::Triangles t = shapes::sphere(2);
-  const RL::Spline_space_3 flat(t.points, t.faces, params::depth(3)),
+  const RL::Spline_space_3 flat(RL::soup(t.points, t.faces), params::depth(3)),
       smooth(curved(t), params::depth(3));
   CHECK_THROWS_AS(RL::Patch_cubature(flat.octree()), RL::Input_error);
   CHECK_THROWS_AS(RL::Triangle_cubature(smooth.octree()), RL::Input_error);
@@ -321,7 +321,7 @@ TEST_CASE("parameters_of_smooth_geometry") {
   CHECK(RL::Spline_space_3(mesh, np.geometry(RL::Surface_geometry::flat)).surface().area() ==
         flat_area);
   CHECK(RL::Spline_space_3(mesh, smooth).surface().area() == smooth_area);
-  CHECK(RL::Spline_space_3(t.points, t.faces, smooth).surface().area() == smooth_area);
+  CHECK(RL::Spline_space_3(RL::soup(t.points, t.faces), smooth).surface().area() == smooth_area);
   CHECK(RL::laplace_spectrum(mesh, 3, smooth).area == smooth_area);
 
   SECTION("creases") {
@@ -351,7 +351,7 @@ TEST_CASE("parameters_of_smooth_geometry") {
     const double tilted =
         RL::Spline_space_3(mesh, smooth.vertex_normal_map(normals)).surface().area();
     CHECK(std::abs(tilted - smooth_area) > 1e-4);
-    CHECK(RL::Spline_space_3(t.points, t.faces,
+    CHECK(RL::Spline_space_3(RL::soup(t.points, t.faces),
                              smooth.vertex_normal_map(CGAL::make_property_map(of_points)))
               .surface()
               .area() == Approx(tilted).epsilon(1e-12));
@@ -385,7 +385,7 @@ TEST_CASE("parameters_of_smooth_geometry") {
     };
     const auto to_own = np.geometry(own);
     CHECK(RL::Spline_space_3(other, to_own).surface().area() == area);
-    CHECK(RL::Spline_space_3(points, t.faces, to_own).surface().area() == area);
+    CHECK(RL::Spline_space_3(RL::soup(points, t.faces), to_own).surface().area() == area);
   }
   SECTION("points have no geometry") {
     using Pair = std::pair<RL::Point_3, RL::Vector_3>;
@@ -402,7 +402,7 @@ TEST_CASE("parameters_of_smooth_geometry") {
 TEST_CASE("smooth_geometry_of_bad_meshes") {
   const auto np = params::depth(3).geometry(RL::Surface_geometry::smooth);
   const auto solve = [&](const shapes::Triangles& t, const auto& all) {
-    const RL::Spline_space_3 space(t.points, t.faces, all);
+    const RL::Spline_space_3 space(RL::soup(t.points, t.faces), all);
     const RL::Poisson_solution u = RL::solve_poisson(
         space, [](const RL::Surface_point& p) { return p.point.x(); }, all);
     CHECK(u.converged);
@@ -449,8 +449,9 @@ TEST_CASE("smooth_geometry_of_bad_meshes") {
       }
     // all pieces are the faces
     const auto all = np.vertex_normal_map(CGAL::make_property_map(normals)).depth(1);
-    CHECK(RL::Spline_space_3(t.points, t.faces, all).octree().pieces().number_of_faces() ==
-          t.faces.size());
+    CHECK(
+        RL::Spline_space_3(RL::soup(t.points, t.faces), all).octree().pieces().number_of_faces() ==
+        t.faces.size());
     solve(t, all);
   }
   SECTION("a cone, and a cube scale of 1") {
@@ -475,8 +476,8 @@ TEST_CASE("smooth_geometry_of_bad_meshes") {
   }
   SECTION("threads change nothing") {
     const shapes::Triangles t = cap(6, 2);
-    const RL::Spline_space_3 one(t.points, t.faces, np),
-        two(t.points, t.faces, np.concurrency_tag(CGAL::Parallel_if_available_tag()));
+    const RL::Spline_space_3 one(RL::soup(t.points, t.faces), np),
+        two(RL::soup(t.points, t.faces), np.concurrency_tag(CGAL::Parallel_if_available_tag()));
     const RL::Operators a = RL::assemble_operators(one), b = RL::assemble_operators(two);
     CHECK((a.stiffness - b.stiffness).norm() == 0);
     CHECK((a.mass - b.mass).norm() == 0);

@@ -35,7 +35,7 @@ RL::Triangulated_surface_3 read(const std::string& path) {
   std::vector<RL::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
   REQUIRE(CGAL::IO::read_polygon_soup(path, points, faces));
-  return RL::read_surface(points, faces);
+  return RL::read_surface(RL::soup(points, faces));
 }
 
 /// A Poisson problem that must be solved as on any other surface.

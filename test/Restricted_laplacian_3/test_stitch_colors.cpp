@@ -48,7 +48,7 @@ const std::array<double, 6> stitch_exposures = {1, 0.8, 1.2, 0.9, 1.15, 0.95};
 shapes::Triangles seen_from(const shapes::Triangles& t, const Vector_3& direction) {
   shapes::Triangles result;
   result.points = t.points;
-  const RL::Triangulated_surface_3 surface = RL::read_surface(t.points, t.faces);
+  const RL::Triangulated_surface_3 surface = RL::read_surface(RL::soup(t.points, t.faces));
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
     if(surface.normal(f) * direction > 0.35)
       result.faces.push_back(surface.triangle(f));
@@ -65,7 +65,7 @@ std::vector<RL::Colored_scan> sphere_scans(int level, std::size_t number) {
     for(Rgb_color& c : colors)
       for(double& x : c)
         x *= stitch_exposures[i];
-    scans.emplace_back(RL::read_surface(seen.points, seen.faces), colors,
+    scans.emplace_back(RL::read_surface(RL::soup(seen.points, seen.faces)), colors,
                        RL::Scan_pose(CGAL::IDENTITY), CGAL::ORIGIN + 4 * stitch_directions[i]);
   }
   return scans;
@@ -75,7 +75,7 @@ RL::Spline_space_3 stitch_space(const shapes::Triangles& t, int depth, bool is_p
   RL::Spline_space_options options;
   options.depth = depth;
   options.is_parallel = is_parallel;
-  return RL::Spline_space_3(RL::read_surface(t.points, t.faces), options);
+  return RL::Spline_space_3(RL::read_surface(RL::soup(t.points, t.faces)), options);
 }
 
 RL::Color_stitcher stitcher_of(const RL::Spline_space_3& space,
@@ -263,8 +263,9 @@ TEST_CASE("uncovered_parts_are_filled_smoothly", "[stitch]") {
   const RL::Spline_space_3 space = stitch_space(t, 4);
   // one scan from above: below, the values are between those on its border
   const shapes::Triangles seen = seen_from(t, Vector_3(0, 0, 1));
-  const RL::Colored_scan scan(RL::read_surface(seen.points, seen.faces), true_colors(seen.points),
-                              RL::Scan_pose(CGAL::IDENTITY), Point_3(0, 0, 8));
+  const RL::Colored_scan scan(RL::read_surface(RL::soup(seen.points, seen.faces)),
+                              true_colors(seen.points), RL::Scan_pose(CGAL::IDENTITY),
+                              Point_3(0, 0, 8));
   RL::Color_stitcher stitcher = stitcher_of(space, {scan});
   const RL::Stitched_colors r = stitcher.stitch();
   CHECK(r.converged);
@@ -328,8 +329,9 @@ TEST_CASE("scans_that_miss_the_surface_are_told", "[stitch]") {
   const RL::Colored_scan good = sphere_scans(3, 1).front();
   const auto moved_scan = [&](double x) {
     const shapes::Triangles seen = shapes::moved(seen_from(t, {1, 0, 0}), Vector_3(x, 0, 0));
-    return RL::Colored_scan(RL::read_surface(seen.points, seen.faces), true_colors(t.points),
-                            RL::Scan_pose(CGAL::IDENTITY), Point_3(50, 0, 0));
+    return RL::Colored_scan(RL::read_surface(RL::soup(seen.points, seen.faces)),
+                            true_colors(t.points), RL::Scan_pose(CGAL::IDENTITY),
+                            Point_3(50, 0, 0));
   };
   const auto stitch = [&](const std::vector<RL::Colored_scan>& scans) {
     return stitch_message([&] { stitcher_of(space, scans).stitch(); });
@@ -377,8 +379,9 @@ TEST_CASE("options_of_stitching_do_what_they_say", "[stitch]") {
                                      return (small.points[f[0]] - CGAL::ORIGIN) * oblique < 0.6;
                                    }),
                     small.faces.end());
-  scans.emplace_back(RL::read_surface(small.points, small.faces), true_colors(small.points),
-                     RL::Scan_pose(CGAL::IDENTITY), CGAL::ORIGIN + 4 * oblique);
+  scans.emplace_back(RL::read_surface(RL::soup(small.points, small.faces)),
+                     true_colors(small.points), RL::Scan_pose(CGAL::IDENTITY),
+                     CGAL::ORIGIN + 4 * oblique);
   const RL::Stitched_colors by_default = stitcher_of(space, scans).stitch();
   CHECK(stitcher_of(space, scans).number_of_scans() == 7);
   CHECK(by_default.back_projection_seconds > 0);
@@ -395,7 +398,7 @@ TEST_CASE("options_of_stitching_do_what_they_say", "[stitch]") {
     const RL::Stitched_colors expected = stitcher_of(space, scans, options).stitch();
     std::vector<std::array<double, 3>> colors(t.points.size());
     const RL::Stitching_report report =
-        RL::stitch_colors(t.points, t.faces, scans, CGAL::make_property_map(colors), np);
+        RL::stitch_colors(RL::soup(t.points, t.faces), scans, CGAL::make_property_map(colors), np);
     CHECK(report.seam_length == expected.seam_length);
     bool differs = report.seam_length != by_default.seam_length;
     for(std::size_t s = 0; s < 7; ++s) {
@@ -454,7 +457,7 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   RL::stitch_colors(mesh, scans, numbers, np);
   std::vector<std::array<double, 3>> colors(t.points.size());
   const RL::Stitching_report b =
-      RL::stitch_colors(t.points, t.faces, scans, CGAL::make_property_map(colors), np);
+      RL::stitch_colors(RL::soup(t.points, t.faces), scans, CGAL::make_property_map(colors), np);
   CHECK(b.converged);
   CHECK(a.jump_after == Approx(b.jump_after).epsilon(0.05)); // ties are broken by the order
   for(const shapes::Mesh::Vertex_index v : mesh.vertices()) {
@@ -466,8 +469,9 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   }
   // named parameters arrive
   const auto message = [&](const auto& np) {
-    return stitch_message(
-        [&] { RL::stitch_colors(t.points, t.faces, scans, CGAL::make_property_map(colors), np); });
+    return stitch_message([&] {
+      RL::stitch_colors(RL::soup(t.points, t.faces), scans, CGAL::make_property_map(colors), np);
+    });
   };
   CHECK_THAT(message(params::maximum_distance(-1.)), Catch::Contains("maximum_distance"));
   const auto chain = params::maximum_distance(-1.).concurrency_tag(CGAL::Sequential_tag());
@@ -483,7 +487,7 @@ TEST_CASE("maps_get_the_colors_of_meshes_and_soups", "[stitch]") {
   for(const auto& f : t.faces)
     inwards.push_back({f[0], f[2], f[1]});
   const auto report = [&](const auto& faces, const auto& np) {
-    return RL::stitch_colors(t.points, faces, scans, CGAL::make_property_map(colors), np);
+    return RL::stitch_colors(RL::soup(t.points, faces), scans, CGAL::make_property_map(colors), np);
   };
   CHECK_THAT(stitch_message([&] { report(inwards, np); }), Catch::Contains("no scan"));
   CHECK(report(inwards, np.oriented(false)).uncovered_vertices == 0);
@@ -514,7 +518,7 @@ TEST_CASE("exposures_in_linear_light_are_found_and_values_outside_are_counted", 
     for(Rgb_color& c : colors)
       for(double& x : c)
         x = RL::linear_to_srgb(exposures[i] * RL::srgb_to_linear(x));
-    scans.emplace_back(RL::read_surface(seen.points, seen.faces), colors,
+    scans.emplace_back(RL::read_surface(RL::soup(seen.points, seen.faces)), colors,
                        RL::Scan_pose(CGAL::IDENTITY), CGAL::ORIGIN + Vector_3(4, i * 4., 0));
   }
   RL::Color_stitching_options options;
@@ -588,7 +592,7 @@ TEST_CASE("stitching_does_not_depend_on_the_number_of_threads", "[stitch][thread
     CHECK(a.uncovered_vertices > 0);
   }
   const shapes::Triangles seen = seen_from(t, {1, 0, 0});
-  const RL::Triangulated_surface_3 surface = RL::read_surface(seen.points, seen.faces);
+  const RL::Triangulated_surface_3 surface = RL::read_surface(RL::soup(seen.points, seen.faces));
   const RL::Colored_scan c(surface, true_colors(t.points), RL::Scan_pose(CGAL::IDENTITY),
                            Point_3(4, 0, 0), false),
       d(surface, true_colors(t.points), RL::Scan_pose(CGAL::IDENTITY), Point_3(4, 0, 0), true);

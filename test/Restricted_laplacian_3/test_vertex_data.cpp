@@ -367,8 +367,8 @@ TEST_CASE("smooth_data_in_problems") {
   // soups
   const shapes::Triangles t = shapes::triangles(own);
   std::vector<double> of_soup(t.points.size());
-  REQUIRE(RL::solve_screened_poisson(t.points, t.faces, CGAL::make_property_map(values), 1,
-                                     CGAL::make_property_map(of_soup), smooth)
+  REQUIRE(RL::solve_screened_poisson(RL::soup(t.points, t.faces), CGAL::make_property_map(values),
+                                     1, CGAL::make_property_map(of_soup), smooth)
               .converged);
   double largest = 0;
   for(Vertex v : own.vertices())
@@ -417,17 +417,19 @@ TEST_CASE("smooth_data_of_bad_meshes") {
   t = shapes::sphere(2);
   std::vector<double> values = values_at(t, wave), u(t.points.size());
   values[5] = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(RL::solve_screened_poisson(t.points, t.faces, CGAL::make_property_map(values), 1,
+  CHECK_THROWS_AS(RL::solve_screened_poisson(RL::soup(t.points, t.faces),
+                                             CGAL::make_property_map(values), 1,
                                              CGAL::make_property_map(u), np),
                   RL::Parameter_error);
   values[5] = 0;
   t.points.emplace_back(9, 9, 9);
   values.push_back(std::numeric_limits<double>::quiet_NaN());
   u.resize(t.points.size());
-  CHECK(RL::solve_screened_poisson(t.points, t.faces, CGAL::make_property_map(values), 1,
+  CHECK(RL::solve_screened_poisson(RL::soup(t.points, t.faces), CGAL::make_property_map(values), 1,
                                    CGAL::make_property_map(u), np)
             .converged);
-  CHECK_THROWS_AS(RL::solve_screened_poisson(t.points, t.faces, CGAL::make_property_map(values), 1,
+  CHECK_THROWS_AS(RL::solve_screened_poisson(RL::soup(t.points, t.faces),
+                                             CGAL::make_property_map(values), 1,
                                              CGAL::make_property_map(u), np.crease_angle(-1.)),
                   RL::Parameter_error);
 }

@@ -12,7 +12,7 @@ computes with `CGAL::Simple_cartesian<double>` and needs no predicates or constr
 \cgalHasModel All models of the concept `Kernel`
 
 \sa `CGAL::Restricted_laplacian_3::read_surface()`
-\sa `CGAL::Restricted_laplacian_3::read_point_set()`
+\sa `RestrictedSurface_3`
 */
 class RestrictedLaplacianTraits_3 {
 public:

@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
-#include <CGAL/Restricted_laplacian_3/problems/shared/Surface_source.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
@@ -25,86 +25,48 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-template <class Source, class PropertyMap, class NamedParameters>
-Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
-                              const NamedParameters& np);
+template <class Surface, class VertexMap, class NamedParameters>
+Fit_report estimate_curvature_on_surface(const Surface& surface, VertexMap curvatures,
+                                         const NamedParameters& np);
 
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// Estimates the curvature of a mesh at its vertices.
-/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles. The normals are to the side to which the faces are oriented. Or a range of oriented
-/// points, which take the place of vertices, see `read_point_set()`
-/// \param tm the surface, a mesh or a range of oriented points
-/// \param curvatures a model of `WritablePropertyMap` with the vertex descriptor as key and
-/// `Surface_curvature` as value; NaN at vertices without a face of positive area
+/// Estimates the curvature of a surface at its vertices, with normals to the side to which its
+/// faces are oriented: those of a soup must be oriented alike.
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface a mesh, a `soup()`, oriented points, or a `Spline_space_3`
+/// \param curvatures a model of `WritablePropertyMap` with vertices as keys and `Surface_curvature`
+/// as value; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
-///   \named_of_mesh
-///   \named_geometry
-///   \named_crease_angle
-///   \named_edge_is_feature_map
-///   \named_of_points
+///   \named_of_surface
 ///   \named_method
-///   \named_vertex_normal_map
 ///   \named_of_curvature
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, errors of the fit, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if `progress` returned `false`
-template <class FaceGraph, class VertexMap,
+template <class Surface, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VertexMap> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Fit_report estimate_curvature(const FaceGraph& tm, VertexMap curvatures,
+          internal::Require_property_map<VertexMap> = 0>
+Fit_report estimate_curvature(const Surface& surface, VertexMap curvatures,
                               const NamedParameters& np = parameters::default_values()) {
-  return internal::estimate_curvature(internal::mesh_or_point_source(tm), curvatures, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Estimates the curvature of a triangle soup, which need not be a manifold, at its points. Its
-/// faces must be oriented alike.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param curvatures a model of `WritablePropertyMap` with the index of a point as key, a
-/// `std::size_t`, and `Surface_curvature` as value; NaN at points without a face of positive area
-/// \param np optional named parameters, where property maps have such keys, too:
-/// \cgalNamedParamsBegin
-///   \named_of_space
-///   \named_method
-///   \named_vertex_normal_map
-///   \named_of_curvature
-///   \named_geom_traits
-///   \named_geometry
-///   \named_crease_angle
-/// \cgalNamedParamsEnd
-/// \return whether the solver converged, iterations, residuals, errors of the fit, times
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if `progress` returned `false`
-template <class PointRange, class TriangleRange, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<IndexMap> = 0,
-          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
-Fit_report estimate_curvature(const PointRange& points, const TriangleRange& triangles,
-                              IndexMap curvatures,
-                              const NamedParameters& np = parameters::default_values()) {
-  return internal::estimate_curvature(
-      internal::Soup_source<PointRange, TriangleRange>(points, triangles), curvatures, np);
+  return internal::estimate_curvature_on_surface(surface, curvatures, np);
 }
 
 namespace internal {
 
-template <class Source, class PropertyMap, class NamedParameters>
-Fit_report estimate_curvature(const Source& source, PropertyMap curvatures,
-                              const NamedParameters& np) {
+template <class Surface, class VertexMap, class NamedParameters>
+Fit_report estimate_curvature_on_surface(const Surface& surface, VertexMap curvatures,
+                                         const NamedParameters& np) {
   CGAL::Real_timer timer;
   timer.start();
   progress_of(np)(0);
-  const Spline_space_3 space = source.space(np);
+  const auto source = surface_source(surface);
+  const Spline_space_3 space = space_of(surface, np);
   const double space_seconds = timer.time();
   const auto estimated = [&] {
     if constexpr(is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {

@@ -8,7 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/input/shared/function_on_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
-#include <CGAL/Restricted_laplacian_3/problems/shared/Surface_source.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
@@ -27,33 +27,28 @@ namespace Restricted_laplacian_3 {
 
 namespace internal {
 
-template <class Source, class Function, class PropertyMap, class NamedParameters>
-Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
-                        const NamedParameters& np);
+template <class Surface, class Function, class VertexMap, class NamedParameters>
+Fit_report fit_function_on_surface(const Surface& surface, const Function& f, VertexMap u,
+                                   const NamedParameters& np);
 
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// Fits a function on a mesh by a spline, see `Function_fitter`.
-/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles; or a range of oriented points, which take the place of vertices, see
-/// `read_point_set()`
-/// \param tm the surface, a mesh or a range of oriented points
+/// Fits a function on a surface by a spline, see `Function_fitter`.
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface a mesh, a `soup()`, oriented points, or a `Spline_space_3`
 /// \param f a function object that takes a `const Surface_point&`, or a model of
-/// `ReadablePropertyMap` with the vertex descriptor as key (linear in each triangle, or what
-/// `vertex_data` says), the halfedge descriptor (linear, with the value of a halfedge at its
-/// target, in its face) or the face descriptor (constant in each triangle). Values are numbers,
-/// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors or points of \cgal.
-/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and such a value,
-/// with as many components, receives the values of the fit; NaN at vertices without a face of
-/// positive area
+/// `ReadablePropertyMap` whose keys are vertices (linear in each triangle, or what `vertex_data`
+/// says), halfedges of a mesh (linear, with the value of a halfedge at its target, in its face) or
+/// faces of a mesh (constant in each). Values are numbers, `std::array`s of numbers, vectors of
+/// Eigen of a fixed size, or 3D vectors or points of \cgal.
+/// \param u a model of `WritablePropertyMap` with vertices as keys and such a value, with as many
+/// components, receives the values of the fit; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
-///   \named_of_mesh
-///   \named_of_geometry
+///   \named_of_surface
 ///   \named_vertex_data
-///   \named_of_points
 ///   \named_of_fits
 ///   \named_progress
 /// \cgalNamedParamsEnd
@@ -61,45 +56,13 @@ Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
 /// steps), residuals, errors, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if `progress` returned `false`
-template <class FaceGraph, class Function, class VertexMap,
+template <class Surface, class Function, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VertexMap> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Fit_report fit_function(const FaceGraph& tm, const Function& f, VertexMap u,
+          internal::Require_property_map<VertexMap> = 0>
+Fit_report fit_function(const Surface& surface, const Function& f, VertexMap u,
                         const NamedParameters& np = parameters::default_values()) {
-  return internal::fit_function(internal::mesh_or_point_source(tm), f, u, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Fits a function on a triangle soup, which need not be a manifold, nor orientable.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param f a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`,
-/// interpolated as `vertex_data` says, or a function object that takes a `const Surface_point&`;
-/// values as on a mesh
-/// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`,
-/// receives the values of the fit
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_space
-///   \named_of_fits
-///   \named_progress
-///   \named_geom_traits
-///   \named_of_soup_geometry
-///   \named_vertex_data
-/// \cgalNamedParamsEnd
-/// \return whether the solver converged, iterations, residuals, errors, times
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if `progress` returned `false`
-template <class PointRange, class TriangleRange, class Function, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<IndexMap> = 0,
-          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
-Fit_report fit_function(const PointRange& points, const TriangleRange& triangles, const Function& f,
-                        IndexMap u, const NamedParameters& np = parameters::default_values()) {
-  return internal::fit_function(internal::Soup_source<PointRange, TriangleRange>(points, triangles),
-                                f, u, np);
+  return internal::fit_function_on_surface(surface, f, u, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -141,17 +104,17 @@ void put_at_vertices(const Source& source, const Spline_space_3& space,
   put_rows(source, Spline_functions_3(space, coefficients).values_at_vertices(), map);
 }
 
-template <class Source, class Function, class PropertyMap, class NamedParameters>
-Fit_report fit_function(const Source& source, const Function& f, PropertyMap u,
-                        const NamedParameters& np) {
+template <class Surface, class Function, class VertexMap, class NamedParameters>
+Fit_report fit_function_on_surface(const Surface& surface, const Function& f, VertexMap u,
+                                   const NamedParameters& np) {
   CGAL::Real_timer timer;
   timer.start();
   progress_of(np)(0);
-  const Spline_space_3 space = source.space(np);
+  const auto source = surface_source(surface);
+  const Spline_space_3 space = space_of(surface, np);
   const double space_seconds = timer.time();
-  Function_fit fit = Restricted_laplacian_3::fit_function(
-      space, components_on_surface(source, f, vertex_interpolation(source, space.surface(), np)),
-      np);
+  const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
+  Function_fit fit = fit_function(space, components_on_surface(source, f, interpolation), np);
   put_at_vertices(source, space, fit.coefficients, u);
   fit.space_seconds = space_seconds;
   return static_cast<const Fit_report&>(fit);

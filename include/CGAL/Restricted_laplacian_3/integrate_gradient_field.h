@@ -7,9 +7,9 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/input/shared/function_on_surface.h>
-#include <CGAL/Restricted_laplacian_3/input/vector_fields.h>
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
-#include <CGAL/Restricted_laplacian_3/problems/shared/Surface_source.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
@@ -60,15 +60,16 @@ Gradient_options gradient_options(const Target& target, const Weight& weight,
   return options;
 }
 
-template <class Source, class Field, class PropertyMap, class NamedParameters>
-Gradient_report integrate_gradient_field(const Source& source, const Field& v, PropertyMap u,
-                                         const NamedParameters& np) {
-  using Components = Function_components<typename boost::property_traits<PropertyMap>::value_type>;
+template <class Surface, class Field, class VertexMap, class NamedParameters>
+Gradient_report integrate_gradients_on_surface(const Surface& surface, const Field& v, VertexMap u,
+                                               const NamedParameters& np) {
+  using Components = Function_components<typename boost::property_traits<VertexMap>::value_type>;
   CGAL::Real_timer timer;
   timer.start();
   const Progress progress = progress_of(np);
   progress(0);
-  const Spline_space_3 space = source.space(np);
+  const auto source = surface_source(surface);
+  const Spline_space_3 space = space_of(surface, np);
   const double space_seconds = timer.time();
   const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
   const auto field = vector_field_on_surface(source, v, interpolation);
@@ -87,7 +88,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
   read_parameter(np, internal_np::details, with_details);
   const double end_of_splines = with_details ? 0.8 : 1;
   Gradient_solution solution =
-      integrate_gradients(space, field, options, progress.part(part_of_space, end_of_splines));
+      integrate_gradients(space, field, options, progress.part(space_share, end_of_splines));
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(with_details)
@@ -102,7 +103,7 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Problems
-/// Integrates a vector field on a mesh: finds the functions \f$u_k\f$ of a spline space whose
+/// Integrates a vector field on a surface: finds the functions \f$u_k\f$ of a spline space whose
 /// gradients are closest to the channels \f$v_k\f$ of a tangent vector field (paper, section 5.2,
 /// equation 6).
 /// \f[ \int_{\mathcal M} \lvert \nabla u_k - v_k \rvert^2
@@ -133,71 +134,34 @@ Gradient_report integrate_gradient_field(const Source& source, const Field& v, P
 /// for unstructured grids*, Computing 56 (1996). The result depends on the triangulation as that of
 /// cotangents does.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles; or a range of oriented points, which take the place of vertices, see
-/// `read_point_set()`
-/// \param tm the surface
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface a mesh, a `soup()`, oriented points, or a `Spline_space_3`
 /// \param v a function object that takes a `const Surface_point&` and returns a 3D vector of \cgal
 /// (one channel), a `std::array` of such vectors, or an `Eigen::Matrix<double, 3, K>`, whose
-/// columns are the channels; or a model of `ReadablePropertyMap` with such values. Its key is the
-/// vertex descriptor: the field is linear in each triangle, or what `vertex_data` says, and
-/// continuous up to the projection to the tangent planes; the halfedge descriptor: it is linear in
-/// each triangle, with the value of a halfedge at its target, in its face; or the face descriptor:
-/// it is constant in each triangle.
-/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key, and values as
-/// `target` has, receives the values; NaN at vertices without a face of positive area
+/// columns are the channels; or a model of `ReadablePropertyMap` with such values. Its keys are
+/// vertices: the field is linear in each triangle, or what `vertex_data` says, and continuous up to
+/// the projection to the tangent planes; halfedges of a mesh: it is linear in each triangle, with
+/// the value of a halfedge at its target, in its face; or faces of a mesh: it is constant in each.
+/// \param u a model of `WritablePropertyMap` with vertices as keys, and values as `target` has,
+/// receives the values; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
-///   \named_of_mesh
-///   \named_of_geometry
+///   \named_of_surface
 ///   \named_vertex_data
-///   \named_of_points
 ///   \named_of_gradients
 ///   \named_details{`false`}
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residuals, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if `progress` returned `false`
-template <class FaceGraph, class VectorField, class VertexMap,
+template <class Surface, class VectorField, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VertexMap> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Gradient_report integrate_gradient_field(const FaceGraph& tm, const VectorField& v, VertexMap u,
+          internal::Require_property_map<VertexMap> = 0>
+Gradient_report integrate_gradient_field(const Surface& surface, const VectorField& v, VertexMap u,
                                          const NamedParameters& np = parameters::default_values()) {
-  return internal::integrate_gradient_field(internal::mesh_or_point_source(tm), v, u, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Integrates a vector field on a triangle soup, which need not be a manifold, nor orientable.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param v a function object, as on a mesh, or a model of `ReadablePropertyMap` with such values
-/// and the index of a point as key, a `std::size_t`
-/// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`,
-/// receives the values
-/// \param np optional named parameters, where property maps have such keys, too:
-/// \cgalNamedParamsBegin
-///   \named_of_space
-///   \named_of_gradients
-///   \named_details{`false`}
-///   \named_geom_traits
-///   \named_of_soup_geometry
-///   \named_vertex_data
-/// \cgalNamedParamsEnd
-/// \return whether the solver converged, iterations, residuals, times
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if `progress` returned `false`
-template <class PointRange, class TriangleRange, class VectorField, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<IndexMap> = 0,
-          std::enable_if_t<!std::is_same_v<PointRange, Spline_space_3>, int> = 0>
-Gradient_report integrate_gradient_field(const PointRange& points, const TriangleRange& triangles,
-                                         const VectorField& v, IndexMap u,
-                                         const NamedParameters& np = parameters::default_values()) {
-  return internal::integrate_gradient_field(
-      internal::Soup_source<PointRange, TriangleRange>(points, triangles), v, u, np);
+  return internal::integrate_gradients_on_surface(surface, v, u, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems

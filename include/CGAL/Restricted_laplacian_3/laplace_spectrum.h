@@ -18,101 +18,59 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-namespace internal {
-
-template <class MakeSpace, class NamedParameters>
-Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int count, const NamedParameters& np);
-
-} // namespace internal
-
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a surface, with
 /// the natural boundary condition if it is open.
-/// \tparam FaceGraph a model of `FaceListGraph`, all of whose faces are triangles
-/// \param tm the surface, a mesh or a range of oriented points
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface a mesh, a `soup()`, or oriented points
 /// \param count number of pairs, positive
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
-///   \named_of_mesh
-///   \named_of_geometry
-///   \named_of_points
+///   \named_of_surface
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if `progress` returned `false`
-template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+template <class Surface, class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Laplace_spectrum laplace_spectrum(const FaceGraph& tm, int count,
+          std::enable_if_t<!std::is_same_v<Surface, Spline_space_3>, int> = 0>
+Laplace_spectrum laplace_spectrum(const Surface& surface, int count,
                                   const NamedParameters& np = parameters::default_values()) {
-  return internal::laplace_spectrum_of([&] { return Spline_space_3(tm, np); }, count, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a triangle
-/// soup, which need not be a manifold, nor orientable.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param count number of pairs, positive
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_space
-///   \named_of_spectrum
-///   \named_geom_traits
-///   \named_of_soup_geometry
-/// \cgalNamedParamsEnd
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if `progress` returned `false`
-template <class PointRange, class TriangleRange,
-          class NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<!std::is_arithmetic_v<TriangleRange>, int> = 0>
-Laplace_spectrum laplace_spectrum(const PointRange& points, const TriangleRange& triangles,
-                                  int count,
-                                  const NamedParameters& np = parameters::default_values()) {
-  return internal::laplace_spectrum_of([&] { return Spline_space_3(points, triangles, np); }, count,
-                                       np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// The smallest eigenvalues and eigenvectors of the cotangent Laplacian of the triangulation,
-/// for comparison.
-/// \param tm the surface, a mesh of triangles
-/// \param count number of pairs, positive
-/// \param np optional named parameters:
-/// \cgalNamedParamsBegin
-///   \named_of_mesh
-///   \named_lumped_mass
-/// \cgalNamedParamsEnd
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters>
-Laplace_spectrum cotangent_spectrum(const FaceGraph& tm, int count,
-                                    const NamedParameters& np = parameters::default_values()) {
   CGAL::Real_timer timer;
   timer.start();
-  const Triangulated_surface_3 surface = read_surface(tm, np);
-  const double space_seconds = timer.time();
-  bool lumped_mass = false;
-  internal::read_parameter(np, internal_np::lumped_mass, lumped_mass);
-  Laplace_spectrum spectrum = internal::cotangent_eigenpairs(surface, count, lumped_mass);
-  spectrum.report.space_seconds = space_seconds;
-  return spectrum;
-}
-
-namespace internal {
-
-template <class MakeSpace, class NamedParameters>
-Laplace_spectrum laplace_spectrum_of(MakeSpace&& make_space, int count, const NamedParameters& np) {
-  CGAL::Real_timer timer;
-  timer.start();
-  const Spline_space_3 space = make_space();
+  const Spline_space_3 space(surface, np);
   const double space_seconds = timer.time();
   Laplace_spectrum spectrum = laplace_spectrum(space, count, np);
   spectrum.report.space_seconds = space_seconds;
   return spectrum;
 }
 
-} // namespace internal
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// The smallest eigenvalues and eigenvectors of the cotangent Laplacian of the triangulation,
+/// for comparison.
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface a mesh or a `soup()`; not points, which have no triangles
+/// \param count number of pairs, positive
+/// \param np optional named parameters:
+/// \cgalNamedParamsBegin
+///   \named_of_surface
+///   \named_lumped_mass
+/// \cgalNamedParamsEnd
+/// \throws Input_error one of its derived classes names the face, vertex or parameter
+template <class Surface, class NamedParameters = parameters::Default_named_parameters>
+Laplace_spectrum cotangent_spectrum(const Surface& surface, int count,
+                                    const NamedParameters& np = parameters::default_values()) {
+  CGAL::Real_timer timer;
+  timer.start();
+  const Triangulated_surface_3 triangles = read_surface(surface, np);
+  const double space_seconds = timer.time();
+  bool lumped_mass = false;
+  internal::read_parameter(np, internal_np::lumped_mass, lumped_mass);
+  Laplace_spectrum spectrum = internal::cotangent_eigenpairs(triangles, count, lumped_mass);
+  spectrum.report.space_seconds = space_seconds;
+  return spectrum;
+}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

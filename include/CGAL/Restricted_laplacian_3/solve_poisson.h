@@ -10,7 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/input/shared/function_on_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
-#include <CGAL/Restricted_laplacian_3/problems/shared/Surface_source.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -57,6 +57,7 @@ struct Has_edges<Source, std::void_t<typename Source::Halfedge>> : std::true_typ
 template <class Source, class NamedParameters>
 std::function<bool(const Surface_point&)>
 has_boundary_value([[maybe_unused]] const Source& source,
+                   [[maybe_unused]] const Triangulated_surface_3& surface,
                    [[maybe_unused]] const NamedParameters& np) {
   constexpr bool by_place = is_given_v<NamedParameters, internal_np::has_boundary_value_t>,
                  by_edge = is_given_v<NamedParameters, internal_np::edge_is_constrained_t>;
@@ -71,13 +72,13 @@ has_boundary_value([[maybe_unused]] const Source& source,
     return parameters::get_parameter(np, internal_np::has_boundary_value);
   else if constexpr(by_edge) {
     const auto is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
-    std::vector<bool> of_sides;
-    source.for_each_side([&](std::size_t i, const auto& e, bool is_at_boundary) {
-      of_sides.push_back(value_at(is_constrained, e));
-      if(of_sides.back() && !is_at_boundary)
-        throw Parameter_error("edge_is_constrained_map", "marks an edge of face " +
-                                                             std::to_string(i / 3) +
-                                                             " that is not at the boundary");
+    std::vector<bool> of_sides(3 * surface.number_of_faces());
+    source.for_each_side(surface, [&](std::size_t i, const auto& e, bool is_at_boundary) {
+      of_sides[i] = value_at(is_constrained, e);
+      if(of_sides[i] && !is_at_boundary)
+        throw Parameter_error("edge_is_constrained_map",
+                              "marks an edge of face " + std::to_string(surface.polygon(i / 3)) +
+                                  " that is not at the boundary");
     });
     return [of_sides = std::move(of_sides)](const Surface_point& p) {
       const auto opposite = std::min_element(p.barycentric.begin(), p.barycentric.end());
@@ -131,15 +132,16 @@ template <class NamedParameters, class Tag> auto on_boundary(const NamedParamete
 }
 
 /// \param alpha a number, or a function on the surface
-template <class Source, class Function, class Alpha, class VertexMap, class NamedParameters>
-Solve_report solve_poisson(const Source& source, const Function& f, const Alpha& alpha, VertexMap u,
-                           const NamedParameters& np) {
+template <class Surface, class Function, class Alpha, class VertexMap, class NamedParameters>
+Solve_report solve_poisson_on_surface(const Surface& surface, const Function& f, const Alpha& alpha,
+                                      VertexMap u, const NamedParameters& np) {
   using Value = typename boost::property_traits<VertexMap>::value_type;
   const Progress progress = progress_of(np);
   CGAL::Real_timer timer;
   timer.start();
   progress(0);
-  const Spline_space_3 space = source.space(np);
+  const auto source = surface_source(surface);
+  const Spline_space_3 space = space_of(surface, np);
   const double space_seconds = timer.time();
 
   const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
@@ -150,8 +152,8 @@ Solve_report solve_poisson(const Source& source, const Function& f, const Alpha&
   const auto flux =
       numbers_on_surface(source, on_boundary(np, internal_np::boundary_flux), interpolation);
   Poisson_problem problem = poisson_problem(right_hand_side, weight, values_on_boundary, flux, np,
-                                            progress.part(part_of_space, 1));
-  problem.has_boundary_value = has_boundary_value(source, np);
+                                            progress.part(space_share, 1));
+  problem.has_boundary_value = has_boundary_value(source, space.surface(), np);
   if constexpr(is_given_v<NamedParameters, internal_np::constraints_t>)
     problem.vertex_values = vertex_values(source, space, np);
   Poisson_solution solution = solve_poisson_problem(space, problem);
@@ -174,7 +176,7 @@ Poisson_solution solve_poisson_in_space(const Spline_space_3& space, const Surfa
   const auto values = on_boundary(np, internal_np::boundary_values);
   const auto flux = on_boundary(np, internal_np::boundary_flux);
   Poisson_problem problem = poisson_problem(f, alpha, values, flux, np, progress);
-  problem.has_boundary_value = has_boundary_value(0, np);
+  problem.has_boundary_value = has_boundary_value(0, space.surface(), np);
   return solve_poisson_problem(space, problem);
 }
 
@@ -198,23 +200,19 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// `false`: then two that come within three cells of each other count as one). Components on which
 /// values are prescribed are solved as they are.
 ///
-/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles
-/// \param tm the surface, a mesh or a range of oriented points
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface a mesh, a `soup()`, oriented points, or a `Spline_space_3`
 /// \param f a function object that takes a `const Surface_point&` and returns a number; or a model
-/// of `ReadablePropertyMap` with a number as value. Its key is the vertex descriptor: \f$f\f$ is
-/// linear in each triangle, or what `vertex_data` says; the halfedge descriptor: linear, with the
-/// value of a halfedge at its target, in its face; or the face descriptor: \f$f\f$ is constant in
-/// each triangle.
-/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point
-/// number as value, receives the solution; NaN at vertices without a face of positive area
+/// of `ReadablePropertyMap` with a number as value. Its keys are vertices: \f$f\f$ is linear in
+/// each triangle, or what `vertex_data` says; halfedges of a mesh: linear, with the value of a
+/// halfedge at its target, in its face; or faces of a mesh: \f$f\f$ is constant in each.
+/// \param u a model of `WritablePropertyMap` with vertices as keys and a floating-point number as
+/// value, receives the solution; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
-///   \named_of_mesh
-///   \named_of_geometry
+///   \named_of_surface
 ///   \named_vertex_data
-///   \named_of_points
 ///   \named_of_poisson
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
@@ -223,45 +221,13 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 ///
 /// Takes time and memory proportional to the number of triangles plus the number of elements, times
 /// the number of iterations.
-template <class FaceGraph, class Function, class VertexMap,
+template <class Surface, class Function, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VertexMap> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Solve_report solve_poisson(const FaceGraph& tm, const Function& f, VertexMap u,
+          internal::Require_property_map<VertexMap> = 0>
+Solve_report solve_poisson(const Surface& surface, const Function& f, VertexMap u,
                            const NamedParameters& np = parameters::default_values()) {
-  return internal::solve_poisson(internal::mesh_or_point_source(tm), f, 0, u, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Solves the Poisson problem \f$\Delta_{\mathcal M} u = f\f$ on a triangle soup, which need not be
-/// a manifold, nor orientable.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param f a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`, and
-/// a number as value, interpolated as `vertex_data` says; or a function object that takes a
-/// `const Surface_point&` and returns a number
-/// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`, and
-/// a floating-point number as value, receives the solution
-/// \param np optional named parameters, where property maps have such keys, too:
-/// \cgalNamedParamsBegin
-///   \named_of_space
-///   \named_of_poisson
-///   \named_geom_traits
-///   \named_of_soup_geometry
-///   \named_vertex_data
-/// \cgalNamedParamsEnd
-/// \return whether the solver converged, iterations, residual, times
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if `progress` returned `false`
-template <class PointRange, class TriangleRange, class Function, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<IndexMap> = 0>
-Solve_report solve_poisson(const PointRange& points, const TriangleRange& triangles,
-                           const Function& f, IndexMap u,
-                           const NamedParameters& np = parameters::default_values()) {
-  return internal::solve_poisson(
-      internal::Soup_source<PointRange, TriangleRange>(points, triangles), f, 0, u, np);
+  return internal::solve_poisson_on_surface(surface, f, 0, u, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -293,68 +259,32 @@ Poisson_solution solve_poisson(const Spline_space_3& space, const Surface_functi
 /// With \f$f = \alpha g\f$ the solution minimizes
 /// \f$ \int \lvert \nabla u \rvert^2 + \alpha (u - g)^2 \f$: it is pulled toward \f$g\f$ where
 /// \f$\alpha\f$ is large, a soft constraint.
-/// \param tm the surface, a mesh or a range of oriented points
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface a mesh, a `soup()`, oriented points, or a `Spline_space_3`
 /// \param f the right-hand side, given as in `solve_poisson()`
 /// \param alpha in units of 1 / area: a positive number (multiply by the area to compare surfaces
 /// of different size); or weights that are not negative, given as `f` is
-/// \param u a model of `WritablePropertyMap` with the vertex descriptor as key and a floating-point
-/// number as value, receives the solution; NaN at vertices without a face of positive area
+/// \param u a model of `WritablePropertyMap` with vertices as keys and a floating-point number as
+/// value, receives the solution; NaN at vertices without a face of positive area
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
-///   \named_of_mesh
-///   \named_of_geometry
+///   \named_of_surface
 ///   \named_vertex_data
-///   \named_of_points
 ///   \named_of_poisson
 /// \cgalNamedParamsEnd
 /// \return whether the solver converged, iterations, residual, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if `progress` returned `false`
-template <class FaceGraph, class Function, class Alpha, class VertexMap,
+template <class Surface, class Function, class Alpha, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0,
-          internal::Require_no_named_parameters<VertexMap> = 0,
-          std::enable_if_t<!std::is_same_v<FaceGraph, Spline_space_3>, int> = 0>
-Solve_report solve_screened_poisson(const FaceGraph& tm, const Function& f, const Alpha& alpha,
+          internal::Require_property_map<VertexMap> = 0>
+Solve_report solve_screened_poisson(const Surface& surface, const Function& f, const Alpha& alpha,
                                     VertexMap u,
                                     const NamedParameters& np = parameters::default_values()) {
   internal::check_weight(alpha);
-  return internal::solve_poisson(internal::mesh_or_point_source(tm), f, alpha, u, np);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// Solves the screened Poisson problem \f$\alpha u - \Delta_{\mathcal M} u = f\f$ on a triangle
-/// soup.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param f the right-hand side: a model of `ReadablePropertyMap` with the index of a point as key,
-/// a `std::size_t`, and a number as value, interpolated as `vertex_data` says; or a function object
-/// that takes a `const Surface_point&` and returns a number
-/// \param alpha in units of 1 / area: a positive number; or weights that are not negative, given as
-/// `f` is
-/// \param u a model of `WritablePropertyMap` with the index of a point as key, a `std::size_t`, and
-/// a floating-point number as value, receives the solution
-/// \param np optional named parameters, where property maps have such keys, too:
-/// \cgalNamedParamsBegin
-///   \named_of_space
-///   \named_of_poisson
-///   \named_geom_traits
-///   \named_of_soup_geometry
-///   \named_vertex_data
-/// \cgalNamedParamsEnd
-/// \return whether the solver converged, iterations, residual, times
-/// \throws Input_error one of its derived classes names the face, vertex or parameter
-/// \throws Canceled if `progress` returned `false`
-template <class PointRange, class TriangleRange, class Function, class Alpha, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<IndexMap> = 0>
-Solve_report solve_screened_poisson(const PointRange& points, const TriangleRange& triangles,
-                                    const Function& f, const Alpha& alpha, IndexMap u,
-                                    const NamedParameters& np = parameters::default_values()) {
-  internal::check_weight(alpha);
-  return internal::solve_poisson(
-      internal::Soup_source<PointRange, TriangleRange>(points, triangles), f, alpha, u, np);
+  return internal::solve_poisson_on_surface(surface, f, alpha, u, np);
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems

@@ -314,7 +314,7 @@ TEST_CASE("poisson_problems_of_real_meshes_on_ranks", "[meshes]") {
     REQUIRE(CGAL::IO::read_polygon_soup(path, points, faces));
     for(int depth : {4, 6}) {
       INFO("depth " << depth);
-      const Result result = solve(RL::read_surface(points, faces), depth, 0, 1e-8);
+      const Result result = solve(RL::read_surface(RL::soup(points, faces)), depth, 0, 1e-8);
       CHECK(result.difference <= 1e-7);
       CHECK(result.iterations <= result.iterations_of_one + 1);
     }

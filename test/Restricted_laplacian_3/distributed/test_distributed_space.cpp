@@ -274,6 +274,6 @@ TEST_CASE("parts_of_spaces_of_real_meshes", "[meshes]") {
     std::vector<RL::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;
     REQUIRE(CGAL::IO::read_polygon_soup(path, points, faces));
-    check_space(name, RL::read_surface(points, faces), options_of(6));
+    check_space(name, RL::read_surface(RL::soup(points, faces)), options_of(6));
   }
 }

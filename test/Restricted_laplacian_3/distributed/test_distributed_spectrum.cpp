@@ -373,7 +373,7 @@ TEST_CASE("spectra_of_real_meshes_on_ranks", "[meshes]") {
     std::vector<RL::Point_3> points;
     std::vector<std::vector<std::size_t>> faces;
     REQUIRE(CGAL::IO::read_polygon_soup(path, points, faces));
-    const Spaces spaces(RL::read_surface(points, faces), 5);
+    const Spaces spaces(RL::read_surface(RL::soup(points, faces)), 5);
     const RL::Distributed_spectrum spectrum =
         RL::laplace_spectrum(spaces.distributed, 8, options_of(1e-6));
     CHECK(spectrum.report.converged);

@@ -13,7 +13,7 @@ export LC_ALL=C
 build=$(cd "$1" && pwd)
 programs=$build/bin
 PATH="$programs:$build/examples/Restricted_laplacian_3:$PATH"
-checks=$(cd "$(dirname "${BASH_SOURCE[0]}")/../programs" && pwd)/checks.sh
+checks=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/checks.sh
 mpiexec=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

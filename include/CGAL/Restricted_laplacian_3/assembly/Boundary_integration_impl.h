@@ -73,7 +73,7 @@ Boundary_integration::values(const Surface_function_view& g, const char* name) c
   for(Eigen::Index k = 0; k < result.size(); ++k)
     if(!std::isfinite(result[k]))
       throw Parameter_error(name, "have a value that is not a finite number in face " +
-                                      std::to_string(points[static_cast<std::size_t>(k)].face));
+                                      std::to_string(points[static_cast<std::size_t>(k)].polygon));
   return result;
 }
 
@@ -219,7 +219,8 @@ Boundary_integration::sheet_of_piece(const Surface_location& begin,
       return sheet;
   const internal::Divided_surface* const division = m_space.octree().division();
   throw Numerical_error("the boundary at face " +
-                        std::to_string(division ? division->face(begin.face) : begin.face) +
+                        std::to_string(m_space.surface().polygon(
+                            division ? division->face(begin.face) : begin.face)) +
                         " lies on no part of the surface");
 }
 

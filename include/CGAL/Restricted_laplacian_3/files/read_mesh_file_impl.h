@@ -73,9 +73,10 @@ inline const File_format& file_format_of(const std::string& file) {
 
 inline Mesh_file mesh_of(File_contents contents) {
   Mesh_file result;
-  for(std::vector<std::uint32_t>& polygon : contents.polygons) {
+  for(const std::vector<std::uint32_t>& polygon : contents.polygons) {
     result.number_of_divided_faces += polygon.size() > 3;
-    divide_polygon(contents.points, std::move(polygon), contents.triangles);
+    for(const Triangulated_surface_3::Triangle& part : divided_polygon(contents.points, polygon))
+      contents.triangles.push_back({polygon[part[0]], polygon[part[1]], polygon[part[2]]});
   }
   result.points = std::move(contents.points);
   result.triangles = std::move(contents.triangles);

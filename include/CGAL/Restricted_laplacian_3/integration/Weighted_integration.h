@@ -38,7 +38,7 @@ public:
         const double factor = static_cast<double>(m_weight(block.points[i]));
         if(!(factor >= 0 && std::isfinite(factor)))
           throw Parameter_error("weight", "is negative or not finite in face " +
-                                              std::to_string(block.points[i].face));
+                                              std::to_string(block.points[i].polygon));
         nodes.add(block.points[i], block.position(i), block.weights[i] * factor, block.metrics[i]);
       }
     });

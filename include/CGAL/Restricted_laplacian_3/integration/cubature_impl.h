@@ -36,6 +36,7 @@ void visit_fragment(const Octree_3& octree, const Cell_3& cell, std::uint32_t fa
   Surface_point point;
   point.face = face;
   point.vertices = surface.triangle(face);
+  point.polygon = surface.polygon(face);
   point.normal = surface.normal(face);
   visit(octree.fragment(cell, face), cell.index,
         std::array<Point_3, 3>{surface.point(face, 0), surface.point(face, 1),
@@ -158,6 +159,7 @@ public:
     Surface_point p;
     p.face = m_face;
     p.vertices = surface.triangle(m_face);
+    p.polygon = surface.polygon(m_face);
     for(std::size_t i = 0; i < patch_nodes.size; ++i) {
       const double b1 = patch_nodes.places[0][i], b2 = patch_nodes.places[1][i];
       p.barycentric = {1 - b1 - b2, b1, b2};
@@ -188,6 +190,7 @@ inline void add_flat_piece(const Octree_3& octree, const Cell_3& cell, std::uint
       Surface_point& p = block.points[i];
       static_cast<Surface_location&>(p) = division.location(piece, p.barycentric);
       p.vertices = octree.surface().triangle(p.face);
+      p.polygon = octree.surface().polygon(p.face);
       nodes.add(p, block.position(i), block.weights[i], block.metrics[i]);
     }
   };

@@ -230,7 +230,8 @@ public:
     for(std::size_t i = 0; i < points.size(); ++i) {
       for(int axis = 0; axis < 3; ++axis)
         if(!std::isfinite(found[i][axis]))
-          throw Invalid_face_error(faces[i], "has a point whose projection is not finite");
+          throw Invalid_face_error(surface.polygon(faces[i]),
+                                   "has a point whose projection is not finite");
       m_deviations.push_back(found[i] - points[i]);
     }
   }
@@ -370,7 +371,9 @@ curved_surface(Triangulated_surface_3 surface, const Smooth_geometry& geometry) 
     points = internal::projected(points, geometry);
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
       triangles.push_back(surface.triangle(f));
-    surface = Triangulated_surface_3(std::move(points), std::move(triangles));
+    Triangulated_surface_3 result(std::move(points), std::move(triangles));
+    result.set_polygons(surface);
+    surface = std::move(result);
   }
   const internal::Surface_edges edges(surface);
   surface.set_patches(std::make_shared<const Surface_patches>(

@@ -77,7 +77,7 @@ public:
       for(std::size_t k = 0; k < m_channels; ++k)
         if(!std::isfinite(target[k]))
           throw Parameter_error("target", "has a value that is not finite in face " +
-                                              std::to_string(points[i].face));
+                                              std::to_string(points[i].polygon));
     }
   }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/input/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
 #include <Eigen/Core>
@@ -71,19 +72,21 @@ private:
 /// Writes the values of a function at all vertices into a property map: NaN at vertices that have
 /// no face of positive area.
 /// \param u the function
-/// \param tm the mesh that the space of `u` was made from
-/// \param map a model of `WritablePropertyMap` with the vertex descriptor as key and a number type
-/// as value
-template <class FaceGraph, class VertexMap>
-void evaluate_at_vertices(const Spline_function_3& u, const FaceGraph& tm, VertexMap map) {
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface what the space of `u` was made from
+/// \param map a model of `WritablePropertyMap` with vertices as keys and a number type as value
+template <class Surface, class VertexMap>
+void evaluate_at_vertices(const Spline_function_3& u, const Surface& surface, VertexMap map) {
   using Value = typename boost::property_traits<VertexMap>::value_type;
   const std::vector<double> values = u.values_at_vertices();
-  const auto range = vertices(tm);
-  if(static_cast<std::size_t>(std::distance(range.begin(), range.end())) != values.size())
-    throw Parameter_error("tm", "is not the mesh that the space was made from");
-  std::size_t i = 0;
-  for(auto v : range)
-    put(map, v, static_cast<Value>(values[i++]));
+  const auto source = internal::surface_source(surface);
+  std::size_t size = 0;
+  source.for_each_vertex([&](std::size_t, const auto&) { ++size; });
+  if(size != values.size())
+    throw Parameter_error("surface", "is not what the space was made from");
+  source.for_each_vertex([&](std::size_t i, const auto& v) {
+    internal::put_value_at(map, v, static_cast<Value>(values[i]));
+  });
 }
 
 } // namespace Restricted_laplacian_3

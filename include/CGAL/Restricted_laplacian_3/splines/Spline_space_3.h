@@ -7,7 +7,6 @@
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
-#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
@@ -64,7 +63,7 @@ struct Spline_space_options {
   /// no effect on the space of the paper
   bool split = true;
   /// the same for a point set, in place of `split`: by the components that links between
-  /// points form, see `read_point_set()`
+  /// points form
   bool split_point_set = false;
   /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
   /// are joined if they run along each other; without a value they are not
@@ -125,44 +124,24 @@ public:
   /// stands for an element that does not exist
   static constexpr std::uint32_t no_element = Restricted_laplacian_3::no_element;
 
-  /// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-  /// triangles; or a model of `ConstRange`, for example `CGAL::Point_set_3`, of oriented points
-  /// \param tm the surface, a mesh or a range of oriented points
+  /// \tparam Surface a model of `RestrictedSurface_3`
+  /// \param surface a mesh, a `soup()`, or oriented points
   /// \param np optional named parameters:
   /// \cgalNamedParamsBegin
   ///   \named_of_space
-  ///   \named_of_mesh
-  ///   \named_of_geometry
-  ///   \named_of_points
+  ///   \named_of_surface
   /// \cgalNamedParamsEnd
   /// \throws Input_error one of its derived classes names the face, vertex or parameter
   ///
-  /// The mesh is read once, and not needed any more. Time and memory are proportional to the number
-  /// of triangles plus the number of cells that meet the surface (times its logarithm for sorting).
-  template <class FaceGraph, class NamedParameters = parameters::Default_named_parameters,
+  /// The surface is read once, and not needed any more. Time and memory are proportional to the
+  /// number of triangles plus the number of cells that meet the surface (times its logarithm for
+  /// sorting).
+  template <class Surface, class NamedParameters = parameters::Default_named_parameters,
             internal::Require_named_parameters<NamedParameters> = 0,
-            std::enable_if_t<!std::is_same_v<FaceGraph, Triangulated_surface_3>, int> = 0>
-  explicit Spline_space_3(const FaceGraph& tm,
+            std::enable_if_t<!std::is_same_v<Surface, Triangulated_surface_3>, int> = 0>
+  explicit Spline_space_3(const Surface& surface,
                           const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(internal::read_mesh_or_points(tm, np), Options(np)) {}
-
-  /// The spaces of a triangle soup, which need not be a manifold: two triangles are joined if they
-  /// have two indices in common, any number of them at one edge.
-  /// \param points a range of 3D points
-  /// \param triangles a range of ranges of three indices into `points`
-  /// \param np optional named parameters:
-  /// \cgalNamedParamsBegin
-  ///   \named_of_space
-  ///   \named_geom_traits
-  ///   \named_of_geometry
-  /// \cgalNamedParamsEnd
-  /// \throws Input_error one of its derived classes names the face, vertex or parameter
-  template <class PointRange, class TriangleRange,
-            class NamedParameters = parameters::Default_named_parameters,
-            internal::Require_no_named_parameters<TriangleRange> = 0>
-  Spline_space_3(const PointRange& points, const TriangleRange& triangles,
-                 const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(read_surface(points, triangles, np), Options(np)) {}
+    : Spline_space_3(read_surface(surface, np), Options(np)) {}
 
   /// The spaces of a surface given as points and triangles, which need not be a manifold, or as
   /// oriented points.

@@ -4,6 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_LOCATION_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_SURFACE_LOCATION_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -60,6 +62,9 @@ struct Surface_location {
 struct Surface_point : Surface_location {
   /// positions of the face's vertices in the iteration over `vertices(tm)`
   std::array<std::uint32_t, 3> vertices = {0, 0, 0};
+  /// number of the face of the mesh or soup that the face, a triangle, is a part of, see
+  /// `Triangulated_surface_3::polygon()`
+  std::uint32_t polygon = 0;
   /// coordinates of the location
   Point_3 point;
   /// unit normal of the face, by the right-hand rule
@@ -76,12 +81,17 @@ template <class FaceGraph> class Surface_location_converter {
                                    CGAL::dynamic_face_property_t<std::size_t>>::const_type;
 
 public:
-  /// \param tm is read here only
+  /// \param tm a mesh of triangles; is read here only
+  /// \throws Invalid_face_error if a face is not a triangle
   explicit Surface_location_converter(const FaceGraph& tm)
     : m_index(get(CGAL::dynamic_face_property_t<std::size_t>(), tm)) {
     std::size_t i = 0;
-    for(Face f : faces(tm))
+    for(Face f : faces(tm)) {
+      const auto h = halfedge(f, tm);
+      if(next(next(next(h, tm), tm), tm) != h)
+        throw Invalid_face_error(i, "is not a triangle, but barycentric coordinates refer to one");
       put(m_index, f, i++);
+    }
   }
 
   /// a face and barycentric coordinates with respect to the vertices that `Surface_location` names

@@ -44,6 +44,16 @@ struct Part_of_surface {
   Point_3 low, high;
 };
 
+/// Which polygons of a caller the triangles of a surface are parts of, if not each is one.
+struct Polygons_of_surface {
+  /// number of the polygon, for each triangle, ascending
+  std::vector<std::uint32_t> numbers;
+  /// positions of its corners among those of the polygon, for each triangle
+  std::vector<std::array<std::uint32_t, 3>> corners;
+  /// number of corners, for each polygon
+  std::vector<std::uint32_t> sizes;
+};
+
 /// a vector that is finite and not zero, divided by its length, however long or short it is
 Vector_3 unit_vector(const Vector_3& v);
 
@@ -65,6 +75,9 @@ std::array<Vector_3, 2> tangent_axes(const Vector_3& normal);
 /// A surface of triangles may have a smooth patch on each face, see `curved_surface()`. Then points
 /// at locations, normals there and areas are those of the patches; faces, corners and their normals
 /// remain what they are.
+///
+/// Faces of a mesh or soup that have more than three corners are divided into triangles, which are
+/// the faces here; `polygon()` tells which they are parts of.
 ///
 /// Copies share all that is large: they cost nothing. A face takes 20 bytes, a vertex 24.
 class Triangulated_surface_3 {
@@ -116,6 +129,35 @@ public:
 
   /// whether the surface is given by points
   bool is_point_set() const { return m_is_point_set; }
+
+  /// whether the triangles are parts of polygons, some of which have more than three corners
+  bool has_polygons() const { return m_polygons != nullptr; }
+  /// Number of the face, of the mesh or soup that the surface was read from, that a face is a part
+  /// of: of the same one, unless `has_polygons()`.
+  std::uint32_t polygon(std::size_t face) const {
+    CGAL_precondition(face < number_of_faces());
+    return m_polygons ? m_polygons->numbers[face] : static_cast<std::uint32_t>(face);
+  }
+  /// number of faces of the mesh or soup
+  std::size_t number_of_polygons() const {
+    return m_polygons ? m_polygons->sizes.size() : number_of_faces();
+  }
+  /// number of corners of a face of the mesh or soup
+  std::size_t size_of_polygon(std::size_t polygon) const {
+    CGAL_precondition(polygon < number_of_polygons());
+    return m_polygons ? m_polygons->sizes[polygon] : 3;
+  }
+  /// position of a corner of a face among those of its polygon
+  std::size_t corner_of_polygon(std::size_t face, int corner) const {
+    CGAL_precondition(face < number_of_faces() && corner >= 0 && corner < 3);
+    return m_polygons ? m_polygons->corners[face][corner] : static_cast<std::size_t>(corner);
+  }
+  /// \cond
+  void set_polygons(internal::Polygons_of_surface&& polygons) {
+    m_polygons = std::make_shared<const internal::Polygons_of_surface>(std::move(polygons));
+  }
+  void set_polygons(const Triangulated_surface_3& other) { m_polygons = other.m_polygons; }
+  /// \endcond
 
   /// \param who what cannot do without faces, for the message
   /// \throws Input_error if the surface is given by points
@@ -193,6 +235,7 @@ public:
     Surface_point p;
     static_cast<Surface_location&>(p) = location;
     p.vertices = triangle(location.face);
+    p.polygon = polygon(location.face);
     if(is_smooth() && !is_degenerate(location.face)) {
       set_patch_point(p);
       return p;
@@ -232,6 +275,7 @@ private:
   std::size_t m_number_of_degenerate_faces = 0;
   bool m_is_point_set = false;
   std::shared_ptr<const Surface_patches> m_patches;
+  std::shared_ptr<const internal::Polygons_of_surface> m_polygons;
 };
 
 // Inline, because it is called for each fragment of a face.

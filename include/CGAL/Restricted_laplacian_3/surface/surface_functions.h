@@ -179,51 +179,6 @@ template <class Function> int degree_on_triangles(const Function& f) {
 
 } // namespace internal
 
-/// \ingroup PkgRestrictedLaplacian3Functions
-/// The function that is linear in each triangle and takes the values of a vertex property map, as a
-/// function object on `Surface_point`. The values are copied.
-/// \param tm the mesh whose vertices the map knows
-/// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a number type
-/// as value
-template <class FaceGraph, class VertexMap>
-Linear_surface_function<double> vertex_function(const FaceGraph& tm, VertexMap map) {
-  std::vector<double> values;
-  values.reserve(num_vertices(tm));
-  for(auto v : vertices(tm))
-    values.push_back(CGAL::to_double(get(map, v)));
-  return Linear_surface_function<double>(std::move(values));
-}
-
-/// \ingroup PkgRestrictedLaplacian3Functions
-/// The function with the values of a property map at the points of a triangle soup, linear in each
-/// triangle. The values are copied.
-/// \param number_of_points the map is read at all indices below it
-/// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`,
-/// and a number type as value, for example `CGAL::make_property_map()` of a vector
-template <class IndexMap>
-Linear_surface_function<double> index_function(std::size_t number_of_points, IndexMap map) {
-  std::vector<double> values;
-  values.reserve(number_of_points);
-  for(std::size_t i = 0; i < number_of_points; ++i)
-    values.push_back(CGAL::to_double(get(map, i)));
-  return Linear_surface_function<double>(std::move(values));
-}
-
-/// \ingroup PkgRestrictedLaplacian3Functions
-/// The vector field that is linear in each triangle and takes the values of a vertex property map,
-/// as a function object on `Surface_point`.
-/// \param tm the mesh whose vertices the map knows
-/// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key and a 3D vector
-/// type of a \cgal kernel as value
-template <class FaceGraph, class VertexMap>
-Linear_surface_function<Vector_3> vertex_vector_field(const FaceGraph& tm, VertexMap map) {
-  std::vector<Vector_3> values;
-  values.reserve(num_vertices(tm));
-  for(auto v : vertices(tm))
-    values.push_back(internal::with_coordinates_of<Vector_3>(get(map, v)));
-  return Linear_surface_function<Vector_3>(std::move(values));
-}
-
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
-#include <CGAL/Restricted_laplacian_3/input/vector_fields.h>
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>

@@ -6,8 +6,8 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
-#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/textures/shared/color_values.h>
 #include <CGAL/Restricted_laplacian_3/textures/srgb.h>
@@ -96,24 +96,19 @@ public:
                const Scan_pose& pose = Scan_pose(CGAL::IDENTITY),
                const Point_3& viewpoint = Point_3(0, 0, 0), bool is_parallel = false);
 
-  /// A scan from a mesh or a range of points.
-  /// \tparam Surface a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-  /// triangles; or a range of oriented points, see `read_point_set()`
-  /// \param surface the mesh or the range of points; it is read here only
-  /// \param color_map a model of `ReadablePropertyMap` with the vertex descriptor as key (or the
-  /// element of the range, or its position) and as value `CGAL::IO::Color`, or a `std::array`, a
-  /// vector of Eigen or a 3D vector of \cgal of three components: from 0 to 1, or from 0 to 255 if
-  /// they are integers
+  /// \tparam Surface a model of `RestrictedSurface_3`
+  /// \param surface a mesh, a `soup()`, or oriented points; read here only
+  /// \param color_map a model of `ReadablePropertyMap` with vertices as keys and as value
+  /// `CGAL::IO::Color`, or a `std::array`, a vector of Eigen or a 3D vector of \cgal of three
+  /// components: from 0 to 1, or from 0 to 255 if they are integers
   /// \param np optional named parameters:
   /// \cgalNamedParamsBegin
   ///   \named_pose
   ///   \named_viewpoint
-  ///   \named_of_mesh
-  ///   \named_point_map
-  ///   \named_normal_map
+  ///   \named_of_surface
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
-  /// \throws Input_error as above, and what `read_surface()` or `read_point_set()` throw
+  /// \throws Input_error as above, and what `read_surface()` throws
   template <class Surface, class ColorMap,
             class NamedParameters = parameters::Default_named_parameters,
             internal::Require_named_parameters<NamedParameters> = 0,
@@ -122,29 +117,6 @@ public:
                const NamedParameters& np = parameters::default_values())
     : Colored_scan(read(surface, np), colors_of(surface, color_map), pose_of(np), viewpoint_of(np),
                    internal::is_parallel(np)) {}
-
-  /// A scan from a triangle soup.
-  /// \param points a range of 3D points
-  /// \param triangles a range of ranges of three indices into `points`
-  /// \param color_map a model of `ReadablePropertyMap` with the index of a point as key, a
-  /// `std::size_t`, and a color as value, as for a mesh
-  /// \param np optional named parameters:
-  /// \cgalNamedParamsBegin
-  ///   \named_pose
-  ///   \named_viewpoint
-  ///   \named_concurrency_tag
-  ///   \named_geom_traits
-  /// \cgalNamedParamsEnd
-  /// \throws Input_error one of its derived classes names the face, vertex or parameter
-  template <class PointRange, class TriangleRange, class IndexMap,
-            class NamedParameters = parameters::Default_named_parameters,
-            internal::Require_named_parameters<NamedParameters> = 0,
-            internal::Require_no_named_parameters<IndexMap> = 0,
-            std::enable_if_t<!std::is_same_v<PointRange, Triangulated_surface_3>, int> = 0>
-  Colored_scan(const PointRange& points, const TriangleRange& triangles, const IndexMap& color_map,
-               const NamedParameters& np = parameters::default_values())
-    : Colored_scan(read_surface(points, triangles, np), colors_of_indices(points, color_map),
-                   pose_of(np), viewpoint_of(np), internal::is_parallel(np)) {}
 
   /// in coordinates of the world
   const Triangulated_surface_3& surface() const;
@@ -196,7 +168,7 @@ private:
   static Triangulated_surface_3 read(const Surface& surface, const NamedParameters& np) {
     if constexpr(internal::is_range_v<Surface>) { // areas are not needed
       using Unit_areas = CGAL::Constant_property_map<std::size_t, double>;
-      return read_point_set(
+      return read_surface(
           surface,
           parameters::Named_parameters<Unit_areas, internal_np::area_map_t, NamedParameters>(
               Unit_areas(1), np));
@@ -207,22 +179,9 @@ private:
   template <class Surface, class ColorMap>
   static std::vector<Rgb_color> colors_of(const Surface& surface, const ColorMap& map) {
     std::vector<Rgb_color> colors;
-    if constexpr(internal::is_range_v<Surface>)
-      internal::for_each_point_key(surface, [&](const auto& key) {
-        colors.push_back(internal::read_color(internal::value_at(map, key)));
-      });
-    else
-      for(auto v : vertices(surface))
-        colors.push_back(internal::read_color(get(map, v)));
-    return colors;
-  }
-
-  template <class PointRange, class IndexMap>
-  static std::vector<Rgb_color> colors_of_indices(const PointRange& points, const IndexMap& map) {
-    std::vector<Rgb_color> colors;
-    const auto size = static_cast<std::size_t>(std::distance(std::begin(points), std::end(points)));
-    for(std::size_t i = 0; i < size; ++i)
-      colors.push_back(internal::read_color(get(map, i)));
+    internal::surface_source(surface).for_each_vertex([&](std::size_t, const auto& v) {
+      colors.push_back(internal::read_color(internal::value_at(map, v)));
+    });
     return colors;
   }
 

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_TEXTURES_COLORED_SCAN_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/input/vector_fields.h>
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 #include <CGAL/Restricted_laplacian_3/textures/Colored_scan.h>

@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_INPUT_SHARED_FUNCTION_ON_SURFACE_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
-#include <CGAL/Restricted_laplacian_3/input/read_point_set.h>
+#include <CGAL/Restricted_laplacian_3/input/shared/point_keys.h>
 #include <CGAL/Restricted_laplacian_3/patches/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
@@ -49,10 +49,9 @@ struct Has_face_keys<Source, Map, std::void_t<typename Source::Face>>
 
 /// how values at the vertices of a surface are interpolated
 struct Vertex_interpolation {
-  Vertex_data data = Vertex_data::linear;
-  // if the data are smooth: the surface, which must outlive this object, with its creases
-  const Triangulated_surface_3* surface = nullptr;
-  Smooth_geometry geometry;
+  Vertex_data data;
+  const Triangulated_surface_3* surface; // must outlive this object
+  Smooth_geometry geometry;              // with the creases, if the data are smooth
 };
 
 /// what `vertex_data` says; nothing else than linear on a point set, whose faces are points
@@ -61,14 +60,12 @@ template <class Source, class NamedParameters>
 Vertex_interpolation vertex_interpolation(const Source& source,
                                           const Triangulated_surface_3& surface,
                                           const NamedParameters& np) {
-  Vertex_interpolation result;
+  Vertex_interpolation result{Vertex_data::linear, &surface, {}};
   read_parameter(np, internal_np::vertex_data, result.data);
   if(surface.is_point_set())
     result.data = Vertex_data::linear;
-  if(result.data == Vertex_data::smooth) {
-    result.surface = &surface;
+  if(result.data == Vertex_data::smooth)
     result.geometry = source.smooth_geometry(np);
-  }
   return result;
 }
 
@@ -77,6 +74,7 @@ Vertex_interpolation vertex_interpolation(const Source& source,
 /// vertices as keys it is interpolated as is asked for; with halfedges the values at the corners of
 /// each triangle are, linearly; with faces it is constant on each.
 /// \param source such as `Mesh_source`
+/// \param interpolation with the surface of the source
 template <class Source, class Function, class Read>
 auto function_on_surface(const Source& source, const Function& f,
                          const Vertex_interpolation& interpolation, Read&& read) {
@@ -91,10 +89,10 @@ auto function_on_surface(const Source& source, const Function& f,
       values.push_back(read(value_at(f, key)));
     };
     if constexpr(Has_corner_keys<Source, Function>::value) {
-      source.for_each_corner(add);
+      source.for_each_corner(*interpolation.surface, add);
       return Corner_vector_field<T>(std::move(values));
     } else if constexpr(Has_face_keys<Source, Function>::value) {
-      source.for_each_face(add);
+      source.for_each_face(*interpolation.surface, add);
       return Face_function<T>(std::move(values));
     } else {
       source.for_each_vertex(add);
@@ -108,7 +106,7 @@ auto function_on_surface(const Source& source, const Function& f,
 
 template <class Source, class Field>
 auto vector_field_on_surface(const Source& source, const Field& v,
-                             const Vertex_interpolation& interpolation = {}) {
+                             const Vertex_interpolation& interpolation) {
   return function_on_surface(source, v, interpolation, [](const auto& value) {
     return Vector_field_channels<std::decay_t<decltype(value)>>::read(value);
   });

@@ -57,6 +57,7 @@ inline void add_node(const Fragment_triangle& triangle, const Linear_values& val
   Surface_point& point = block.points[i];
   point.face = triangle.point.face;
   point.vertices = triangle.point.vertices;
+  point.polygon = triangle.point.polygon;
   point.normal = triangle.point.normal;
   point.barycentric = {values[3], values[4], values[5]};
   point.point = Point_3(values[6], values[7], values[8]);

@@ -58,7 +58,7 @@ public:
     for(std::size_t i = 0; i < m_number * size; ++i)
       if(!std::isfinite(m_values[i]))
         throw Parameter_error(m_name, "has a value that is not a finite number in face " +
-                                          std::to_string(points[i / m_number].face));
+                                          std::to_string(points[i / m_number].polygon));
     if(m_of == Of::fluxes)
       for(std::size_t i = 0; i < size; ++i)
         for(std::size_t k = 0; k < m_number; k += 3) {

@@ -30,7 +30,7 @@ struct Mass_weight {
     for(std::size_t i = 0; i < number; ++i)
       if(!(values[i] >= 0 && std::isfinite(values[i])))
         throw Parameter_error(name, "is negative or not finite in face " +
-                                        std::to_string(points[i].face));
+                                        std::to_string(points[i].polygon));
   }
 };
 

@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/shared/linear_elements.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
-#include <CGAL/Restricted_laplacian_3/input/vector_fields.h>
+#include <CGAL/Restricted_laplacian_3/input/vertex_functions.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/block_vectors.h>

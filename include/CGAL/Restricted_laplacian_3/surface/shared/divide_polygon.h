@@ -14,9 +14,17 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// Divides a polygon into triangles; it need not be plane, convex or free of self-intersections.
-void divide_polygon(const std::vector<Point_3>& points, std::vector<std::uint32_t> polygon,
-                    std::vector<Triangulated_surface_3::Triangle>& triangles);
+/// Divides a polygon into triangles; it need not be plane, convex or free of self-intersections. A
+/// convex one in a plane becomes a fan around its first corner; of the divisions of others, up to
+/// 50 corners, that with the least bends and then the least area is taken, as by CGAL's
+/// `triangulate_hole_polyline()`.
+/// \param points those that the polygon names, and more
+/// \param polygon numbers of points
+/// \return positions of the corners of the triangles in the polygon. There are two triangles fewer
+/// than corners, not counted those at the point before; none if fewer than three remain. A triangle
+/// is one, whatever it names.
+std::vector<Triangulated_surface_3::Triangle>
+divided_polygon(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& polygon);
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INPUT_VECTOR_FIELDS_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_INPUT_VECTOR_FIELDS_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_INPUT_VERTEX_FUNCTIONS_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_INPUT_VERTEX_FUNCTIONS_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>
@@ -67,56 +67,67 @@ auto gradients_of_values(const Triangulated_surface_3& surface, const Values& va
       surface, [&](std::size_t v) { return Components::read(values[v]); });
 }
 
+/// what values of a property map become
+template <class Value> struct Vertex_value {
+  using Components = Function_components<Value>;
+  using type = std::conditional_t<Components::number == 1, double, typename Components::Vector>;
+  static type read(const Value& value) {
+    if constexpr(Components::number == 1)
+      return Components::read(value)[0];
+    else
+      return Components::read(value);
+  }
+};
+
 } // namespace internal
+
+/// \ingroup PkgRestrictedLaplacian3Functions
+/// The function that is linear in each triangle and takes the values of a property map at the
+/// vertices, as a function object on `Surface_point`. The values are copied.
+/// \tparam Surface a model of `RestrictedSurface_3`
+/// \param surface a mesh, a `soup()`, oriented points, or a `Triangulated_surface_3`
+/// \param map a model of `ReadablePropertyMap` with vertices as keys; its values are numbers,
+/// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors of \cgal
+/// \return a `Linear_surface_function` with values `double` or, for several components,
+/// `Eigen::Matrix<double, K, 1>`
+template <class Surface, class VertexMap>
+auto vertex_function(const Surface& surface, VertexMap map) {
+  using Value =
+      internal::Vertex_value<std::decay_t<typename boost::property_traits<VertexMap>::value_type>>;
+  std::vector<typename Value::type> values;
+  internal::surface_source(surface).for_each_vertex([&](std::size_t, const auto& v) {
+    values.push_back(Value::read(internal::value_at(map, v)));
+  });
+  return Linear_surface_function<typename Value::type>(std::move(values));
+}
 
 /// \ingroup PkgRestrictedLaplacian3Gradients
 /// The gradients of the functions that are linear in each triangle and take the values of a vertex
 /// property map: a vector field that is constant on each triangle, and tangent to it, with the
 /// gradient of component \f$k\f$ as its channel \f$k\f$, in units of the values over length; 0 on
 /// degenerate faces. Linear in the number of faces.
-/// \tparam FaceGraph a model of `FaceListGraph` and `VertexListGraph`, all of whose faces are
-/// triangles
-/// \param tm the mesh whose vertices the map knows
-/// \param map a model of `ReadablePropertyMap` with the vertex descriptor as key; its values are
-/// numbers, `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors of \cgal
+/// \tparam Surface a model of `RestrictedSurface_3`; not points, which have no triangles
+/// \param surface the mesh or `soup()` whose vertices the map knows
+/// \param map a model of `ReadablePropertyMap` with vertices as keys; its values are numbers,
+/// `std::array`s of numbers, vectors of Eigen of a fixed size, or 3D vectors of \cgal
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_of_mesh
+///   \named_of_surface
 /// \cgalNamedParamsEnd
 /// \return a `Face_function` with values `Eigen::Matrix<double, 3, K>`
 /// \throws Input_error one of its derived classes names the face or vertex that cannot be used
-template <class FaceGraph, class VertexMap,
+template <class Surface, class VertexMap,
           class NamedParameters = parameters::Default_named_parameters,
           internal::Require_named_parameters<NamedParameters> = 0>
-auto vertex_gradients(const FaceGraph& tm, VertexMap map,
+auto vertex_gradients(const Surface& surface, VertexMap map,
                       const NamedParameters& np = parameters::default_values()) {
   std::vector<std::decay_t<typename boost::property_traits<VertexMap>::value_type>> values;
-  values.reserve(num_vertices(tm));
-  for(auto v : vertices(tm))
-    values.push_back(get(map, v));
-  return internal::gradients_of_values(read_surface(tm, np), values);
-}
-
-/// \ingroup PkgRestrictedLaplacian3Gradients
-/// The gradients of the functions that are linear in each triangle of a soup, with the values of a
-/// property map, see the overload for meshes.
-/// \param points a range of 3D points
-/// \param triangles a range of ranges of three indices into `points`
-/// \param map a model of `ReadablePropertyMap` with the index of a point as key, a `std::size_t`
-/// \param np `geom_traits`, as in `read_surface()`
-template <class PointRange, class TriangleRange, class IndexMap,
-          class NamedParameters = parameters::Default_named_parameters,
-          internal::Require_no_named_parameters<IndexMap> = 0>
-auto vertex_gradients(const PointRange& points, const TriangleRange& triangles, IndexMap map,
-                      const NamedParameters& np = parameters::default_values()) {
-  const Triangulated_surface_3 surface = read_surface(points, triangles, np);
-  std::vector<std::decay_t<typename boost::property_traits<IndexMap>::value_type>> values;
-  for(std::size_t i = 0; i < surface.number_of_vertices(); ++i)
-    values.push_back(get(map, i));
-  return internal::gradients_of_values(surface, values);
+  internal::surface_source(surface).for_each_vertex(
+      [&](std::size_t, const auto& v) { values.push_back(internal::value_at(map, v)); });
+  return internal::gradients_of_values(read_surface(surface, np), values);
 }
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_INPUT_VECTOR_FIELDS_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_INPUT_VERTEX_FUNCTIONS_H
