@@ -12,14 +12,9 @@
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = RL::parameters;
@@ -28,14 +23,12 @@ int main(int argc, char* argv[]) try {
   const std::string file = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   const double memory = argc > 2 ? 1e9 * std::atof(argv[2]) : 0.5 * RL::memory_of_machine();
 
-  RL::Mesh_file mesh = RL::read_mesh_file(file);
-
   // The arrays become the surface. Copies of it, as in the space, share them.
+  RL::Mesh_file mesh = RL::read_mesh_file(file);
   const RL::Triangulated_surface_3 surface(std::move(mesh.points), std::move(mesh.triangles));
-  constexpr int largest_depth = 7;
-  int depth = 1;
   std::printf("%zu triangles\ndepth  unknowns      MB\n", surface.number_of_faces());
-  for(int d = 1; d <= largest_depth; ++d) {
+  int depth = 1;
+  for(int d = 1; d <= 7; ++d) {
     const RL::Memory_estimate estimate = RL::estimate_memory(surface, d);
     std::printf("%5d %9.0f %7.0f\n", d, estimate.dimension, 1e-6 * estimate.total());
     if(estimate.total() <= memory)
@@ -48,12 +41,10 @@ int main(int argc, char* argv[]) try {
                                      CGAL::Parallel_if_available_tag()));
   const RL::Poisson_solution solution =
       RL::solve_poisson(space, [](const RL::Surface_point& p) { return p.point.x(); });
-  const std::vector<double> u =
-      RL::Spline_function_3(space, solution.coefficients).values_at_vertices();
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for(const double value : u) { // NaN at vertices without a triangle
-    low = (std::min)(low, value);
-    high = (std::max)(high, value);
+  double low = INFINITY, high = -INFINITY;
+  for(double u : RL::Spline_function_3(space, solution.coefficients).values_at_vertices()) {
+    low = std::fmin(low, u); // NaN at vertices without a triangle
+    high = std::fmax(high, u);
   }
   std::printf("depth %d, %zu unknowns, %d iterations\nu is between %.3g and %.3g\n", depth,
               space.dimension(), solution.iterations, low, high);

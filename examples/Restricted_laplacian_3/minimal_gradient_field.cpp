@@ -1,23 +1,18 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <exception>
-#include <iostream>
 
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = RL::parameters;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Mesh = CGAL::Surface_mesh<RL::Point_3>;
 using Values = std::array<double, 3>;
 
 int main(int argc, char* argv[]) try {
@@ -29,7 +24,7 @@ int main(int argc, char* argv[]) try {
   // three functions, known at the vertices, and their gradients on the triangles
   auto known = mesh.add_property_map<Mesh::Vertex_index, Values>("v:known").first;
   for(Mesh::Vertex_index v : vertices(mesh)) {
-    const auto p = mesh.point(v);
+    const RL::Point_3& p = mesh.point(v);
     known[v] = {std::sin(2 * p.x()), std::sin(2 * p.y()), p.x() * p.z()};
   }
   const auto gradients = RL::vertex_gradients(mesh, known);
@@ -37,25 +32,21 @@ int main(int argc, char* argv[]) try {
   // Back to the functions. A weight of 1e-3 / area pulls them to the known values, which is just
   // enough for their means.
   auto found = mesh.add_property_map<Mesh::Vertex_index, Values>("v:found").first;
-  const auto print = [&](const char* what, const RL::Gradient_report& report) {
+  const auto np = params::depth(5).target(known).alpha(1e-3 / RL::read_surface(mesh).area());
+  // with what is smaller than the cells of the splines, and without
+  for(const bool details : {false, true}) {
+    const RL::Gradient_report report =
+        RL::integrate_gradient_field(mesh, gradients, found, np.details(details));
+    if(!report.converged)
+      return 1;
     double largest = 0;
     for(Mesh::Vertex_index v : vertices(mesh))
       for(std::size_t k = 0; k < 3; ++k)
         largest = std::max(largest, std::abs(found[v][k] - known[v][k]));
-    std::cout << what << ": largest error " << largest << " after " << report.iterations
-              << " iterations\n";
-    return report.converged;
-  };
-  const double weight = 1e-3 / RL::read_surface(mesh).area();
-  const auto np = params::depth(5).target(known).alpha(weight);
-  const bool converged = print("splines", RL::integrate_gradient_field(mesh, gradients, found, np));
-
-  // and with what is smaller than the cells of the splines
-  return print("with details",
-               RL::integrate_gradient_field(mesh, gradients, found, np.details(true))) &&
-                 converged
-             ? 0
-             : 1;
+    std::cout << (details ? "with details" : "splines") << ": largest error " << largest
+              << " after " << report.iterations << " iterations\n";
+  }
+  return 0;
 } catch(const std::exception& e) {
   std::cerr << "minimal_gradient_field: " << e.what() << '\n';
   return 1;

@@ -38,7 +38,7 @@ def test_short_programs():
 def test_usage_and_errors_of_examples():
     for program in ("poisson", "descriptors", "curvature", "gradient_field", "stitching", "distances", "points"):
         fails("usage", f"minimal_{program}")
-    for program in ("generic_meshes", "laplacian_steps", "implicit_surface", "implicit_surface cube 2",
+    for program in ("generic_meshes", "laplacian_steps", "implicit_surface 2",
                     "smooth_surface sphere.off", "custom_smoother", "solver_backends"):
         fails("usage", program)
     # CGAL adds a line of its own
@@ -59,7 +59,7 @@ def test_usage_and_errors_of_examples():
 
 def test_examples_of_surfaces():
     out = succeeds("generic_meshes sphere.off").out
-    lines = re.findall("^[^:]*: u is between (.{6}).*", out, re.M)
+    lines = re.findall("^[^:]*: u is at most (.{6}).*", out, re.M)
     assert len(lines) >= 2 and len(set(lines)) == 1, "the same solution with all types"
     write_xyz("minimal.xyz", SPHERE[0], SPHERE[0])
     lines = succeeds("minimal_points minimal.xyz").out.splitlines()
@@ -67,12 +67,12 @@ def test_examples_of_surfaces():
     rows = pathlib.Path("minimal.xyz").read_text().splitlines(True)
     pathlib.Path("no_normal.xyz").write_text("".join([*rows[:4], "0 0 1 0 0 0\n", *rows[5:]]))
     fails("^minimal_points: point 4 .*normal", "minimal_points no_normal.xyz")
-    # lines: triangles, heading, flat, smooth, projection
-    lines = [line.split() for line in succeeds("implicit_surface sphere 0.3").out.splitlines()]
-    assert len(lines) == 5
-    assert 12 <= float(lines[2][1]) <= 12.4, "facets have less area than the sphere, 12.5664"
-    for line in lines[3:]:
-        assert 12.5645 <= float(line[1]) <= 12.5685 and 1.999 <= float(line[2]) <= 2.001
+    # flat, smooth, projection
+    areas, values = np.array(re.findall("area (.*), eigenvalue (.*)", succeeds("implicit_surface 12").out), float).T
+    assert len(areas) == 3
+    assert 15.3 <= areas[0] <= 15.6, "faces have less area than the torus, 15.7914"
+    assert np.abs(areas[1:] - 15.7914).max() < 6e-3 and np.abs(values[1:] - 1.02895).max() < 6e-4
+    assert abs(values[0] - 1.02895) > 5e-3
 
 
 def test_laplacian_steps():
@@ -93,9 +93,7 @@ def test_extensions():
     # lie up to 0.4 % inside the sphere.
     radii = np.linalg.norm(read_points("smooth.off"), axis=1)
     assert len(radii) == 1026 and 0.9950 <= radii.min() and radii.max() <= 0.9975
-    fails("cannot write", "smooth_surface sphere.off missing/smooth.off")
     iterations = [int(x) for x in re.findall(r": (\d+) iterations", succeeds("custom_smoother sphere.off").out)]
-    assert len(iterations) == 3 and iterations[0] > iterations[1] > iterations[2], (
-        "patches are better than points, and points than Jacobi")
+    assert len(iterations) == 3 and 3 * iterations[2] < min(iterations[:2]), "patches are better than points and Jacobi"
     differences = [float(x) for x in re.findall("differs by ([^ ]*) in L2", succeeds("solver_backends sphere.off").out)]
     assert differences and all(0 <= x <= 1e-8 for x in differences)
