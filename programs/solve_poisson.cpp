@@ -49,7 +49,7 @@ vertices that have no face, or only faces without area.
 )"};
 
 struct Options : Common_options, Point_options, Solver_options, Poisson_options {
-  Options() : Solver_options(RL::Poisson_solver::default_tolerance) {}
+  Options() : Solver_options(RL::Poisson_solver_options::default_tolerance) {}
 
   std::string boundary_property, flux_property, cycle = "v", smoother = "patch";
 };

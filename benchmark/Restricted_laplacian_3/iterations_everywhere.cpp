@@ -105,10 +105,9 @@ private:
     else
       load = RL::assemble_load(m_space, RL::Linear_surface_function<double>(m_at_vertices));
     if(m_options.stabilization >= 0)
-      return RL::make_poisson_solver(m_space, alpha,
-                                     parameters().stabilization(m_options.stabilization))
+      return RL::Poisson_solver(m_space, alpha, parameters().stabilization(m_options.stabilization))
           .solve(load, x);
-    return RL::make_poisson_solver(m_space, alpha, parameters()).solve(load, x);
+    return RL::Poisson_solver(m_space, alpha, parameters()).solve(load, x);
   }
 
   RL::Function_fit fitted(const std::string& problem) const {
@@ -140,7 +139,7 @@ private:
     };
     const Eigen::VectorXd load = RL::assemble_gradient_load(m_space, field);
     Eigen::VectorXd x;
-    return RL::make_poisson_solver(m_space, 0, parameters()).solve(load, x);
+    return RL::Poisson_solver(m_space, 0, parameters()).solve(load, x);
   }
 
   const Options& m_options;

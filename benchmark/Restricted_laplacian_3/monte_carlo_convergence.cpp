@@ -379,8 +379,8 @@ std::vector<RL::Point_3> used_points(const Soup& soup) {
 RL::Spline_function_3 poisson_solution(const RL::Spline_space_3& space) {
   const auto y = [](const RL::Surface_point& p) { return p.point.y(); };
   Eigen::VectorXd coefficients;
-  static_cast<void>(RL::make_poisson_solver(space).solve(
-      Eigen::VectorXd(-RL::assemble_load(space, y)), coefficients, 1e-6));
+  static_cast<void>(RL::Poisson_solver(space).solve(Eigen::VectorXd(-RL::assemble_load(space, y)),
+                                                    coefficients, 1e-6));
   return RL::Spline_function_3(space, std::move(coefficients));
 }
 

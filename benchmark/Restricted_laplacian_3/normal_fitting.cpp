@@ -121,7 +121,7 @@ public:
     RL::Sparse_matrix matrix = m_operators.stiffness;
     if(a != 0)
       matrix.coeffs() += a * m_operators.mass.coeffs();
-    const RL::Poisson_solver solver = RL::make_poisson_solver(
+    const RL::Poisson_solver solver(
         m_space, std::move(matrix), RL::assemble_element_integrals(m_space), a,
         solver_options("patch", m_options.threads, m_options.tolerance, m_options.iterations));
     Fit result;

@@ -44,7 +44,7 @@
 #include "support/package.h"
 #include "support/vertex_normals.h"
 
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
@@ -206,9 +206,9 @@ public:
       options.cycle = RL::Cycle::W;
     }
     return m_coarse.seconds + seconds_of([&] {
-             m_solver.emplace(RL::internal::poisson_solver(m_space, std::move(a), std::move(coarse),
-                                                           m_integrals, m_screening * m_integrals,
-                                                           options));
+             coarse.push_back(std::move(a));
+             m_solver.emplace(RL::internal::multigrid_solver(
+                 m_space, {std::move(coarse), m_integrals, m_screening * m_integrals}, options));
            });
   }
   // The limit is fixed when a solver is made: the time of making another one does not count.
@@ -230,7 +230,7 @@ private:
   int m_threads;
   Coarse_levels m_coarse;
   int m_maximum_iterations = 1000;
-  std::optional<RL::Poisson_solver> m_solver;
+  std::optional<RL::Multigrid_solver> m_solver;
 };
 
 #ifdef CGAL_RESTRICTED_LAPLACIAN_3_USE_CHOLMOD

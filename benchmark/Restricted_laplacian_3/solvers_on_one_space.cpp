@@ -65,7 +65,7 @@ void compare(const std::string& name, int depth) {
   const double alpha = 1e3 / space.surface().area();
   std::printf("# %s, depth %d, %zu unknowns\n", name.c_str(), depth, space.dimension());
   measure(name, "solver", [&] {
-    RL::make_poisson_solver(space, alpha);
+    RL::Poisson_solver(space, alpha);
     return 0;
   });
   std::vector<RL::Operators> operators;
@@ -74,18 +74,18 @@ void compare(const std::string& name, int depth) {
     return 0;
   });
   measure(name, "of_operators", [&] {
-    RL::make_poisson_solver(space, operators, 2 * alpha);
+    RL::Poisson_solver(space, operators, 2 * alpha);
     return 0;
   });
   const auto tensor = [](const RL::Surface_point&) {
     return RL::Symmetric_tensor_3{2, 1, 1, 0, 0, 0};
   };
   measure(name, "tensor", [&] {
-    RL::make_poisson_solver(
-        space.integrated_by(RL::Diffusion_integration(space.integration(), tensor)), alpha);
+    RL::Poisson_solver(space.integrated_by(RL::Diffusion_integration(space.integration(), tensor)),
+                       alpha);
     return 0;
   });
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, operators, alpha);
+  const RL::Poisson_solver solver(space, operators, alpha);
   const RL::Triangulated_surface_3& triangles = space.surface();
   const RL::Point_3 center = triangles.point(0, 0);
   const Eigen::VectorXd load = RL::assemble_load(space, [&](const RL::Surface_point& p) {

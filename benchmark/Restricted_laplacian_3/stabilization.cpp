@@ -51,7 +51,7 @@ void errors_on_the_sphere(const RL::Triangulated_surface_3& surface, int depth) 
     // Without stabilization the residual cannot be made small, and the error does not need it.
     Eigen::VectorXd eta;
     const RL::Solve_report report =
-        RL::make_poisson_solver(space, 0, params::stabilization(c).tolerance(c > 0 ? 1e-9 : 1e-7))
+        RL::Poisson_solver(space, 0, params::stabilization(c).tolerance(c > 0 ? 1e-9 : 1e-7))
             .solve(eigenvalue * load, eta);
     const double l2 = eta.dot(pure.mass * eta) - 2 * eta.dot(load) + norm,
                  h1 = eta.dot(pure.stiffness * eta) / eigenvalue - 2 * eta.dot(load) + norm;
@@ -73,7 +73,7 @@ void iterations(const char* name, const RL::Triangulated_surface_3& surface, int
                         .concurrency_tag(CGAL::Parallel_if_available_tag())
                         .maximum_iterations(150);
     Eigen::VectorXd eta;
-    const RL::Solve_report report = RL::make_poisson_solver(space, 0, np).solve(load, eta);
+    const RL::Solve_report report = RL::Poisson_solver(space, 0, np).solve(load, eta);
     std::printf(report.converged ? " %7d" : "   >%4d", report.iterations);
     std::fflush(stdout);
   }

@@ -34,7 +34,7 @@ Eigen::VectorXd diffuse(const Eigen::MatrixXd& V, const Eigen::MatrixXi& F,
   std::cout << V.rows() << " vertices; S has " << operators.stiffness.rows() << " rows\n";
   const auto function = RL::vertex_function(space.surface(), CGAL::make_property_map(f.data()));
   const Eigen::VectorXd load = RL::assemble_load(space, function);
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, operators, 1 / time);
+  const RL::Poisson_solver solver(space, operators, 1 / time);
   Eigen::VectorXd eta;
   std::cout << to_string(solver.solve(load / time, eta).status) << '\n';
   const std::vector<double> values = RL::Spline_function_3(space, eta).values_at_vertices();

@@ -37,7 +37,7 @@ int main(int argc, char* argv[]) {
         -RL::assemble_load(space, [axis](const RL::Surface_point& s) { return s.point[axis]; });
 
   // 4. One solver for all of them.
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, operators);
+  const RL::Poisson_solver solver(space, operators);
   Eigen::MatrixXd coefficients;
   const RL::Solve_report report = solver.solve(right_hand_sides, coefficients);
   std::cout << report.iterations << " iterations, relative residual " << report.relative_residual

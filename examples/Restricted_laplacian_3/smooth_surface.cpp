@@ -5,7 +5,7 @@
 // for any mesh with named parameters, made of the steps of the lower rooms.
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -32,7 +32,7 @@ RL::Solve_report smooth_surface(FaceGraph& tm, double time,
   // alpha x - Laplacian x = alpha x_0
   const double alpha = 1 / time;
   const RL::Solve_report report =
-      RL::make_poisson_solver(space, alpha, np).solve(alpha * loads, coefficients);
+      RL::Poisson_solver(space, alpha, np).solve(alpha * loads, coefficients);
 
   const Eigen::MatrixXd values = RL::Spline_functions_3(space, coefficients).values_at_vertices();
   auto points = get_property_map(CGAL::vertex_point, tm);

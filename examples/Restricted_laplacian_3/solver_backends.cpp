@@ -36,8 +36,7 @@ int main(int argc, char* argv[]) {
       RL::assemble_load(space, [](const RL::Surface_point& s) { return s.point.x(); });
 
   Eigen::VectorXd reference;
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, alpha, RL::parameters::tolerance(1e-10));
+  const RL::Poisson_solver solver(space, alpha, RL::parameters::tolerance(1e-10));
   if(!solver.solve(b, reference).converged)
     return 1;
   const auto norm = [&](const Eigen::VectorXd& x) { return std::sqrt(x.dot(operators.mass * x)); };

@@ -52,7 +52,7 @@ struct Options : Common_options,
                  Solver_options,
                  Poisson_options,
                  Continuation_options {
-  Options() : Solver_options(RL::Poisson_solver::default_tolerance) {}
+  Options() : Solver_options(RL::Poisson_solver_options::default_tolerance) {}
 
   std::string cycle = "v";
 };

@@ -8,7 +8,7 @@
 
 #include "module.h"
 
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 
 #include <cmath>
 #include <optional>

@@ -9,10 +9,10 @@
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -198,10 +198,10 @@ RL::Poisson_solver make_solver(const Space& space, double alpha, const nb::dict&
   const RL::Poisson_solver_options o = solver_options(options, threads);
   const double c = number_of(options, "stabilization").value_or(RL::default_stabilization(space));
   return run(threads, progress, [&](const auto& callback) {
-    RL::internal::Elliptic_operator elliptic;
-    elliptic.reaction = alpha;
-    elliptic.stabilization = c;
-    return RL::internal::elliptic_solver(space, elliptic, o, RL::internal::Progress(callback));
+    RL::internal::Elliptic_system system;
+    system.elliptic.reaction = alpha;
+    system.elliptic.stabilization = c;
+    return RL::Poisson_solver(space, system, o, RL::internal::Progress(callback));
   });
 }
 

@@ -5,6 +5,6 @@
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem_impl.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients_impl.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels_impl.h>

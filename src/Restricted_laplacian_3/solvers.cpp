@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver_impl.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Regularized_inverse_impl.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection_impl.h>

@@ -145,7 +145,7 @@ TEST_CASE("parameters_outside_their_domain_are_named", "[input]") {
   location.barycentric = {20, -19, 0};
   CHECK_THROWS_AS(one.value(location), RL::Location_error);
 
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space));
+  const RL::Poisson_solver solver(space, RL::assemble_operators(space));
   Eigen::VectorXd b = Eigen::VectorXd::Zero(space.dimension()), x;
   b[3] = not_a_number;
   CHECK(refused_parameter([&] { static_cast<void>(solver.solve(b, x)); }) == "b");
@@ -350,8 +350,7 @@ TEST_CASE("components_have_a_mean_of_their_own", "[input]") {
   const shapes::Triangles two = shapes::joined(sphere, transformed(sphere, 1, {4, 0, 0}));
   Mesh mesh = shapes::mesh(two);
   const RL::Spline_space_3 space(mesh, params::depth(5));
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, RL::assemble_operators(space), 0, params::tolerance(1e-4));
+  const RL::Poisson_solver solver(space, RL::assemble_operators(space), 0, params::tolerance(1e-4));
   CHECK(solver.kernel_dimension() == 2);
   // f = 1 on one sphere, -1 on the other: the mean is 0, but not that of each
   const auto f = [](const RL::Surface_point& p) {

@@ -114,9 +114,8 @@ TEST_CASE("poisson_problems_report_progress_and_can_be_canceled", "[callbacks]")
         },
         9);
     check_callback(
-        [&](const Callback& callback) { RL::make_poisson_solver(space, 1, np.progress(callback)); },
-        10);
-    const RL::Poisson_solver solver = RL::make_poisson_solver(space);
+        [&](const Callback& callback) { RL::Poisson_solver(space, 1, np.progress(callback)); }, 10);
+    const RL::Poisson_solver solver(space);
     const Eigen::VectorXd one = RL::assemble_load(space, height);
     Eigen::VectorXd x, y;
     check_callback(

@@ -76,8 +76,8 @@ TEST_CASE("boundary_values_are_met_with_order_three", "[constraints]") {
       const Eigen::MatrixXd scaled = scale.asDiagonal() * Eigen::MatrixXd(a) * scale.asDiagonal();
       CHECK(RL::internal::symmetric_eigenpairs(scaled, "a").values[0] >= -1e-10);
     }
-    const RL::Poisson_solver solver = RL::make_poisson_solver(
-        space, a, operators.mass * Eigen::VectorXd::Ones(a.cols()), 0, params::tolerance(1e-8));
+    const RL::Poisson_solver solver(space, a, operators.mass * Eigen::VectorXd::Ones(a.cols()), 0,
+                                    params::tolerance(1e-8));
     CHECK(solver.kernel_dimension() == 0);
     Eigen::VectorXd eta;
     CHECK(solver.solve(boundary.load(g) - RL::assemble_load(space, f), eta).converged);

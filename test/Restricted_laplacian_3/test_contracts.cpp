@@ -15,7 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/spectra/eigenpairs.h>
@@ -312,13 +312,12 @@ TEST_CASE("operators_of_other_patterns_are_added", "[contracts]") {
   Eigen::VectorXd x;
   const Eigen::VectorXd b = RL::assemble_load(
       space, [](const RL::Surface_point& p) { return p.point.x() + p.point.y() * p.point.z(); });
-  const RL::Poisson_solver solver =
-      RL::make_poisson_solver(space, lumped, 2, params::tolerance(1e-10));
+  const RL::Poisson_solver solver(space, lumped, 2, params::tolerance(1e-10));
   CHECK(solver.solve(b, x).converged);
   CHECK((lumped.stiffness * x + 2 * lumped.mass * x - b).norm() < 1e-8 * b.norm());
   // a matrix of another size
   lumped.mass = RL::Sparse_matrix(3, 3);
-  CHECK_THROWS_AS(RL::make_poisson_solver(space, lumped, 2), RL::Parameter_error);
+  CHECK_THROWS_AS(RL::Poisson_solver(space, lumped, 2), RL::Parameter_error);
 }
 
 TEST_CASE("screening_by_a_function_keeps_the_mean_as_a_number_does", "[contracts]") {

@@ -220,14 +220,14 @@ void check(const RL::Spline_space_3& space) {
   const Eigen::VectorXd load =
       RL::assemble_load(space, [&](const RL::Surface_point& p) { return (p.point - origin).x(); });
   Eigen::VectorXd eta;
-  const RL::Solve_report report = RL::make_poisson_solver(space).solve(load, eta);
+  const RL::Solve_report report = RL::Poisson_solver(space).solve(load, eta);
   REQUIRE(eta.allFinite());
   INFO(report.iterations << " iterations, residual " << report.relative_residual);
   // The right-hand side on needles of next to no area is nothing but rounding errors.
   if(surface.area() > 1e-12 * surface.extent() * surface.extent())
     REQUIRE(report.converged);
   const RL::Solve_report of_paper =
-      RL::make_poisson_solver(space, operators, 0, params::maximum_iterations(30)).solve(load, eta);
+      RL::Poisson_solver(space, operators, 0, params::maximum_iterations(30)).solve(load, eta);
   REQUIRE(eta.allFinite());
   REQUIRE(std::isfinite(of_paper.relative_residual));
 

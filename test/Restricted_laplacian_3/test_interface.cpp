@@ -530,7 +530,7 @@ TEST_CASE("reports_say_how_long_it_took", "[interface]") {
         elapsed);
 
   const RL::Spline_space_3 space(mesh, params::depth(3));
-  RL::Poisson_solver solver = RL::make_poisson_solver(space);
+  RL::Poisson_solver solver(space);
   CHECK(solver.setup_seconds() > 0);
   CHECK(solver.mean_projection().kernel_dimension() == 1);
   const Eigen::VectorXd load = -RL::assemble_load(space, z);
@@ -539,7 +539,7 @@ TEST_CASE("reports_say_how_long_it_took", "[interface]") {
   CHECK(of_load.setup_seconds == solver.setup_seconds());
   CHECK(of_load.space_seconds == 0);
   // a solver that is moved to another one solves the same
-  RL::Poisson_solver other = RL::make_poisson_solver(space, 5.);
+  RL::Poisson_solver other(space, 5.);
   static_cast<void>(other.solve(load, y));
   CHECK(x != y);
   other = std::move(solver);
@@ -565,8 +565,8 @@ TEST_CASE("neighborhoods_do_not_change_solutions", "[interface]") {
     REQUIRE(neighborhoods.size() == space.dimension());
     if(i == 1) // each on its own
       std::iota(neighborhoods.begin(), neighborhoods.end(), 0u);
-    const RL::Poisson_solver solver(operators.stiffness + operators.mass, std::move(levels),
-                                    integrals, 1, params::tolerance(1e-10));
+    const RL::Multigrid_solver solver(operators.stiffness + operators.mass, std::move(levels),
+                                      integrals, 1, params::tolerance(1e-10));
     CHECK(solver.solve(b, solutions[i]).converged);
   }
   CHECK((solutions[0] - solutions[1]).norm() <= 1e-6 * solutions[0].norm());
@@ -589,7 +589,7 @@ TEST_CASE("preconditioners_keep_their_hierarchy", "[interface]") {
   const Eigen::VectorXd load =
       RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.z(); });
   Eigen::VectorXd exact;
-  REQUIRE(RL::make_poisson_solver(space, operators, 1, params::tolerance(1e-8))
+  REQUIRE(RL::Poisson_solver(space, operators, 1, params::tolerance(1e-8))
               .solve(load, exact)
               .converged);
   RL::Multigrid<RL::Patch_smoother>::Workspace<1> workspace;

@@ -7,7 +7,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/galerkin_product.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Constant_deflation.h>
 #include <CGAL/Restricted_laplacian_3/solvers/internal/Patch_groups.h>
@@ -270,10 +270,10 @@ TEST_CASE("half_of_the_matrix_is_enough", "[multigrid]") {
   levels.coarse_matrices = {RL::galerkin_product(fine, levels.prolongations[0]), fine};
   for(const Sparse_matrix& coarse : levels.coarse_matrices)
     halves.coarse_matrices.push_back(upper(coarse));
-  const RL::Poisson_solver of_whole(a, levels, integrals);
+  const RL::Multigrid_solver of_whole(a, levels, integrals);
   CHECK(of_whole.kernel_dimension() == 1);
   for(const RL::Multigrid_levels& l : {path_levels(), halves}) {
-    const RL::Poisson_solver of_half(upper(a), l, integrals);
+    const RL::Multigrid_solver of_half(upper(a), l, integrals);
     CHECK(of_half.kernel_dimension() == 1);
     Eigen::VectorXd x, same;
     static_cast<void>(of_whole.solve(b, x));
@@ -288,9 +288,9 @@ TEST_CASE("half_of_the_matrix_is_enough", "[multigrid]") {
   CHECK((x - same).norm() <= 1e-6 * x.norm());
   // the other half
   const Sparse_matrix lower = a.triangularView<Eigen::Lower>();
-  CHECK_THROWS_AS(RL::Poisson_solver(lower, path_levels(), integrals), RL::Parameter_error);
+  CHECK_THROWS_AS(RL::Multigrid_solver(lower, path_levels(), integrals), RL::Parameter_error);
   halves.coarse_matrices[0] = halves.coarse_matrices[0].transpose();
-  CHECK_THROWS_AS(RL::Poisson_solver(a, halves, integrals), RL::Parameter_error);
+  CHECK_THROWS_AS(RL::Multigrid_solver(a, halves, integrals), RL::Parameter_error);
 }
 
 TEST_CASE("matrices_that_are_not_compressed_give_the_same", "[multigrid]") {
@@ -343,9 +343,9 @@ TEST_CASE("matrices_that_are_not_compressed_give_the_same", "[multigrid]") {
 
   const Eigen::VectorXd integrals = Eigen::VectorXd::Ones(size_of_finest);
   Eigen::VectorXd solution, same_solution;
-  static_cast<void>(RL::Poisson_solver(a, path_levels(), integrals).solve(load.col(0), solution));
+  static_cast<void>(RL::Multigrid_solver(a, path_levels(), integrals).solve(load.col(0), solution));
   static_cast<void>(
-      RL::Poisson_solver(loose, loose_levels(), integrals).solve(load.col(0), same_solution));
+      RL::Multigrid_solver(loose, loose_levels(), integrals).solve(load.col(0), same_solution));
   CHECK(solution == same_solution);
 }
 
@@ -483,14 +483,14 @@ TEST_CASE("solver_can_be_moved", "[multigrid]") {
   const int n = 5;
   const Sparse_matrix a = path_matrix(n, 0.1);
   const Eigen::VectorXd integrals = Eigen::VectorXd::Ones(n), b = random_vector(n, 6);
-  RL::Poisson_solver solver(a, {}, integrals), other(path_matrix(2, 1), {}, integrals.head(2));
+  RL::Multigrid_solver solver(a, {}, integrals), other(path_matrix(2, 1), {}, integrals.head(2));
   Eigen::VectorXd x;
   Eigen::MatrixXd same;
   CHECK(solver.solve(b, x).converged);
   other = std::move(solver);
   CHECK(other.solve(b, same).converged);
   CHECK(x == same.col(0));
-  const RL::Poisson_solver third = std::move(other);
+  const RL::Multigrid_solver third = std::move(other);
   CHECK(third.upper_half().rows() == n);
   // no columns
   CHECK(third.solve(Eigen::MatrixXd(n, 0), same).converged);
@@ -512,8 +512,8 @@ TEST_CASE("solution_is_in_double_precision", "[multigrid][threads]") {
       options.smoother = smoother;
       options.is_parallel = is_parallel;
       options.tolerance = 1e-12;
-      const RL::Poisson_solver solver(a, {{p}, {path_patches(finest, 8, 3)}, {}},
-                                      Eigen::VectorXd::Zero(finest), 0, options);
+      const RL::Multigrid_solver solver(a, {{p}, {path_patches(finest, 8, 3)}, {}},
+                                        Eigen::VectorXd::Zero(finest), 0, options);
       Eigen::VectorXd x;
       const RL::Solve_report report = solver.solve(b, x);
       CHECK(report.converged);
@@ -598,7 +598,7 @@ TEST_CASE("error_in_the_report_is_that_of_four_steps_before", "[multigrid]") {
   options.tolerance = 1e-14;
   options.smoother = RL::Smoother_type::point; // slower, so that there are steps to look at
   const auto solver = [&] {
-    return RL::Poisson_solver(a, path_levels(), Eigen::VectorXd::Zero(finest), 0, options);
+    return RL::Multigrid_solver(a, path_levels(), Eigen::VectorXd::Zero(finest), 0, options);
   };
   std::vector<Eigen::VectorXd> solutions;
   for(options.maximum_iterations = 0; options.maximum_iterations <= 9;
@@ -650,8 +650,8 @@ TEST_CASE("status_tells_how_an_iteration_ended", "[multigrid]") {
     const Sparse_matrix middle = RL::galerkin_product(a, levels.prolongations[1], false),
                         coarse = RL::galerkin_product(middle, levels.prolongations[0], false);
     levels.coarse_matrices = {coarse_factor * coarse, coarse_factor * middle};
-    const RL::Poisson_solver solver(a, std::move(levels), Eigen::VectorXd::Zero(finest), 0,
-                                    options);
+    const RL::Multigrid_solver solver(a, std::move(levels), Eigen::VectorXd::Zero(finest), 0,
+                                      options);
     Eigen::VectorXd x;
     const RL::Solve_report result = solver.solve(b, x);
     CHECK(x.allFinite());

@@ -218,7 +218,7 @@ public:
   /// \param load of the function at the beginning
   Heat_flow(const RL::Spline_space_3& space, double tau, const Eigen::VectorXd& load)
     : m_mass(RL::assemble_mass_matrix(space)), m_tau(tau), m_load(load),
-      m_solver(RL::make_poisson_solver(space, 1 / tau, params::tolerance(1e-10))) {}
+      m_solver(space, 1 / tau, params::tolerance(1e-10)) {}
 
   Eigen::VectorXd step() {
     Eigen::VectorXd u;

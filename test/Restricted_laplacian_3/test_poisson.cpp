@@ -78,8 +78,7 @@ TEST_CASE("poisson_on_the_sphere_converges_with_order_three", "[poisson][slow]")
   for(int depth = 2; depth <= 4; ++depth) {
     const RL::Spline_space_3 space(mesh, params::depth(depth));
     const RL::Operators operators = RL::assemble_operators(space);
-    const RL::Poisson_solver solver =
-        RL::make_poisson_solver(space, operators, 0, params::tolerance(1e-5));
+    const RL::Poisson_solver solver(space, operators, 0, params::tolerance(1e-5));
     const Eigen::VectorXd load =
         RL::assemble_load(space, [](const RL::Surface_point& p) { return harmonic(p.point); });
     Eigen::VectorXd eta;
@@ -167,7 +166,7 @@ TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
   for(RL::Cycle cycle : {RL::Cycle::V, RL::Cycle::W})
     for(bool alone : {false, true})
       for(int steps : {1, 2, 3}) {
-        const RL::Poisson_solver solver = RL::make_poisson_solver(
+        const RL::Poisson_solver solver(
             space, operators, 0,
             params::cycle(cycle).stand_alone_multigrid(alone).smoothing_steps(steps).tolerance(
                 5e-3));
@@ -187,7 +186,7 @@ TEST_CASE("residual_in_the_report_is_the_true_one", "[poisson]") {
 TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
   const Mesh mesh = shapes::mesh(shapes::sphere(4));
   const RL::Spline_space_3 space(mesh, params::depth(3));
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, 0, params::tolerance(1e-9));
+  const RL::Poisson_solver solver(space, 0, params::tolerance(1e-9));
   Eigen::MatrixXd b(space.dimension(), 7);
   for(int k = 0; k < 7; ++k)
     b.col(k) = random_load(space, k);
@@ -207,7 +206,7 @@ TEST_CASE("columns_solved_together_equal_columns_solved_alone", "[poisson]") {
 
 TEST_CASE("a_first_guess_saves_iterations_and_changes_no_solution", "[poisson]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(3));
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, 0, params::tolerance(1e-9));
+  const RL::Poisson_solver solver(space, 0, params::tolerance(1e-9));
   const RL::Sparse_matrix mass = RL::assemble_mass_matrix(space);
   RL::Solve_options from_guess;
   from_guess.has_first_guess = true;
@@ -255,7 +254,7 @@ TEST_CASE("a_first_guess_saves_iterations_and_changes_no_solution", "[poisson]")
 
 TEST_CASE("least_squares_end_when_the_error_does_not_show", "[poisson]") {
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(4));
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, 1, params::tolerance(1e-12));
+  const RL::Poisson_solver solver(space, 1, params::tolerance(1e-12));
   const Eigen::VectorXd b = random_load(space, 2);
   Eigen::VectorXd exact, x;
   const int iterations = solver.solve(b, exact).iterations;
@@ -299,24 +298,22 @@ TEST_CASE("solvers_of_several_weights_share_their_operators", "[poisson]") {
     const Eigen::VectorXd b = random_load(space, 1);
     for(double alpha : {0., 0.3, 100.}) {
       Eigen::VectorXd expected, x;
-      CHECK(RL::make_poisson_solver(space, alpha, np).solve(b, expected).converged);
-      CHECK(RL::make_poisson_solver(space, operators, alpha, np).solve(b, x).converged);
+      CHECK(RL::Poisson_solver(space, alpha, np).solve(b, expected).converged);
+      CHECK(RL::Poisson_solver(space, operators, alpha, np).solve(b, x).converged);
       CHECK((x - expected).dot(operators.back().stiffness * (x - expected)) <=
             1e-12 * expected.dot(operators.back().stiffness * expected));
     }
-    CHECK_THROWS_AS(RL::make_poisson_solver(space, operators, -1.), RL::Parameter_error);
-    CHECK_THROWS_AS(RL::make_poisson_solver(space, std::vector<RL::Operators>()),
-                    RL::Parameter_error);
+    CHECK_THROWS_AS(RL::Poisson_solver(space, operators, -1.), RL::Parameter_error);
+    CHECK_THROWS_AS(RL::Poisson_solver(space, std::vector<RL::Operators>()), RL::Parameter_error);
     // levels of the space of the paper are not nested
     if(is_paper_space)
-      CHECK_THROWS_AS(RL::make_poisson_solver(space, RL::assemble_operators_of_levels(space, 3, 4)),
+      CHECK_THROWS_AS(RL::Poisson_solver(space, RL::assemble_operators_of_levels(space, 3, 4)),
                       RL::Parameter_error);
   }
   // those of another space
   const RL::Spline_space_3 space(shapes::mesh(shapes::sphere(4)), params::depth(4)),
       other(shapes::mesh(shapes::box(1, 0.7, 0.4, 3, 1)), params::depth(4));
-  CHECK_THROWS_AS(RL::make_poisson_solver(space, RL::multigrid_operators(other)),
-                  RL::Parameter_error);
+  CHECK_THROWS_AS(RL::Poisson_solver(space, RL::multigrid_operators(other)), RL::Parameter_error);
 }
 
 TEST_CASE("patches_cover_all_elements_and_colors_do_not_interact", "[poisson]") {
@@ -359,7 +356,7 @@ TEST_CASE("iterations_do_not_depend_on_the_depth", "[poisson][slow]") {
   int last = 0;
   for(int depth = 4; depth <= 6; ++depth) {
     const RL::Spline_space_3 space(mesh, params::depth(depth));
-    const RL::Poisson_solver solver = RL::make_poisson_solver(space, 0, params::tolerance(1e-8));
+    const RL::Poisson_solver solver(space, 0, params::tolerance(1e-8));
     Eigen::VectorXd x;
     const Eigen::VectorXd b = random_load(space, 7);
     const RL::Solve_report report = solver.solve(b, x);
@@ -395,8 +392,8 @@ TEST_CASE("iterations_where_the_surface_lies_in_walls_or_is_ragged", "[poisson]"
     for(int depth : {4, 5}) {
       const RL::Spline_space_3 space(mesh, params::depth(depth).cube_scale(8. / 6));
       Eigen::VectorXd x;
-      const RL::Solve_report report = RL::make_poisson_solver(space, 0, params::tolerance(1e-8))
-                                          .solve(random_load(space, 1), x);
+      const RL::Solve_report report =
+          RL::Poisson_solver(space, 0, params::tolerance(1e-8)).solve(random_load(space, 1), x);
       INFO("depth " << depth << ": " << report.iterations);
       CHECK(report.converged);
       CHECK(report.iterations <= bound);
@@ -413,8 +410,8 @@ TEST_CASE("tiny_pieces_of_surface_in_cells_do_not_slow_the_solver", "[poisson]")
       for(int depth : {4, 5}) {
         const RL::Spline_space_3 space(mesh, params::depth(depth));
         Eigen::VectorXd x;
-        const RL::Solve_report report = RL::make_poisson_solver(space, 0, params::tolerance(1e-8))
-                                            .solve(random_load(space, 1), x);
+        const RL::Solve_report report =
+            RL::Poisson_solver(space, 0, params::tolerance(1e-8)).solve(random_load(space, 1), x);
         INFO("height " << height << ", seed " << seed << ", depth " << depth << ": "
                        << report.iterations);
         CHECK(report.converged);
@@ -435,8 +432,7 @@ TEST_CASE("w_cycles_take_no_more_iterations_than_v_cycles", "[poisson]") {
       {std::make_pair(1e-3, 0.), std::make_pair(1e-3, 1e-6), std::make_pair(1e-5, 0.)}) {
     const auto report = [&, c = c, alpha = alpha](RL::Cycle cycle) {
       Eigen::VectorXd x;
-      return RL::make_poisson_solver(space, alpha,
-                                     params::tolerance(1e-8).cycle(cycle).stabilization(c))
+      return RL::Poisson_solver(space, alpha, params::tolerance(1e-8).cycle(cycle).stabilization(c))
           .solve(b, x);
     };
     const RL::Solve_report v = report(RL::Cycle::V), w = report(RL::Cycle::W);
@@ -454,7 +450,7 @@ TEST_CASE("stabilization_keeps_the_order_of_the_error", "[poisson][slow]") {
   for(int depth = 2; depth <= 4; ++depth) {
     const RL::Spline_space_3 space(mesh, params::depth(depth));
     Eigen::VectorXd eta;
-    CHECK(RL::make_poisson_solver(space, 0, params::tolerance(1e-8))
+    CHECK(RL::Poisson_solver(space, 0, params::tolerance(1e-8))
               .solve(-RL::assemble_load(space, f), eta)
               .converged);
     errors.push_back(relative_error(RL::Spline_function_3(space, eta), -1 / harmonic_eigenvalue));
@@ -472,8 +468,7 @@ TEST_CASE("matrices_of_all_levels_at_once_make_the_same_solver", "[poisson]") {
     const double c = 0.01, alpha = 0.5;
     const RL::Operators operators = RL::assemble_operators(space, 4, c);
     const auto np = params::stabilization(c).tolerance(1e-10);
-    const RL::Poisson_solver direct = RL::make_poisson_solver(space, alpha, np),
-                             galerkin = RL::make_poisson_solver(space, operators, alpha, np);
+    const RL::Poisson_solver direct(space, alpha, np), galerkin(space, operators, alpha, np);
     CHECK((direct.upper_half() - galerkin.upper_half()).norm() <=
           1e-13 * galerkin.upper_half().norm());
     Eigen::VectorXd x, y;
@@ -514,7 +509,7 @@ TEST_CASE("solver_needs_no_mesh", "[poisson]") {
   RL::Sparse_matrix a = dense.sparseView();
   Eigen::VectorXd integrals(5), x;
   integrals << 1, 2, 1, 1, 3;
-  const RL::Poisson_solver solver(a, {}, integrals, 0);
+  const RL::Multigrid_solver solver(a, {}, integrals, 0);
   CHECK(solver.kernel_dimension() == 2);
   Eigen::VectorXd b(5);
   b << 1, 0, -1, 2, -2;
@@ -535,7 +530,7 @@ TEST_CASE("matrices_that_are_not_semi_definite_are_refused", "[poisson]") {
     Eigen::MatrixXd a = dense;
     a(i, j) = a(j, i) = value;
     try {
-      RL::Poisson_solver(a.sparseView(), {}, integrals);
+      RL::Multigrid_solver(a.sparseView(), {}, integrals);
     } catch(const RL::Parameter_error& error) {
       return std::string(error.what());
     }
@@ -562,7 +557,7 @@ TEST_CASE("solution_agrees_with_a_direct_factorization", "[poisson]") {
 
     Eigen::VectorXd x;
     const RL::Solve_report report =
-        RL::make_poisson_solver(space, operators, alpha, params::tolerance(1e-3)).solve(load, x);
+        RL::Poisson_solver(space, operators, alpha, params::tolerance(1e-3)).solve(load, x);
     CHECK(report.converged);
 
     const Eigen::VectorXd scale = a.diagonal().cwiseSqrt().cwiseInverse();
@@ -585,7 +580,7 @@ TEST_CASE("iterations_on_the_bunny", "[poisson][slow]") {
   const RL::Spline_space_3 space(mesh, params::depth(7));
   CHECK(space.dimension() == 139083); // our own output; the other one is that of a prototype
   CHECK(RL::Spline_space_3(mesh, params::depth(7).split(false)).dimension() == 138098);
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, 0, params::tolerance(1e-8));
+  const RL::Poisson_solver solver(space, 0, params::tolerance(1e-8));
   Eigen::MatrixXd b(space.dimension(), 4), x;
   for(int axis = 0; axis < 3; ++axis)
     b.col(axis) =
@@ -634,8 +629,7 @@ TEMPLATE_TEST_CASE("a_cycle_preconditions_solvers_of_eigen", "[poisson]", RL::Pa
   solver.compute(a);
   const Eigen::VectorXd x = solver.solve(b);
   Eigen::VectorXd expected;
-  REQUIRE(
-      RL::make_poisson_solver(space, alpha, params::tolerance(1e-10)).solve(b, expected).converged);
+  REQUIRE(RL::Poisson_solver(space, alpha, params::tolerance(1e-10)).solve(b, expected).converged);
   const Eigen::VectorXd error = x - expected;
   CHECK(error.dot(operators.mass * error) <= 1e-12 * expected.dot(operators.mass * expected));
   // Without a preconditioner 5,000 are not enough.

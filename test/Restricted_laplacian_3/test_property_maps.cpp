@@ -113,7 +113,7 @@ TEST_CASE("parameters_may_come_in_any_order", "[mesh_types]") {
     CHECK(space.octree().side() == 1.5 * extent);
     CHECK(space.is_paper_space());
     const RL::Poisson_solver_options options =
-        RL::make_poisson_solver(space, RL::assemble_operators(space), 0, np).options();
+        RL::Poisson_solver(space, RL::assemble_operators(space), 0, np).options();
     CHECK(options.tolerance == 1e-4);
     CHECK(options.energy_tolerance == 0.25);
     CHECK(options.maximum_iterations == 7);

@@ -531,8 +531,8 @@ TEST_CASE("splitting_costs_no_iterations", "[sheets][slow]") {
     int iterations[2];
     for(bool is_split : {false, true}) {
       const RL::Spline_space_3 space(mesh, params::depth(5).split(is_split));
-      const RL::Poisson_solver solver =
-          RL::make_poisson_solver(space, RL::assemble_operators(space), 0, params::tolerance(5e-3));
+      const RL::Poisson_solver solver(space, RL::assemble_operators(space), 0,
+                                      params::tolerance(5e-3));
       Eigen::VectorXd eta;
       const RL::Solve_report report = solver.solve(
           RL::assemble_load(space, [axis](const RL::Surface_point& p) { return p.point[axis]; }),

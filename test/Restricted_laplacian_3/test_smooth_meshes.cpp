@@ -11,7 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
@@ -48,7 +48,7 @@ void solve_on(const RL::Triangulated_surface_3& surface, int depth) {
   CHECK(ones.dot(operators.mass * ones) == Approx(surface.area()).epsilon(5e-5));
   Eigen::VectorXd eta;
   const RL::Solve_report report =
-      RL::make_poisson_solver(space, operators)
+      RL::Poisson_solver(space, operators)
           .solve(RL::assemble_load(space, [](const RL::Surface_point& p) { return p.point.x(); }),
                  eta);
   CHECK(report.converged);

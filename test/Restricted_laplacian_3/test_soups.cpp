@@ -192,7 +192,7 @@ TEST_CASE("moebius_strip", "[soups]") {
   }
   const RL::Spline_space_3 space(RL::soup(t.points, t.faces), params::depth(5));
   CHECK(space.octree().number_of_sheets(0) == 1);
-  const RL::Poisson_solver solver = RL::make_poisson_solver(space, RL::assemble_operators(space));
+  const RL::Poisson_solver solver(space, RL::assemble_operators(space));
   CHECK(solver.kernel_dimension() == 1);
   // cutting it open changes the spectrum
   Triangles cut = t;
@@ -289,7 +289,7 @@ TEST_CASE("bad_meshes_of_the_larger_set", "[soups][slow]") {
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(space.dimension());
     CHECK((operators.stiffness * ones).cwiseAbs().maxCoeff() <=
           1e-13 * operators.stiffness.diagonal().maxCoeff());
-    const RL::Poisson_solver solver = RL::make_poisson_solver(space, operators);
+    const RL::Poisson_solver solver(space, operators);
     CHECK(std::size_t(solver.kernel_dimension()) == components);
     Eigen::VectorXd eta;
     const auto x = [](const RL::Surface_point& p) { return p.point.x(); };

@@ -119,9 +119,9 @@ inline RL::Poisson_solver poisson_solver(const RL::Spline_space_3& space, double
                                          int threads, double tolerance) {
   namespace params = RL::parameters;
   const auto np = params::stabilization(stabilization).tolerance(tolerance);
-  return threads > 1 ? RL::make_poisson_solver(
-                           space, 0, np.concurrency_tag(CGAL::Parallel_if_available_tag()))
-                     : RL::make_poisson_solver(space, 0, np);
+  return threads > 1
+             ? RL::Poisson_solver(space, 0, np.concurrency_tag(CGAL::Parallel_if_available_tag()))
+             : RL::Poisson_solver(space, 0, np);
 }
 
 } // namespace benchmarks

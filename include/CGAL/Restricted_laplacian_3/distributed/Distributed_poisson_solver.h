@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_space.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 
 #include <Eigen/Core>

@@ -142,14 +142,12 @@ Function_fitter::solver(double stabilization, const Progress& progress, bool is_
   if(energy_tolerance() > 0)
     options.energy_tolerance = internal::smallest_error_of_fits;
   // The matrix M + w S in units of the squared cell width.
-  internal::Elliptic_operator elliptic;
-  elliptic.reaction = 1 / unit();
-  elliptic.diffusion = m_options.smoothing / unit();
-  elliptic.stabilization = stabilization;
-  m_solvers.emplace_back(
-      stabilization,
-      internal::elliptic_solver(m_space, elliptic, options, progress, nullptr,
-                                is_mass_needed && m_mass.cols() == 0 ? &m_mass : nullptr));
+  internal::Elliptic_system system;
+  system.elliptic.reaction = 1 / unit();
+  system.elliptic.diffusion = m_options.smoothing / unit();
+  system.elliptic.stabilization = stabilization;
+  system.mass = is_mass_needed && m_mass.cols() == 0 ? &m_mass : nullptr;
+  m_solvers.emplace_back(stabilization, Poisson_solver(m_space, system, options, progress));
   const Poisson_solver& result = m_solvers.back().second;
   m_setup_seconds += result.setup_seconds();
   m_assembly_seconds += timer.time() - result.setup_seconds();

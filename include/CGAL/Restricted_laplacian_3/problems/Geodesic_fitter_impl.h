@@ -10,7 +10,6 @@
 #include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/Cell_load.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 
 #include <CGAL/Real_timer.h>
@@ -39,10 +38,10 @@ inline Poisson_solver geodesic_fit_solver(const Spline_space_3& space,
                                           Geodesic_fit_options options) {
   if(!options.solver.tolerance)
     options.solver.tolerance = Geodesic_fitter::default_tolerance;
-  Elliptic_operator elliptic;
-  elliptic.reaction = weight_of_distances(space);
-  elliptic.stabilization = options.stabilization.value_or(default_stabilization(space));
-  return elliptic_solver(space, elliptic, options.solver);
+  Elliptic_system system;
+  system.elliptic.reaction = weight_of_distances(space);
+  system.elliptic.stabilization = options.stabilization.value_or(default_stabilization(space));
+  return Poisson_solver(space, system, options.solver);
 }
 
 /// \f$\int g \cdot \nabla b_i + \alpha \int d\, b_i\f$

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>

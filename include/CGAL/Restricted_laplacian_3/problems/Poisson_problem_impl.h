@@ -11,9 +11,9 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/Prescribed_iteration.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <CGAL/Real_timer.h>
@@ -134,26 +134,23 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
   internal::require_enough_points(space);
   const internal::Progress progress(problem.progress);
   progress(0);
-  internal::Elliptic_operator elliptic;
-  elliptic.reaction = problem.alpha;
-  elliptic.reaction_function = problem.alpha_function;
-  elliptic.stabilization = problem.stabilization.value_or(default_stabilization(space));
+  internal::Elliptic_system system;
+  system.elliptic.reaction = problem.alpha;
+  system.elliptic.reaction_function = problem.alpha_function;
+  system.elliptic.stabilization = problem.stabilization.value_or(default_stabilization(space));
   Eigen::VectorXd load = assemble_load(space, problem.f);
-  if(elliptic.reaction == 0 && !elliptic.reaction_function)
+  if(problem.alpha == 0 && !problem.alpha_function)
     load = -load;
   const internal::Progress of_setup = progress.part(0.1, 0.7), of_solve = progress.part(0.7, 1);
   const internal::Prescribed_values prescribed(space, problem);
   prescribed.add_load(load);
-  const bool has_prescribed_values = prescribed.boundary() || prescribed.points();
-  const Poisson_solver solver =
-      has_prescribed_values
-          ? internal::constrained_solver(space, elliptic, prescribed.boundary(),
-                                         prescribed.points(), problem.solver, of_setup)
-          : internal::elliptic_solver(space, elliptic, problem.solver, of_setup);
+  system.boundary = prescribed.boundary();
+  system.constraints = prescribed.points();
+  const Poisson_solver solver(space, system, problem.solver, of_setup);
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Poisson_solution solution;
   Solve_report& report = solution;
-  if(has_prescribed_values) {
+  if(system.boundary || system.constraints) {
     internal::Prescribed_iteration iteration(solver, load, prescribed.points(), prescribed.mean());
     report = iteration.solve(
         problem.solver.tolerance.value_or(internal::tolerance_with_constraints), of_solve);

@@ -11,10 +11,10 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_integrals.h>
+#include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
-#include <CGAL/Restricted_laplacian_3/problems/make_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/spline_evaluation.h>
@@ -187,14 +187,13 @@ integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
   Eigen::MatrixXd target_loads;
   if(screening.target)
     target_loads = weighted_target_loads(space, screening);
-  Elliptic_operator elliptic;
-  elliptic.reaction = screening.weight.value_or(0);
-  elliptic.reaction_function = screening.weight_function;
-  elliptic.name_of_reaction = "alpha";
-  elliptic.stabilization = options.stabilization.value_or(default_stabilization(space));
   Eigen::VectorXd constant_loads;
-  const Poisson_solver solver =
-      elliptic_solver(space, elliptic, options.solver, progress.part(0.15, 0.65), &constant_loads);
+  Elliptic_system system;
+  system.elliptic.reaction = screening.weight.value_or(0);
+  system.elliptic.reaction_function = screening.weight_function;
+  system.elliptic.stabilization = options.stabilization.value_or(default_stabilization(space));
+  system.constant_loads = &constant_loads;
+  const Poisson_solver solver(space, system, options.solver, progress.part(0.15, 0.65));
   const Mean_projection& constants = solver.mean_projection();
 
   Gradient_solution result;

@@ -12,7 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/distributed/internal/petsc.h>
 #include <CGAL/Restricted_laplacian_3/distributed/internal/petsc_shells.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
 
 #include <Eigen/Core>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_SOLVER_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_SOLVER_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
@@ -107,8 +107,8 @@ struct Solve_options {
 /// Solves \f$A x = b\f$ for a symmetric positive semi-definite matrix by conjugate gradients that
 /// are preconditioned with a multigrid cycle, from a first guess by nested iteration:
 /// \f$A = S\f$ for the Poisson problem, \f$A = S + \alpha M\f$ for the screened one. It is set up
-/// once and then solves for any number of right-hand sides. Knows matrices only, no surface:
-/// `make_poisson_solver()` makes one of a `Spline_space_3`.
+/// once and then solves for any number of right-hand sides. Knows matrices only, no surface; that
+/// of a `Spline_space_3` is a `Poisson_solver`.
 ///
 /// *Precision.* The iteration is in double precision, the cycle in single precision. The iteration
 /// ends by the true residual, computed anew from the solution; or, if an `energy_tolerance` is
@@ -128,7 +128,7 @@ struct Solve_options {
 /// is. Near-kernel (combinations of
 /// elements that nearly vanish on the surface) is left alone: its coefficients carry no
 /// information, and do not change the function on the surface.
-class Poisson_solver {
+class Multigrid_solver {
   using Options = Poisson_solver_options;
 
 public:
@@ -150,26 +150,12 @@ public:
   /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry
   /// of the matrix is not finite, or a diagonal entry negative beyond rounding
   /// \throws Numerical_error if the coarsest level cannot be solved
-  Poisson_solver(const Sparse_matrix& a, Multigrid_levels levels,
-                 const Eigen::VectorXd& element_integrals, double alpha = 0,
-                 const Options& np = Options());
-
-  /// Without a copy of the matrix.
-  /// \param a the matrix, as above; it is empty afterwards
-  /// \param levels what else the hierarchy is made of
-  /// \param element_integrals \f$\int b_i\f$ for each unknown
-  /// \param alpha the screening weight that `a` contains, if any
-  /// \param np optional named parameters:
-  /// \cgalNamedParamsBegin
-  ///   \named_of_solver{`1e-3`}
-  ///   \named_concurrency_tag
-  /// \cgalNamedParamsEnd
-  Poisson_solver(Sparse_matrix&& a, Multigrid_levels levels,
-                 const Eigen::VectorXd& element_integrals, double alpha = 0,
-                 const Options& np = Options());
+  Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
+                   const Eigen::VectorXd& element_integrals, double alpha = 0,
+                   const Options& np = Options());
 
   /// With a screening weight that varies over the surface.
-  /// \param a the matrix, as above; it is empty afterwards
+  /// \param a the matrix, as above
   /// \param levels what else the hierarchy is made of
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param constant_loads \f$w_i = \int \alpha\, b_i\f$ for each unknown, not negative: what `a`
@@ -179,15 +165,15 @@ public:
   ///   \named_of_solver{`1e-3`}
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
-  Poisson_solver(Sparse_matrix&& a, Multigrid_levels levels,
-                 const Eigen::VectorXd& element_integrals, const Eigen::VectorXd& constant_loads,
-                 const Options& np = Options());
+  Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
+                   const Eigen::VectorXd& element_integrals, const Eigen::VectorXd& constant_loads,
+                   const Options& np = Options());
 
   /// A solver is moved, not copied. One that was moved from can only be assigned to.
-  Poisson_solver(Poisson_solver&& other) noexcept;
-  /// \copydoc Poisson_solver(Poisson_solver&&)
-  Poisson_solver& operator=(Poisson_solver&& other) noexcept;
-  ~Poisson_solver();
+  Multigrid_solver(Multigrid_solver&& other) noexcept;
+  /// \copydoc Multigrid_solver(Multigrid_solver&&)
+  Multigrid_solver& operator=(Multigrid_solver&& other) noexcept;
+  ~Multigrid_solver();
 
   /// The values of the named parameters that are used: those given to the constructor, but
   /// `Smoother_type::point` if there are no patches.
@@ -223,7 +209,7 @@ private:
 } // namespace CGAL
 
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_COMPILED
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver_impl.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver_impl.h>
 #endif
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_SOLVER_H

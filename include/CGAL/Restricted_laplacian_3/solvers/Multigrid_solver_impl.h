@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_IMPL_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_IMPL_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_SOLVER_IMPL_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_SOLVER_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Function_view.h>
@@ -72,7 +72,7 @@ inline Poisson_solver_options checked(const Sparse_matrix& a, const Eigen::Vecto
 } // namespace internal
 
 /// What a solver keeps, and the iteration.
-struct Poisson_solver::Impl {
+struct Multigrid_solver::Impl {
   /// what is asked of the iteration for some columns
   struct Block_options {
     double tolerance;
@@ -359,65 +359,60 @@ struct Poisson_solver::Impl {
 };
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Poisson_solver::Poisson_solver(const Sparse_matrix& a, Multigrid_levels levels,
-                               const Eigen::VectorXd& element_integrals, double alpha,
-                               const Options& options)
-  : Poisson_solver(Sparse_matrix(a), std::move(levels), element_integrals, alpha, options) {}
+Multigrid_solver::Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
+                                   const Eigen::VectorXd& element_integrals, double alpha,
+                                   const Options& options)
+  : Multigrid_solver(std::move(a), std::move(levels), element_integrals,
+                     Eigen::VectorXd(alpha * element_integrals), options) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Poisson_solver::Poisson_solver(Sparse_matrix&& a, Multigrid_levels levels,
-                               const Eigen::VectorXd& element_integrals, double alpha,
-                               const Options& options)
-  : Poisson_solver(std::move(a), std::move(levels), element_integrals,
-                   Eigen::VectorXd(alpha * element_integrals), options) {}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Poisson_solver::Poisson_solver(Sparse_matrix&& a, Multigrid_levels levels,
-                               const Eigen::VectorXd& element_integrals,
-                               const Eigen::VectorXd& constant_loads, const Options& options) {
+Multigrid_solver::Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
+                                   const Eigen::VectorXd& element_integrals,
+                                   const Eigen::VectorXd& constant_loads, const Options& options) {
   a.makeCompressed();
   m_impl = std::make_unique<Impl>(std::move(a), std::move(levels), element_integrals,
                                   constant_loads, options);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Poisson_solver::Poisson_solver(Poisson_solver&& other) noexcept = default;
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver&
-Poisson_solver::operator=(Poisson_solver&& other) noexcept = default;
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solver::~Poisson_solver() = default;
+Multigrid_solver::Multigrid_solver(Multigrid_solver&& other) noexcept = default;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Multigrid_solver&
+Multigrid_solver::operator=(Multigrid_solver&& other) noexcept = default;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Multigrid_solver::~Multigrid_solver() = default;
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Poisson_solver::Options& Poisson_solver::options() const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Multigrid_solver::Options&
+Multigrid_solver::options() const {
   return m_impl->options;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Poisson_solver::Sparse_matrix&
-Poisson_solver::upper_half() const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Multigrid_solver::Sparse_matrix&
+Multigrid_solver::upper_half() const {
   return m_impl->matrix().upper_half();
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE int Poisson_solver::kernel_dimension() const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE int Multigrid_solver::kernel_dimension() const {
   return m_impl->means.kernel_dimension();
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE const internal::Mean_projection&
-Poisson_solver::mean_projection() const {
+Multigrid_solver::mean_projection() const {
   return m_impl->means;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Poisson_solver::setup_seconds() const {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Multigrid_solver::setup_seconds() const {
   return m_impl->setup_seconds;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
-Poisson_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
-                      const Solve_options& options) const {
+Multigrid_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
+                        const Solve_options& options) const {
   return internal::name_step("not enough memory for the iteration",
                              [&] { return m_impl->solve(b, x, options); });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
-Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
-                      const Solve_options& options) const {
+Multigrid_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
+                        const Solve_options& options) const {
   return internal::name_step("not enough memory for the iteration",
                              [&] { return m_impl->solve(b, x, options); });
 }
@@ -425,4 +420,4 @@ Poisson_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixX
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_POISSON_SOLVER_IMPL_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_SOLVER_IMPL_H
