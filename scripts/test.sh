@@ -143,8 +143,9 @@ passed=$(count '<testcase .* status="run"')
 skipped=$(count '<skipped message="SKIP_')
 failed=$((all - passed - skipped))
 too_large=$(awk '
+  { limit = 1.5e9 }
+  $3 ~ "/(test|benchmark)/" && $3 !~ "/consumer/" { limit = 2.6e9 }
   $3 ~ "/(cgal_tree_|header_chains)" { limit = 2.9e9 }
-  $3 !~ "/(cgal_tree_|header_chains)" { limit = $3 ~ "/(test|benchmark)/" && $3 !~ "/consumer/" ? 2.6e9 : 1.5e9 }
   $2 > limit / 2^20' "$compilations")
 if [[ -n $too_large ]]; then
   echo "Too much memory (seconds, MiB):"
