@@ -217,6 +217,9 @@ private:
         continue;
       const Plane_vector before = i > 0 ? bends[i - 1].place : m_start_place,
                          after = i + 1 < bends.size() ? bends[i + 1].place : m_end_place;
+      // The strip may wind around the vertex at which the path ends: that is no bend.
+      if((after - bend.place).length() == 0)
+        continue;
       const double turn = angle(bend.place - before, after - bend.place);
       if(m_geometry->total_angle(v) - (CGAL_PI + turn) < CGAL_PI - rounding) {
         go_around(v, bend.portal);
