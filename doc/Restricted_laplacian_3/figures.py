@@ -772,17 +772,11 @@ MESH_OF_DISTANCES = {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: w
 for name, value, text in [("mean", "mean", percent), ("worst", "worst", percent), ("query", "query_s", short)]:
     add_table("distances_" + name, "distance_study", ["mesh", "n", "source", "method", "mean"], MESH_OF_DISTANCES,
               of(DISTANCES), value, text, 1, where=lambda r: r["source"] == 0)
-add_table("paths_worst", "distance_study_paths", ["mesh", "n", "method", "paths", "mean"], MESH_OF_DISTANCES,
-          of({"fast": "by `fast`", "exact": "by `exact`"}), "worst", percent, 1)
-add_table("points_distances_mean", "distance_study_points", ["mesh", "n", "source", "method", "mean"],
-          MESH_OF_DISTANCES, of({"points": "points"}), "mean", percent, 1)
 
 PYTHON_DISTANCES = {"fast": "here, `fast`", "exact": "here, `exact`", "pygeodesic": "pygeodesic",
                     "potpourri3d": "potpourri3d"}
-for name, value, text in [("mean", "mean", percent), ("query", "query_s", short)]:
-    add_table("distance_peers_" + name, "distance_peers", ["mesh", "n", "method", "mean"], MESH_OF_DISTANCES,
-              of(PYTHON_DISTANCES),
-              value, text, 1, list(PYTHON_DISTANCES.values()))
+add_table("distance_peers_query", "distance_peers", ["mesh", "n", "method", "mean"], MESH_OF_DISTANCES,
+          of(PYTHON_DISTANCES), "query_s", short, 1, list(PYTHON_DISTANCES.values()))
 
 
 # ---- prescribed values
@@ -826,21 +820,20 @@ SHAPE_APPLICATIONS = {"poisson": "Poisson", "screened": "screened", "spectrum": 
                       "exact_distance": "exact distances"}
 
 
-def shape_rows(value, combine):
-    """Families of one kind, and spectra with all numbers of pairs, together."""
+def shape_rows(value):
+    """The largest value of families of one kind, and of spectra with all numbers of pairs."""
     found = {}
     for r in rows("shape_study_shapes", *SHAPES):
         kind, application = r["family"].split("_")[0], re.sub(r"_\d+$", "", r["application"])
         family = KINDS_OF_SHAPES.get(kind, r["family"].replace("_", " "))
         found.setdefault((family, SHAPE_APPLICATIONS[application]), []).append(r[value])
-    return [((family,), application, combine(v for v in values if v == v))
+    return [((family,), application, max(v for v in values if v == v))
             for (family, application), values in found.items()]
 
 
-for name, value, combine, text in [("trials", "trials", sum, whole), ("time_to_line", "time/line", max, short),
-                                   ("busy", "busy", max, short)]:
-    TABLES["shapes_" + name] = lambda value=value, combine=combine, text=text: pivot(
-        ["Family"], shape_rows(value, combine), 1, list(SHAPE_APPLICATIONS.values()), text)
+for name, value in [("time_to_line", "time/line"), ("busy", "busy")]:
+    TABLES["shapes_" + name] = lambda value=value: pivot(["Family"], shape_rows(value), 1,
+                                                         list(SHAPE_APPLICATIONS.values()), short)
 
 
 # ---- thin features and tessellations
@@ -861,10 +854,9 @@ add_table("gaps", lambda: sorted(rows("thin_features", "surface", "depth", "gap"
           lambda r: f"{r['space']}, {r['depth']}", "largest_%", percent, 2)
 OPERATORS = {"paper": "paper's space, depth {level}", "restricted": "default space, depth {level}",
              "cotangent": "cotangent, refinements: {level}"}
-for name, value, text in [("unknowns", "unknowns", whole), ("largest", "largest_%", percent)]:
-    add_table("needles_" + name, lambda: of_mesh("spectrum_study", "operator", "largest_%"), (),
-              {"Operator": of(OPERATORS, "operator")}, "mesh",
-              lambda r, v=value, t=text: "reference" if "reference" in r.remark and t is percent else t(r[v]))
+add_table("needles_largest", lambda: of_mesh("spectrum_study", "operator", "largest_%"), (),
+          {"Operator": of(OPERATORS, "operator")}, "mesh",
+          lambda r: "reference" if "reference" in r.remark else percent(r["largest_%"]))
 
 
 # ---- smooth geometry
@@ -1140,6 +1132,7 @@ def facts():
         return span((min(peers) / ours[0] for ours, peers in found.values()), lambda x: f"{x:.1f}")
 
     shapes = rows("shape_study_shapes", *SHAPES)
+    paths = rows("distance_study_paths", "mesh", "method", "paths", "long")
     by_mesh = {}
     for r in depth_rows():
         by_mesh.setdefault(r["mesh"], []).append(r)
@@ -1180,6 +1173,8 @@ def facts():
             f"{factors('Poisson, normals', 5e-3)} times for the divergence of a field, "
             f"{factors('screened, normals', 5e-3)} times for a screened problem, and "
             f"{factors('mass matrix', 5e-3)} times for a mass matrix",
+            f"{sum(r['long'] for r in paths) or 'none'} of {whole(sum(r['paths'] for r in paths))} paths is longer by "
+            "a thousandth",
             f"Of {whole(sum(r['trials'] for r in shapes))} trials {sum(r['wrong'] for r in shapes) or 'none'} had a "
             "wrong result",
         ],
