@@ -204,7 +204,7 @@ fails "cannot write" 2 laplace_spectrum_mpi binary.ply --depth 3 --save /dev/ful
 # no memory on one process
 cat > limited.sh <<EOF
 #!/bin/sh
-if [ "\${OMPI_COMM_WORLD_RANK-\${PMI_RANK-0}}" = 1 ]; then ulimit -v 1200000; fi
+if [ "\${OMPI_COMM_WORLD_RANK-\${PMI_RANK-0}}" = 1 ]; then ulimit -v 800000; fi
 exec "$programs/solve_poisson_mpi" "\$@"
 EOF
 chmod +x limited.sh
