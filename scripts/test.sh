@@ -9,8 +9,8 @@
 # UndefinedBehaviorSanitizer the library and tests of what touches raw memory, input or threads; and runs
 # the tests, which build and check the manual, too. Where ccache is installed, it answers for what has
 # been compiled before. Prints how long each stage took, what took longest, and what was compiled with
-# too much memory, which counts as a failure: more than 1.5 GB, or 2.6 GB for tests and benchmarks, or
-# 2.9 GB for headers only. (CCACHE_RECACHE=1 in the environment compiles all of it again: what the cache answers
+# too much memory, which counts as a failure: more than 1.5 GB, 2.6 GB for tests and benchmarks, or 2.9 GB
+# for headers only. (CCACHE_RECACHE=1 in the environment compiles all of it again: what the cache answers
 # for takes no memory.) The last line counts all tests. JOBS in the environment is the number of parallel
 # jobs, 2 if not set.
 

@@ -1133,6 +1133,7 @@ def facts():
 
     shapes = rows("shape_study_shapes", *SHAPES)
     paths = rows("distance_study_paths", "mesh", "method", "paths", "long")
+    of_points = rows("distance_study_points", "mesh", "n", "source", "method", "mean")
     by_mesh = {}
     for r in depth_rows():
         by_mesh.setdefault(r["mesh"], []).append(r)
@@ -1175,6 +1176,7 @@ def facts():
             f"{factors('mass matrix', 5e-3)} times for a mass matrix",
             f"{sum(r['long'] for r in paths) or 'none'} of {whole(sum(r['paths'] for r in paths))} paths is longer by "
             "a thousandth",
+            f"with mean errors of {span((r['mean'] for r in of_points), percent)} %",
             f"Of {whole(sum(r['trials'] for r in shapes))} trials {sum(r['wrong'] for r in shapes) or 'none'} had a "
             "wrong result",
         ],

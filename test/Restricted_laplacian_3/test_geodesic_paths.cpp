@@ -129,7 +129,7 @@ TEST_CASE("shortest_paths_are_as_long_as_exact_distances", "[geodesic_path]") {
       }
   CAPTURE(number);
   CHECK(too_long < 0.001 * number);
-  // many of these end where the strip of faces winds around the source
+  // the strips of a few of these wind around the source
   for(const unsigned seed : {8u, 21u, 24u})
     for(const shapes::Triangles& t :
         {shapes::crumpled(shapes::sphere(4), 0.03, seed), shapes::bumpy_square(20, 0.5, 3, seed)}) {
