@@ -9,8 +9,8 @@
 # UndefinedBehaviorSanitizer the library and tests of what touches raw memory, input or threads; and runs
 # the tests, which build and check the manual, too. Where ccache is installed, it answers for what has
 # been compiled before. Prints how long each stage took, what took longest, and what was compiled with
-# too much memory, which counts as a failure: more than 1.5 GB, 2.6 GB for tests and benchmarks, or 2.9 GB
-# for headers only. (CCACHE_RECACHE=1 in the environment compiles all of it again: what the cache answers
+# too much memory, which counts as a failure: more than 1.5 GB, or 2.6 GB for tests, benchmarks and
+# headers only. (CCACHE_RECACHE=1 in the environment compiles all of it again: what the cache answers
 # for takes no memory.) The last line counts all tests. JOBS in the environment is the number of parallel
 # jobs, 2 if not set.
 
@@ -142,11 +142,8 @@ all=$(count '<testcase ')
 passed=$(count '<testcase .* status="run"')
 skipped=$(count '<skipped message="SKIP_')
 failed=$((all - passed - skipped))
-too_large=$(awk '
-  { limit = 1.5e9 }
-  $3 ~ "/(test|benchmark)/" && $3 !~ "/consumer/" { limit = 2.6e9 }
-  $3 ~ "/(cgal_tree_|header_chains)" { limit = 2.9e9 }
-  $2 > limit / 2^20' "$compilations")
+too_large=$(awk '$2 > ($3 ~ "/(test|benchmark)/" && $3 !~ "/consumer/" ? 2.6e9 : 1.5e9) / 2^20' \
+  "$compilations")
 if [[ -n $too_large ]]; then
   echo "Too much memory (seconds, MiB):"
   echo "$too_large"

@@ -9,4 +9,5 @@
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/sample_surface_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/Divided_surface_impl.h>
+#include <CGAL/Restricted_laplacian_3/surface/shared/divide_polygon_impl.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals_impl.h>

@@ -17,8 +17,9 @@ What all functions of the package take as a surface. Its *vertices* are the keys
 | `CGAL::Restricted_laplacian_3::Spline_space_3`, `CGAL::Restricted_laplacian_3::Triangulated_surface_3` | numbers of vertices, `std::size_t` | |
 
 Faces may have any number of corners. Those with more than three are divided into triangles: a convex one
-in a plane into a fan, which changes nothing; others as the function `triangulate_hole_polyline()` of \cgal
-does. Values on a face are those of all its triangles, and errors name the face of the mesh or soup. The
+in a plane into a fan, which changes nothing; another one with up to 50 corners such that the largest angle
+between neighbors is least, as the function `triangulate_hole_polyline()` of \cgal does; one with more corners
+by its shadow in the plane of two axes. Values on a face are those of all its triangles, and errors name the face of the mesh or soup. The
 surface need not be closed, orientable or of one component; a soup need not be a manifold.
 
 A set of points stands for a surface without faces. What needs triangles (smooth geometry, details,

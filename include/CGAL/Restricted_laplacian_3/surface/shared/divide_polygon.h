@@ -15,9 +15,9 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// Divides a polygon into triangles; it need not be plane, convex or free of self-intersections. A
-/// convex one in a plane becomes a fan around its first corner; of the divisions of others, up to
-/// 50 corners, that with the least bends and then the least area is taken, as by CGAL's
-/// `triangulate_hole_polyline()`.
+/// convex one in a plane becomes a fan around its first corner. Of the divisions of others, up to
+/// 50 corners, that with the least bends and then the least area is taken; of more corners, one of
+/// their shadow in the plane of two axes.
 /// \param points those that the polygon names, and more
 /// \param polygon numbers of points
 /// \return positions of the corners of the triangles in the polygon. There are two triangles fewer

@@ -6,106 +6,122 @@
 
 #include <CGAL/Restricted_laplacian_3/surface/shared/divide_polygon.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Ear_clipping.h>
+#include <CGAL/Restricted_laplacian_3/surface/internal/Least_bent_division.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// The corners of a triangle among those of a polygon. A type of its own keeps this instance of
-/// CGAL's templates, which may be compiled without 3D triangulations, apart from those of callers.
-struct Polygon_part {
-  std::array<std::size_t, 3> corners;
+/// The corners of a polygon without its sides from a vertex to itself, in a unit that makes the
+/// largest side of its box about 1, and only differs by a power of two.
+class Divided_polygon {
+public:
+  using Triangle = Triangulated_surface_3::Triangle;
 
-  Polygon_part(std::size_t i, std::size_t j, std::size_t k) : corners{i, j, k} {}
-};
-
-/// whether corners with finite coordinates turn by one angle below 180 degrees after the other, all
-/// in one plane up to rounding errors
-inline bool is_convex_in_plane(const std::vector<Point_3>& corners) {
-  constexpr double tolerance = 1e-12;
-  const std::size_t n = corners.size();
-  // the area vector, of corners in units that avoid overflow
-  double extent = 0;
-  for(const Point_3& p : corners)
-    for(int axis = 0; axis < 3; ++axis)
-      extent = (std::max)(extent, std::abs(p[axis] - corners[0][axis]));
-  const auto from_first = [&](std::size_t i) { return (corners[i % n] - corners[0]) / extent; };
-  Vector_3 normal(0, 0, 0);
-  for(std::size_t i = 2; i < n; ++i)
-    normal = normal + CGAL::cross_product(from_first(i - 1), from_first(i));
-  const double area = std::sqrt(normal.squared_length());
-  const auto turns_left = [&](const Vector_3& a, const Vector_3& b) {
-    const Vector_3 product = CGAL::cross_product(a, b);
-    const double height = product * normal / area;
-    return height > 1e-6 * std::sqrt(a.squared_length() * b.squared_length()) &&
-           std::sqrt(product.squared_length()) <= height * (1 + tolerance);
-  };
-  for(std::size_t i = 1; i <= n; ++i) {
-    const Vector_3 before = from_first(i) - from_first(i - 1),
-                   after = from_first(i + 1) - from_first(i);
-    if(!turns_left(before, after))
-      return false;
-    // and not more than once around
-    if(i > 1 && i < n && !(CGAL::cross_product(from_first(i - 1), from_first(i)) * normal > 0))
-      return false;
+  Divided_polygon(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& polygon) {
+    for(std::size_t i = 0; i < polygon.size(); ++i)
+      if(m_positions.empty() || (polygon[i] != polygon[m_positions.back()] &&
+                                 (i + 1 < polygon.size() || polygon[i] != polygon[0])))
+        m_positions.push_back(static_cast<std::uint32_t>(i));
+    double extent = 0;
+    for(const std::uint32_t position : m_positions) {
+      const Point_3& p = points[polygon[position]];
+      m_corners.push_back(p);
+      for(int axis = 0; axis < 3; ++axis) {
+        const double distance = std::abs(p[axis] - m_corners[0][axis]);
+        m_is_finite = m_is_finite && std::isfinite(distance);
+        extent = (std::max)(extent, distance);
+      }
+    }
+    if(!m_is_finite || extent == 0)
+      return;
+    int exponent = 0;
+    std::frexp(extent, &exponent);
+    for(Point_3& p : m_corners)
+      p = Point_3(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent),
+                  std::ldexp(p.z(), -exponent));
+    for(std::size_t i = 2; i < m_corners.size(); ++i)
+      m_area_vector = m_area_vector + CGAL::cross_product(from_first(i - 1), from_first(i));
   }
-  return true;
-}
+
+  std::vector<Triangle> triangles() const {
+    // The search for the best division takes the third power of the number of corners.
+    constexpr std::size_t many = 50;
+    const std::size_t n = m_positions.size();
+    std::vector<Triangle> result;
+    if(m_is_finite && n > 3 && !is_convex_in_plane())
+      result = n <= many ? Least_bent_division(m_corners).triangles()
+                         : Ear_clipping(shadow()).triangles();
+    // also for a polygon that cannot be divided into triangles that all have an area
+    if(result.empty())
+      for(std::uint32_t i = 2; i < n; ++i)
+        result.push_back({0, i - 1, i});
+    for(Triangle& triangle : result)
+      for(std::uint32_t& corner : triangle)
+        corner = m_positions[corner];
+    return result;
+  }
+
+private:
+  Vector_3 from_first(std::size_t i) const {
+    return m_corners[i % m_corners.size()] - m_corners[0];
+  }
+
+  /// whether the corners turn by one angle below 180 degrees after the other, all in one plane up
+  /// to rounding errors
+  bool is_convex_in_plane() const {
+    constexpr double tolerance = 1e-12;
+    const std::size_t n = m_corners.size();
+    const double area = std::sqrt(m_area_vector.squared_length());
+    const auto turns_left = [&](const Vector_3& a, const Vector_3& b) {
+      const Vector_3 product = CGAL::cross_product(a, b);
+      const double height = product * m_area_vector / area;
+      return height > 1e-6 * std::sqrt(a.squared_length() * b.squared_length()) &&
+             std::sqrt(product.squared_length()) <= height * (1 + tolerance);
+    };
+    for(std::size_t i = 1; i <= n; ++i) {
+      if(!turns_left(from_first(i) - from_first(i - 1), from_first(i + 1) - from_first(i)))
+        return false;
+      // and not more than once around
+      if(i > 1 && i < n &&
+         !(CGAL::cross_product(from_first(i - 1), from_first(i)) * m_area_vector > 0))
+        return false;
+    }
+    return true;
+  }
+
+  /// the corners in the plane of the two axes in which the area is largest, counterclockwise
+  std::vector<Ear_clipping::Place> shadow() const {
+    int axis = 0; // the one that is left out
+    for(const int other : {1, 2})
+      if(std::abs(m_area_vector[other]) > std::abs(m_area_vector[axis]))
+        axis = other;
+    int x = (axis + 1) % 3, y = (axis + 2) % 3;
+    if(m_area_vector[axis] < 0)
+      std::swap(x, y);
+    std::vector<Ear_clipping::Place> result;
+    for(const Point_3& p : m_corners)
+      result.push_back({p[x], p[y]});
+    return result;
+  }
+
+  std::vector<std::uint32_t> m_positions;
+  std::vector<Point_3> m_corners;
+  Vector_3 m_area_vector = Vector_3(0, 0, 0); ///< twice
+  bool m_is_finite = true;
+};
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Triangulated_surface_3::Triangle>
 divided_polygon(const std::vector<Point_3>& points, const std::vector<std::uint32_t>& polygon) {
-  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-  // The search for the best division takes the third power of the number of corners. In a plane
-  // it takes no time.
-  constexpr std::size_t many = 50, too_many = 500;
   if(polygon.size() == 3)
     return {{0, 1, 2}};
-  // a side from a vertex to itself is none
-  std::vector<std::uint32_t> positions;
-  for(std::size_t i = 0; i < polygon.size(); ++i)
-    if(positions.empty() || (polygon[i] != polygon[positions.back()] &&
-                             (i + 1 < polygon.size() || polygon[i] != polygon[0])))
-      positions.push_back(static_cast<std::uint32_t>(i));
-  const std::size_t n = positions.size();
-  std::vector<Point_3> corners;
-  bool is_finite = true;
-  for(const std::uint32_t position : positions) {
-    const Point_3& p = points[polygon[position]];
-    is_finite = is_finite && std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-    corners.push_back(p);
-  }
-  std::vector<Polygon_part> parts;
-  if(is_finite && n > 3 && !is_convex_in_plane(corners)) {
-    std::vector<Point> points_of_cgal;
-    for(const Point_3& p : corners)
-      points_of_cgal.emplace_back(p.x(), p.y(), p.z());
-    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-        points_of_cgal, std::back_inserter(parts),
-        CGAL::parameters::use_2d_constrained_delaunay_triangulation(n > many)
-            .threshold_distance(n > many ? (std::numeric_limits<double>::max)() : -1)
-            .use_delaunay_triangulation(false)
-            .do_not_use_cubic_algorithm(n > too_many));
-  }
-  // also for a polygon that cannot be divided into triangles that all have an area
-  if(parts.size() + 2 != n) {
-    parts.clear();
-    for(std::size_t i = 2; i < n; ++i)
-      parts.emplace_back(0, i - 1, i);
-  }
-  std::vector<Triangulated_surface_3::Triangle> result;
-  for(const Polygon_part& part : parts)
-    result.push_back(
-        {positions[part.corners[0]], positions[part.corners[1]], positions[part.corners[2]]});
-  return result;
+  return Divided_polygon(points, polygon).triangles();
 }
 
 } // namespace internal
