@@ -19,7 +19,9 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 import figures
-from figures import SPECTRUM, rows
+import results
+from figures import SPECTRUM
+from results import rows
 
 WIDTH, HEIGHT = 640, 420
 # Colors that readers tell apart who see few of them (Okabe and Ito); markers differ, too.
@@ -197,10 +199,19 @@ def time_by_ranks():
                         for name, style, value in values])
 
 
+def everywhere():
+    """iterations, with * where the largest number was not enough"""
+    for of_cycle in rows("iterations_everywhere", "mesh", "depth", "c", "unknowns"):
+        for problem in list(of_cycle)[list(of_cycle).index("unknowns") + 1:]:
+            its = str(of_cycle[problem])
+            yield {"mesh": of_cycle["mesh"], "depth": of_cycle["depth"], "c": of_cycle["c"], "problem": problem,
+                   "its": int(its.rstrip("*")), "enough": not its.endswith("*")}
+
+
 def iterations_by_mesh():
     depth = 7
     found = {}
-    for r in figures.everywhere():
+    for r in everywhere():
         if r["depth"] == depth and r["c"] == "v":
             found.setdefault(r["mesh"], []).append(r["its"])
     order = sorted(found, key=lambda mesh: (max(found[mesh]), statistics.median(found[mesh]), mesh))
@@ -230,7 +241,7 @@ def iterations_by_mesh():
 PLOTS = {
     f"plot_{problem}_{shape}": lambda s=shape, p=problem, t=title, m=methods: error_over_time(
         s, p, f"{t} on a {s}: error over time", m)
-    for shape in ("sphere", "torus")
+    for shape in ["sphere"]
     for problem, title, methods in [("poisson", "Poisson", OF_POISSON),
                                     ("spectrum", "30 eigenvalues", SPECTRUM)]
 }
@@ -247,8 +258,8 @@ PLOTS["plot_iterations"] = iterations_by_mesh
 def main():
     arguments = sys.argv[1:]
     update = "--update" in arguments
-    figures.ROOT = Path(arguments[-1])
-    folder = figures.ROOT / "doc/Restricted_laplacian_3/fig"
+    results.ROOT = Path(arguments[-1])
+    folder = results.ROOT / "doc/Restricted_laplacian_3/fig"
     errors = 0
     for name, draw in PLOTS.items():
         file = folder / f"{name}.svg"
