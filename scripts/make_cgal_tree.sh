@@ -132,6 +132,8 @@ done >>CMakeLists.txt
 
 cd "$package/benchmark/$name"
 rm -rf results plots compile_times *.sh
+mv studies/*.cpp .
+rm -r studies
 mkdir "$package/programs"
 cp -R "$root/programs/support" "$package/programs" # what benchmarks share with programs
 cmake_lists Benchmark NO_TESTING

@@ -37,10 +37,10 @@
 //
 // usage: accuracy_per_second [OPTION]...
 
-#include "sphere.h"
 #include "support/linear_solvers.h"
 #include "support/measure.h"
 #include "support/package.h"
+#include "support/sphere.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>

@@ -623,14 +623,13 @@ TEST_CASE("panel_kernels_for_vector_registers_equal_plain_ones", "[eigensolver]"
     compare(2 * 8 * 30 + 16, [&](double* sums, int kind) {
       const std::array<double*, 2> to = {sums, sums + 8 * 30};
       double* const own = sums + 2 * 8 * 30;
-      const double *const *v = values.data(), *x_own = x.data() + 8;
+      const internal::Column_entries column = {values.data(), rows.data(), count};
+      const double* x_own = x.data() + 8;
       double* const* t = to.data();
-      kind == 0   ? internal::plain::add_symmetric_column<8, 2>(v, rows.data(), count, x.data(),
-                                                              x_own, t, 10, own)
-      : kind == 1 ? internal::lanes::add_symmetric_column<8, 2>(v, rows.data(), count, x.data(),
-                                                                x_own, t, 10, own)
-                  : internal::wide_lanes::add_symmetric_column<8, 2>(v, rows.data(), count,
-                                                                     x.data(), x_own, t, 10, own);
+      kind == 0 ? internal::plain::add_symmetric_column<8, 2>(column, x.data(), x_own, t, 10, own)
+      : kind == 1
+          ? internal::lanes::add_symmetric_column<8, 2>(column, x.data(), x_own, t, 10, own)
+          : internal::wide_lanes::add_symmetric_column<8, 2>(column, x.data(), x_own, t, 10, own);
     });
 }
 #endif

@@ -8,7 +8,7 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/sum_counts.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
@@ -229,15 +229,16 @@ TEST_CASE("surfaces_have_as_many_faces_as_can_be_numbered", "[limits]") {
 
 TEST_CASE("a_step_without_memory_has_a_name", "[limits]") {
   const auto fails = []() -> int { throw std::bad_alloc(); };
-  CHECK(internal::name_step("a", [] { return 7; }) == 7);
+  CHECK(internal::explain_out_of_memory("a", [] { return 7; }) == 7);
   try {
-    internal::name_step("the outer one", [&] { return internal::name_step("the step", fails); });
+    internal::explain_out_of_memory(
+        "the outer one", [&] { return internal::explain_out_of_memory("the step", fails); });
     FAIL("no exception");
   } catch(const std::bad_alloc& error) {
     CHECK(std::string(error.what()) == "the step");
     CHECK(dynamic_cast<const RL::Out_of_memory*>(&error) != nullptr);
   }
-  CHECK_THROWS_AS(internal::name_step("a", [] { throw RL::Canceled(); }), RL::Canceled);
+  CHECK_THROWS_AS(internal::explain_out_of_memory("a", [] { throw RL::Canceled(); }), RL::Canceled);
 }
 
 TEST_CASE("matrices_have_at_most_as_many_entries_as_an_int_can_number", "[limits]") {

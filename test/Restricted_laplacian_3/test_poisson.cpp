@@ -268,7 +268,7 @@ TEST_CASE("least_squares_end_when_the_error_does_not_show", "[poisson]") {
   CHECK(report.relative_residual > 1e-12);
   // the square of the error is that of b^T x in conjugate gradients
   CHECK(b.dot(exact - x) <= 0.1 * 0.1 * 0.01 * b.dot(exact));
-  const RL::Least_squares_end none = {options.least_squares.squares, 0};
+  const RL::Least_squares_criterion none = {options.least_squares.squares, 0};
   options.least_squares = none;
   CHECK(solver.solve(b, x, options).iterations == iterations);
 

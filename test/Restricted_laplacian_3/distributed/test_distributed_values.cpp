@@ -117,6 +117,7 @@ TEST_CASE("ranks_read_slices_of_a_file", "[shapes]") {
     REQUIRE(slice);
     check_slices(communicator, *slice, t, 1e-7);
     CHECK(!slice->is_point_set);
+    CHECK(RL::read_surface_slice(communicator, file).triangles == slice->triangles);
   }
   for(Kind kind : {Kind::text, Kind::with_a_quadrangle}) {
     if(communicator.rank() == 0)
@@ -124,6 +125,9 @@ TEST_CASE("ranks_read_slices_of_a_file", "[shapes]") {
     communicator.agree([] {});
     CHECK(!RL::read_binary_ply_slice(communicator, file));
   }
+  // the quadrangle becomes two triangles
+  const auto triangles = RL::read_surface_slice(communicator, file).triangles;
+  CHECK(communicator.sum(static_cast<std::uint64_t>(triangles.size())) == t.faces.size() + 2);
   if(communicator.rank() == 0)
     write_ply(file, t, Kind::cut_off);
   communicator.agree([] {});

@@ -175,7 +175,7 @@ for number in 1 3; do
   mv out example_of_$number
 done
 succeeds 2 distributed_surface text.ply
-check "the example prints eigenvalues" [ "$(grep -c '^[0-9]' out)" -eq 10 ]
+check "the example prints an eigenvalue" grep -q '^[0-9]* iterations, .* eigenvalue above 0 is [0-9]' out
 check "the example has one result" cmp example_of_1 example_of_3
 check "the example has one result for both kinds of files" cmp example_of_1 out
 fails "no face" 2 distributed_surface points.xyz

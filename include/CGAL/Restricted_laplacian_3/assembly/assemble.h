@@ -33,9 +33,11 @@ struct Operators {
   Sparse_matrix mass;
 };
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// The matrices to which `assemble_operators()` adds the stabilization.
 enum class Stabilized { stiffness_and_mass, stiffness };
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Assembles stiffness and mass matrices of the levels from `coarsest` to `finest`, in this order,
@@ -101,6 +103,7 @@ Operators assemble_operators(const Spline_space_3& space, std::optional<int> lev
                              double stabilization = 0,
                              Stabilized stabilized = Stabilized::stiffness_and_mass);
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Puts what `assemble_operators_of_levels()` adds up into storage of the caller's, block by block.
 /// \param space the space whose elements are integrated
@@ -117,6 +120,7 @@ void assemble_into(const Spline_space_3& space, int coarsest,
                    const std::vector<Operator_sink*>& sinks, double stabilization = 0,
                    Stabilized stabilized = Stabilized::stiffness_and_mass,
                    const std::function<bool(double)>& progress = {});
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$ S_{ij} = \int_{\mathcal M} \langle \nabla_{\mathcal M} b_i, \nabla_{\mathcal M} b_j \rangle
@@ -152,6 +156,7 @@ Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, std::optional<in
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f,
                               std::optional<int> level = {});
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all components of a function in one pass over the surface: \f$ \gamma_{ik} =
 /// \int_{\mathcal M} f_k\, b_i \f$ (paper, section 5.3), a row for each element of `level`, a
@@ -164,6 +169,7 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_functio
 Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space,
                                          const Surface_function_view& f,
                                          std::optional<int> level = {});
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all channels of a vector field in one pass over the surface: \f$ \gamma_{ik} =

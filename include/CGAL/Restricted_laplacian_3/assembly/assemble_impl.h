@@ -11,7 +11,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/shared/sheet_loads.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 
 #include <Eigen/Core>
 
@@ -57,7 +57,7 @@ assemble_operators_of_levels(const Spline_space_3& space, int coarsest, int fine
   std::vector<Operators> operators;
   if(coarsest > finest)
     return operators;
-  internal::name_step("not enough memory for the matrices", [&] {
+  internal::explain_out_of_memory("not enough memory for the matrices", [&] {
     operators.resize(static_cast<std::size_t>(finest - coarsest) + 1);
     std::deque<internal::Sparse_sink> sinks;
     std::vector<Operator_sink*> pointers;

@@ -44,6 +44,67 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_depth(const Distributed_surface& 
   return internal::depth_of_points(std::move(cells), surface.number_of_vertices());
 }
 
+namespace internal {
+
+/// of a space whose depth may still be unknown, but 1 then
+inline Spline_space_options checked_options(const Distributed_surface& surface,
+                                            Spline_space_options options) {
+  if(!options.depth)
+    options.depth = 1;
+  return Partial_space::checked(surface.slice().surface, options);
+}
+
+inline void check_has_sheets(const Own_sheets& finest, const Distributed_surface& surface) {
+  if(finest.first_sheets.back() == 0)
+    throw Distributed_error("the surface has area zero: none of its " +
+                            std::to_string(surface.number_of_faces()) +
+                            " faces is wider than rounding errors in the octree");
+}
+
+/// The sheets of a rank, and those of the level above that all ranks hold: parents and children.
+/// \param whole the level of all ranks
+/// \param first the number in `whole` of the first sheet of `own`
+inline void link_to_coarser(const Octree_level& whole, std::uint64_t first, Octree_level& own,
+                            Octree_level& coarser) {
+  std::vector<Number_lists::Pair> children;
+  for(std::uint32_t sheet = 0; sheet < own.number_of_sheets(); ++sheet) {
+    own.parents.push_back(whole.parents[static_cast<std::size_t>(first) + sheet]);
+    children.emplace_back(own.parents.back(), sheet);
+  }
+  coarser.children = Number_lists(coarser.number_of_sheets(), children);
+}
+
+/// that all ranks hold, and the first one owns
+inline Distributed_level whole_level(const Level_elements& elements, const Octree_level& level,
+                                     std::size_t number_of_ranks) {
+  Distributed_level result;
+  const std::size_t size = elements.first_slots.size();
+  result.number_of_sheets = level.number_of_sheets();
+  result.first_elements.assign(number_of_ranks + 1, size);
+  result.first_elements.front() = 0;
+  result.number_of_split_elements = elements.number_of_split_elements;
+  for(std::size_t k = 0; k < size; ++k)
+    result.elements.push_back(k);
+  return result;
+}
+
+/// \param part gets the elements of this rank
+inline Distributed_level divided_level(const Level_exchange& exchange, const Own_sheets& own,
+                                       int rank, Level_elements& part) {
+  auto elements = exchange.elements(own);
+  part = std::move(elements.part);
+  Distributed_level result;
+  result.first_sheet = own.first_sheet(rank);
+  result.number_of_sheets = own.first_sheets.back();
+  result.first_elements = std::move(elements.first_elements);
+  result.number_of_split_elements = elements.number_of_split_elements;
+  result.elements = std::move(elements.numbers);
+  result.own_centers = std::move(elements.own_centers);
+  return result;
+}
+
+} // namespace internal
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Distributed_space::Distributed_space(const Distributed_surface& surface,
                                      const Spline_space_options& given)
@@ -57,10 +118,7 @@ Distributed_space::Distributed_space(const Distributed_surface& surface,
   std::optional<Octree_3> octree; // of the slice, for its cube
   bool is_split = false;
   m_communicator.agree([&] {
-    options = given;
-    if(!given.depth)
-      options.depth = 1; // until the cube is known
-    options = Partial_space::checked(surface.slice().surface, options);
+    options = internal::checked_options(surface, given);
     is_split = Partial_space::is_split(surface.slice().surface, options);
     if(is_split && surface.is_point_set())
       throw Parameter_error("split", "is not possible for points on several ranks");
@@ -98,10 +156,7 @@ Distributed_space::Distributed_space(const Distributed_surface& surface,
   std::vector<Own_sheets> own(static_cast<std::size_t>(depth) + 1);
   own.back() = exchange.own_sheets(finest, places);
   finest = Octree_level();
-  if(own.back().first_sheets.back() == 0)
-    throw Distributed_error("the surface has area zero: none of its " +
-                            std::to_string(surface.number_of_faces()) +
-                            " faces is wider than rounding errors in the octree");
+  internal::check_has_sheets(own.back(), surface);
   const auto coarsest = static_cast<std::size_t>(m_ranges->level());
   for(std::size_t level = static_cast<std::size_t>(depth); level > coarsest; --level)
     own[level - 1] = exchange.coarser(own[level]);
@@ -114,40 +169,19 @@ Distributed_space::Distributed_space(const Distributed_surface& surface,
     for(std::size_t level = coarsest; level > 0; --level)
       levels[level - 1] = Octree_builder::coarser_level(level == coarsest ? whole : levels[level],
                                                         places, is_split);
-    // of the sheets of the coarsest level that is divided, those of this rank
-    const std::uint64_t first = own[coarsest].first_sheet(m_communicator.rank());
-    Octree_level& level = own[coarsest].level;
-    std::vector<internal::Number_lists::Pair> children;
-    for(std::uint32_t sheet = 0; sheet < level.number_of_sheets(); ++sheet) {
-      level.parents.push_back(whole.parents[static_cast<std::size_t>(first) + sheet]);
-      children.emplace_back(level.parents.back(), sheet);
-    }
-    levels[coarsest - 1].children =
-        internal::Number_lists(levels[coarsest - 1].number_of_sheets(), children);
+    internal::link_to_coarser(whole, own[coarsest].first_sheet(m_communicator.rank()),
+                              own[coarsest].level, levels[coarsest - 1]);
   });
-  m_levels.resize(levels.size());
-  for(std::size_t i = 0; i < levels.size(); ++i) {
-    Distributed_level& level = m_levels[i];
-    if(i < coarsest) {
-      elements.push_back(
-          internal::Element_numbering(levels[i], is_split, options.paper, options.is_parallel)());
-      level.number_of_sheets = levels[i].number_of_sheets();
-      level.first_elements.assign(m_ranges->size() + 1, elements.back().first_slots.size());
-      level.first_elements.front() = 0;
-      level.number_of_split_elements = elements.back().number_of_split_elements;
-      for(std::size_t k = 0; k < elements.back().first_slots.size(); ++k)
-        level.elements.push_back(k);
-      continue;
-    }
-    auto of_level = exchange.elements(own[i]);
-    level.first_sheet = own[i].first_sheet(m_communicator.rank());
-    level.number_of_sheets = own[i].first_sheets.back();
-    level.first_elements = std::move(of_level.first_elements);
-    level.number_of_split_elements = of_level.number_of_split_elements;
-    level.elements = std::move(of_level.numbers);
-    level.own_centers = std::move(of_level.own_centers);
-    elements.push_back(std::move(of_level.part));
-    levels[i] = std::move(own[i].level);
+  for(std::size_t level = 0; level < coarsest; ++level) {
+    elements.push_back(
+        internal::Element_numbering(levels[level], is_split, options.paper, options.is_parallel)());
+    m_levels.push_back(internal::whole_level(elements.back(), levels[level], m_ranges->size()));
+  }
+  for(std::size_t level = coarsest; level < levels.size(); ++level) {
+    elements.emplace_back();
+    m_levels.push_back(
+        internal::divided_level(exchange, own[level], m_communicator.rank(), elements.back()));
+    levels[level] = std::move(own[level].level);
   }
   Octree_builder(*octree).set_levels(std::move(levels));
   m_part.emplace(Partial_space::make(options, std::move(*octree), std::move(elements)));

@@ -33,6 +33,7 @@ struct Distributed_spectrum {
   Solve_report report;
 };
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Options
 /// Where a computation of eigenpairs on several ranks begins, and whom it tells of what it finds.
 struct Distributed_spectrum_state {
@@ -43,6 +44,7 @@ struct Distributed_spectrum_state {
   /// in no order, such as for `save_functions()`
   std::function<void(const Distributed_functions&)> found;
 };
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Distributed
 /// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a space whose

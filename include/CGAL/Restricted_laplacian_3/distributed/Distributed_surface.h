@@ -101,6 +101,14 @@ private:
     Triangulated_surface_3::Triangle vertices;
   };
 
+  std::uint32_t first_vertex() const;
+  std::vector<Face_record> own_faces(const Surface_slice& slice, std::uint64_t first_face) const;
+  std::vector<Vertex_record> own_vertices(const Surface_slice& slice) const;
+  /// the vertices of faces that other ranks have, by rank
+  std::vector<std::vector<std::uint32_t>> far_vertices(const std::vector<Face_record>& faces) const;
+  /// \param vertices own ones, then far ones in the order of their numbers
+  void find_box(const std::vector<Face_record>& faces, const std::vector<Vertex_record>& vertices);
+  void find_area();
   /// \param vertices may come more than once
   Surface_part make_part(const std::vector<Face_record>& faces,
                          std::vector<Vertex_record> vertices) const;

@@ -26,7 +26,6 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Distributed_surface::Distributed_surface(const Communicator& communicator, Surface_slice slice)
   : m_communicator(communicator),
     m_is_point_set(communicator.maximum(slice.is_point_set ? 1 : 0) == 1) {
-  using Triangle = Triangulated_surface_3::Triangle;
   const std::size_t size = slice.points.size();
   if(m_is_point_set) {
     slice.triangles.resize(size);
@@ -36,9 +35,6 @@ Distributed_surface::Distributed_surface(const Communicator& communicator, Surfa
   m_first_vertices = communicator.offsets(size);
   const std::vector<std::uint64_t> first_faces = communicator.offsets(slice.triangles.size());
   m_number_of_faces = first_faces.back();
-  const std::size_t rank = static_cast<std::size_t>(communicator.rank());
-  const auto first_vertex = static_cast<std::uint32_t>(m_first_vertices[rank]);
-  const auto first_face = first_faces[rank];
   std::vector<Vertex_record> vertices;
   std::vector<Face_record> faces;
   std::vector<std::vector<std::uint32_t>> wanted(static_cast<std::size_t>(communicator.size()));
@@ -48,60 +44,103 @@ Distributed_surface::Distributed_surface(const Communicator& communicator, Surfa
                            : Empty_surface_error();
     internal::check_size_of_surface(static_cast<std::size_t>(m_first_vertices.back()),
                                     static_cast<std::size_t>(m_number_of_faces));
-    std::vector<std::uint32_t> far;
-    for(std::size_t i = 0; i < slice.triangles.size(); ++i) {
-      Triangle& t = slice.triangles[i];
-      if(m_is_point_set)
-        t.fill(first_vertex + static_cast<std::uint32_t>(i));
-      for(std::uint32_t v : t) {
-        if(v >= m_first_vertices.back())
-          throw Invalid_face_error(static_cast<std::size_t>(first_face) + i,
-                                   "names a vertex that does not exist");
-        if(v < first_vertex || v >= first_vertex + size)
-          far.push_back(v);
-      }
-      faces.push_back({static_cast<std::uint32_t>(first_face + i), t});
-    }
-    std::sort(far.begin(), far.end());
-    far.erase(std::unique(far.begin(), far.end()), far.end());
-    for(std::uint32_t v : far) {
-      const auto after = std::upper_bound(m_first_vertices.begin(), m_first_vertices.end(), v);
-      wanted[static_cast<std::size_t>(after - m_first_vertices.begin()) - 1].push_back(v);
-    }
-    for(std::size_t i = 0; i < size; ++i) {
-      Vector_3 normal(0, 0, 0);
-      double area = 0;
-      if(m_is_point_set) {
-        internal::check_oriented_point(static_cast<std::size_t>(first_vertex) + i, slice.points[i],
-                                       slice.normals[i]);
-        normal = internal::unit_vector(slice.normals[i]);
-        area = slice.areas[i];
-        if(!(area >= 0 && std::isfinite(area)))
-          throw Invalid_point_error(static_cast<std::size_t>(first_vertex) + i,
-                                    "has an area that is negative or not a finite number");
-      }
-      vertices.push_back(
-          {first_vertex + static_cast<std::uint32_t>(i), slice.points[i], normal, area});
-    }
+    faces = own_faces(slice, first_faces[static_cast<std::size_t>(communicator.rank())]);
+    wanted = far_vertices(faces);
+    vertices = own_vertices(slice);
   });
   m_points = std::move(slice.points);
+  const std::uint32_t first_vertex = this->first_vertex();
   const auto answers =
       communicator.ask(wanted, [&](std::uint32_t v) { return vertices[v - first_vertex]; });
   for(const auto& list : answers)
     vertices.insert(vertices.end(), list.begin(), list.end());
+  find_box(faces, vertices);
+  communicator.agree([&] {
+    if(m_low == m_high)
+      throw m_is_point_set
+          ? Zero_area_error("the point set has area zero: all of its " +
+                            std::to_string(m_number_of_faces) + " points are the same")
+          : Zero_area_error(static_cast<std::size_t>(m_number_of_faces));
+    m_slice.push_back(make_part(faces, std::move(vertices)));
+  });
+  find_area();
+}
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::uint32_t Distributed_surface::first_vertex() const {
+  return static_cast<std::uint32_t>(
+      m_first_vertices[static_cast<std::size_t>(m_communicator.rank())]);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Distributed_surface::Face_record>
+Distributed_surface::own_faces(const Surface_slice& slice, std::uint64_t first_face) const {
+  std::vector<Face_record> result;
+  for(std::size_t i = 0; i < slice.triangles.size(); ++i) {
+    Triangulated_surface_3::Triangle t = slice.triangles[i];
+    if(m_is_point_set)
+      t.fill(first_vertex() + static_cast<std::uint32_t>(i));
+    for(std::uint32_t v : t)
+      if(v >= m_first_vertices.back())
+        throw Invalid_face_error(static_cast<std::size_t>(first_face) + i,
+                                 "names a vertex that does not exist");
+    result.push_back({static_cast<std::uint32_t>(first_face + i), t});
+  }
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Distributed_surface::Vertex_record>
+Distributed_surface::own_vertices(const Surface_slice& slice) const {
+  std::vector<Vertex_record> result;
+  for(std::size_t i = 0; i < slice.points.size(); ++i) {
+    const std::uint32_t vertex = first_vertex() + static_cast<std::uint32_t>(i);
+    Vector_3 normal(0, 0, 0);
+    double area = 0;
+    if(m_is_point_set) {
+      internal::check_oriented_point(vertex, slice.points[i], slice.normals[i]);
+      normal = internal::unit_vector(slice.normals[i]);
+      area = slice.areas[i];
+      if(!(area >= 0 && std::isfinite(area)))
+        throw Invalid_point_error(vertex, "has an area that is negative or not a finite number");
+    }
+    result.push_back({vertex, slice.points[i], normal, area});
+  }
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<std::vector<std::uint32_t>>
+Distributed_surface::far_vertices(const std::vector<Face_record>& faces) const {
+  std::vector<std::uint32_t> far;
+  const std::uint32_t first = first_vertex();
+  const std::uint64_t last = m_first_vertices[static_cast<std::size_t>(m_communicator.rank()) + 1];
+  for(const Face_record& face : faces)
+    for(std::uint32_t v : face.vertices)
+      if(v < first || v >= last)
+        far.push_back(v);
+  std::sort(far.begin(), far.end());
+  far.erase(std::unique(far.begin(), far.end()), far.end());
+  std::vector<std::vector<std::uint32_t>> result(static_cast<std::size_t>(m_communicator.size()));
+  for(std::uint32_t v : far) {
+    const auto after = std::upper_bound(m_first_vertices.begin(), m_first_vertices.end(), v);
+    result[static_cast<std::size_t>(after - m_first_vertices.begin()) - 1].push_back(v);
+  }
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Distributed_surface::find_box(const std::vector<Face_record>& faces,
+                              const std::vector<Vertex_record>& vertices) {
   const double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low = {infinity, infinity, infinity},
                         high = {-infinity, -infinity, -infinity};
+  const std::uint32_t first = first_vertex();
   // far vertices are in ascending order, too: ranks are
   const auto vertex_record = [&](std::uint32_t v) -> const Vertex_record& {
-    if(v >= first_vertex && v < first_vertex + size)
-      return vertices[v - first_vertex];
+    if(v >= first && v < first + m_points.size())
+      return vertices[v - first];
     return *std::lower_bound(
-        vertices.begin() + static_cast<std::ptrdiff_t>(size), vertices.end(), v,
+        vertices.begin() + static_cast<std::ptrdiff_t>(m_points.size()), vertices.end(), v,
         [](const Vertex_record& record, std::uint32_t w) { return record.vertex < w; });
   };
-  communicator.agree([&] {
+  m_communicator.agree([&] {
     for(const Face_record& face : faces)
       for(std::uint32_t v : face.vertices)
         for(int axis = 0; axis < 3; ++axis) {
@@ -113,24 +152,19 @@ Distributed_surface::Distributed_surface(const Communicator& communicator, Surfa
         }
   });
   for(int axis = 0; axis < 3; ++axis) {
-    low[axis] = communicator.minimum(low[axis]);
-    high[axis] = communicator.maximum(high[axis]);
+    low[axis] = m_communicator.minimum(low[axis]);
+    high[axis] = m_communicator.maximum(high[axis]);
   }
   m_low = Point_3(low[0], low[1], low[2]);
   m_high = Point_3(high[0], high[1], high[2]);
-  communicator.agree([&] {
-    if(m_low == m_high)
-      throw m_is_point_set
-          ? Zero_area_error("the point set has area zero: all of its " +
-                            std::to_string(m_number_of_faces) + " points are the same")
-          : Zero_area_error(static_cast<std::size_t>(m_number_of_faces));
-    m_slice.push_back(make_part(faces, std::move(vertices)));
-  });
-  const bool is_empty = m_slice.front().faces.empty();
-  m_area = communicator.sum(is_empty ? 0. : this->slice().surface.area());
-  m_number_of_degenerate_faces = communicator.sum(static_cast<std::uint64_t>(
-      is_empty ? 0 : this->slice().surface.number_of_degenerate_faces()));
-  communicator.agree([&] {
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Distributed_surface::find_area() {
+  const bool is_empty = slice().faces.empty();
+  m_area = m_communicator.sum(is_empty ? 0. : slice().surface.area());
+  m_number_of_degenerate_faces = m_communicator.sum(
+      static_cast<std::uint64_t>(is_empty ? 0 : slice().surface.number_of_degenerate_faces()));
+  m_communicator.agree([&] {
     if(!(m_area > 0))
       throw m_is_point_set
           ? Zero_area_error("the point set has area zero: all of its " +

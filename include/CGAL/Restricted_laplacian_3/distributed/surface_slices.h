@@ -16,6 +16,15 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Distributed
+/// The slices of a surface in a file that `read_mesh_file()` reads: of a binary PLY file of
+/// triangles each rank reads its own one, any other file rank 0 reads for all.
+/// \param communicator the ranks
+/// \param file is there for all ranks
+/// \throws Distributed_error on all ranks if one of them cannot read the file
+Surface_slice read_surface_slice(const Communicator& communicator, const std::string& file);
+
+/// \cond SKIP_IN_MANUAL
+/// \ingroup PkgRestrictedLaplacian3Distributed
 /// Each rank reads its slice of a binary PLY file of triangles: about as many vertices, and as many
 /// faces, as the others. No rank holds more. Coordinates are `float` or `double`, the vertices of
 /// faces lists of 3 numbers with at most 32 bits; what else vertices and faces have is skipped.
@@ -26,6 +35,7 @@ namespace Restricted_laplacian_3 {
 /// \throws Distributed_error on all ranks if one of them cannot read the file
 std::optional<Surface_slice> read_binary_ply_slice(const Communicator& communicator,
                                                    const std::string& file);
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Distributed
 /// Divides a surface that rank 0 has among all ranks.

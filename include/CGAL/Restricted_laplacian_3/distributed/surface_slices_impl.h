@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_DISTRIBUTED_SURFACE_SLICES_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/distributed/surface_slices.h>
+#include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 
 #include <algorithm>
@@ -277,6 +278,20 @@ slice_of_first_rank(const Communicator& communicator, const Triangulated_surface
   slice.areas = communicator.exchange(areas).front();
   slice.is_point_set = communicator.maximum(is_first && surface->is_point_set() ? 1 : 0) == 1;
   return slice;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_slice
+read_surface_slice(const Communicator& communicator, const std::string& file) {
+  if(std::optional<Surface_slice> slice = read_binary_ply_slice(communicator, file))
+    return std::move(*slice);
+  std::optional<Triangulated_surface_3> surface;
+  communicator.agree([&] {
+    if(communicator.rank() != 0)
+      return;
+    Mesh_file mesh = read_mesh_file(file);
+    surface.emplace(std::move(mesh.points), std::move(mesh.triangles));
+  });
+  return slice_of_first_rank(communicator, surface ? &*surface : nullptr);
 }
 
 } // namespace Restricted_laplacian_3

@@ -33,6 +33,7 @@ std::vector<double> values_at_vertices(const Distributed_surface& surface,
 /// \throws Distributed_error if there are not as many values as vertices on a rank
 double surface_mean(const Distributed_surface& surface, const std::vector<double>& values);
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Distributed
 /// Values at the vertices of the surface of `Distributed_space::part()`, from those at the vertices
 /// of the slices.
@@ -43,6 +44,7 @@ double surface_mean(const Distributed_surface& surface, const std::vector<double
 std::vector<double> vertex_values_of_part(const Distributed_surface& surface,
                                           const Distributed_space& space,
                                           const std::vector<double>& values);
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -15,7 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/files/internal/vtk_file.h>
 #include <CGAL/Restricted_laplacian_3/files/internal/xyz_file.h>
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/surface/shared/divide_polygon.h>
 
 #include <algorithm>
@@ -87,7 +87,7 @@ inline Mesh_file mesh_of(File_contents contents) {
 inline File_contents read_contents(Byte_source& in, const File_format& format,
                                    bool wants_properties) {
   File_contents contents(wants_properties);
-  name_step("not enough memory to read the file", [&] { format.read(in, contents); });
+  explain_out_of_memory("not enough memory to read the file", [&] { format.read(in, contents); });
   return contents;
 }
 

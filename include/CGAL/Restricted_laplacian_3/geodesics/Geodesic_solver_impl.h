@@ -8,7 +8,7 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/geodesics/internal/Geodesic_triangle.h>
@@ -121,7 +121,7 @@ struct Geodesic_solver::Impl {
     if(!(maximum_memory > 0))
       throw Parameter_error("maximum_memory",
                             "is " + std::to_string(maximum_memory) + ", and must be positive");
-    return internal::name_step("not enough memory for the windows of rays", [&] {
+    return internal::explain_out_of_memory("not enough memory for the windows of rays", [&] {
       internal::Ray_propagation propagation(geometry, options.method == Geodesic_method::exact,
                                             maximum_memory);
       for(const auto& [v, label] : given.vertices)
@@ -217,8 +217,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
                                  const Geodesic_options& options) const {
   const std::size_t n = surface().number_of_vertices(), number = sources.size();
-  std::vector<double> result = internal::name_step("not enough memory for a matrix of distances",
-                                                   [&] { return std::vector<double>(number * n); });
+  std::vector<double> result =
+      internal::explain_out_of_memory("not enough memory for a matrix of distances",
+                                      [&] { return std::vector<double>(number * n); });
   const internal::Progress progress(options.progress);
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<std::size_t> number_done = 0;

@@ -12,9 +12,11 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// How many neighbors `estimate_point_areas()` looks at unless told otherwise.
 constexpr int default_number_of_neighbors = 16;
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The area that each point of a set stands for, from the density of the points around it: the

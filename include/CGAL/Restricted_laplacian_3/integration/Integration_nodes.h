@@ -17,6 +17,7 @@ namespace Restricted_laplacian_3 {
 /// A symmetric 3 x 3 tensor: its components xx, yy, zz, xy, xz, yz.
 using Symmetric_tensor_3 = std::array<double, 6>;
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$I - n n^T\f$, the projector to the plane that is orthogonal to a unit vector: the tangent
 /// metric of a surface. The diagonal is written without cancellation, \f$1 - n_x^2 = n_y^2 +
@@ -25,6 +26,7 @@ inline Symmetric_tensor_3 tangent_projector(const Vector_3& n) {
   const double xx = n.x() * n.x(), yy = n.y() * n.y(), zz = n.z() * n.z();
   return {yy + zz, xx + zz, xx + yy, -n.x() * n.y(), -n.x() * n.z(), -n.y() * n.z()};
 }
+/// \endcond
 
 namespace internal {
 
@@ -36,6 +38,7 @@ inline std::array<double, 3> product(const Symmetric_tensor_3& a, double x, doub
 
 } // namespace internal
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// \f$P D P\f$ with \f$P = I - n n^T\f$: the part of a tensor that acts in the plane orthogonal to
 /// a unit vector.
@@ -48,7 +51,9 @@ inline Symmetric_tensor_3 tangential_part(const Symmetric_tensor_3& d, const Vec
           d[2] - 2 * n.z() * qz,          d[3] - n.x() * qy - qx * n.y(),
           d[4] - n.x() * qz - qx * n.z(), d[5] - n.y() * qz - qy * n.z()};
 }
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Some nodes of an integral over a sheet, array by array.
 struct Integration_node_block {
@@ -72,6 +77,7 @@ struct Integration_node_block {
     return {positions[0][i], positions[1][i], positions[2][i]};
   }
 };
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Takes the nodes of an integral over a sheet, one after the other, from a model of

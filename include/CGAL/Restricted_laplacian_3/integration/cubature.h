@@ -88,11 +88,13 @@ private:
   const Octree_3* m_octree;
 };
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// How spaces integrate that are given no other integration: by `Triangle_cubature`, by
 /// `Patch_cubature` if the surface is smooth, or by `Point_cubature` if it is given by points.
 /// \param octree must outlive what is returned
 Surface_integration default_integration(const Octree_3& octree);
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

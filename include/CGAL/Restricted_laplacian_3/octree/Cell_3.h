@@ -12,10 +12,12 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions largest depth of an octree: coordinates of cells, with
 /// one more bit for the elements centered one cell outside the grid, take 21 bits each, and three
 /// of them one 64-bit key
 constexpr int maximum_octree_depth = 20;
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Dev
 /// A cell of the grid of \f$2^l \times 2^l \times 2^l\f$ cells at level \f$l\f$ of the octree.

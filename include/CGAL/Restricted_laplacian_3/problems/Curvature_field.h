@@ -139,7 +139,7 @@ struct Curvature_options {
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of the surface of a space.
 /// \param space the space in which normals or coordinates are fitted
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_method
 ///   \named_of_curvature
@@ -150,7 +150,8 @@ struct Curvature_options {
 ///
 /// On points, whose boundary is not known, `Curvature_method::coordinates` takes the surface as
 /// closed.
-Curvature_field estimate_curvature(const Spline_space_3& space, const Curvature_options& np = {});
+Curvature_field estimate_curvature(const Spline_space_3& space,
+                                   const Curvature_options& options = {});
 
 /// \ingroup PkgRestrictedLaplacian3Problems
 /// Estimates the curvature of a surface from a field of normals (paper, section 5.3): the field is
@@ -159,7 +160,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space, const Curvature_
 /// \param space the space in which the normals are fitted
 /// \param normals a function object that takes a `const Surface_point&` and returns a `Vector_3` of
 /// about unit length
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_of_curvature
 ///   \named_concurrency_tag
@@ -168,7 +169,7 @@ Curvature_field estimate_curvature(const Spline_space_3& space, const Curvature_
 /// \throws Canceled if `progress` returned `false`
 Curvature_field estimate_curvature(const Spline_space_3& space,
                                    const Surface_function_view& normals,
-                                   const Curvature_options& np = {});
+                                   const Curvature_options& options = {});
 
 namespace internal {
 

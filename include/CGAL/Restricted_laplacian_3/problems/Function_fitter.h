@@ -134,13 +134,13 @@ public:
   static constexpr double default_tolerance = Options::default_tolerance;
 
   /// \param space is copied, which costs nothing
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_fits
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
   /// \throws Parameter_error if an option is outside its domain
-  Function_fitter(const Spline_space_3& space, const Options& np = Options());
+  Function_fitter(const Spline_space_3& space, const Options& options = Options());
   ~Function_fitter();
   /// takes the solvers over
   Function_fitter(Function_fitter&&) noexcept;

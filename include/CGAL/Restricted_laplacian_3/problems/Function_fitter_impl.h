@@ -79,24 +79,24 @@ Function_fitter::fit(const Surface_function_view& f, const std::function<bool(do
   const double steps = m_options.refinements, end_of_fit = 1 / (1 + 0.1 * steps);
   const Progress progress(callback);
   progress(0);
-  internal::Fit_residual left = internal::fit_residual(m_space, f);
+  internal::Fit_residual residual = internal::fit_residual(m_space, f);
   const double load_seconds = timer.time();
 
   Function_fit result;
   static_cast<Solve_report&>(result) =
-      fit_residual(progress.part(0.1 * end_of_fit, end_of_fit), left, result.coefficients);
+      fit_residual(progress.part(0.1 * end_of_fit, end_of_fit), residual, result.coefficients);
   result.stabilization = stabilization();
   const Progress of_refinements = progress.part(end_of_fit, 1);
   for(int step = 0; step < m_options.refinements; ++step) {
     Eigen::MatrixXd x;
     const Solve_report report =
-        fit_residual(of_refinements.part(step / steps, (step + 1) / steps), left, x);
+        fit_residual(of_refinements.part(step / steps, (step + 1) / steps), residual, x);
     result.coefficients += x;
     result.worsen_status(report.status);
   }
   progress(1);
-  result.root_mean_square_errors = left.are_accurate
-                                       ? left.root_means(m_space)
+  result.root_mean_square_errors = residual.are_accurate
+                                       ? residual.root_means(m_space)
                                        : internal::fit_errors(m_space, f, result.coefficients);
 
   result.assembly_seconds = m_assembly_seconds + load_seconds;

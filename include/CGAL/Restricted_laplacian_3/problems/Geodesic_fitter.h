@@ -92,14 +92,14 @@ public:
   static constexpr double default_tolerance = 1e-4;
 
   /// \param space is copied, which costs nothing
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_usual_stabilization
   ///   \named_of_solver{`1e-4`}
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
   /// \throws Parameter_error if an option is outside its domain
-  explicit Geodesic_fitter(const Spline_space_3& space, const Geodesic_fit_options& np = {});
+  explicit Geodesic_fitter(const Spline_space_3& space, const Geodesic_fit_options& options = {});
 
   /// the space, as given to the constructor
   const Spline_space_3& space() const { return m_space; }

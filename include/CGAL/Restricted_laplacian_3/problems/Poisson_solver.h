@@ -108,21 +108,21 @@ public:
   /// \param space the space
   /// \param operators the matrices of the finest level of `space`
   /// \param alpha screening weight, at least 0, in units of 1 / area
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_solver{`1e-3`}
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
   /// \throws Parameter_error if a parameter is outside its domain
   Poisson_solver(const Spline_space_3& space, const Operators& operators, double alpha = 0,
-                 const Poisson_solver_options& np = {})
-    : Multigrid_solver(internal::multigrid_solver(space, &operators, 1, alpha, np)) {}
+                 const Poisson_solver_options& options = {})
+    : Multigrid_solver(internal::multigrid_solver(space, &operators, 1, alpha, options)) {}
 
   /// With operators of all levels: nothing is integrated, and no product of matrices formed.
   /// \param space the space
   /// \param operators the result of `multigrid_operators()` for this space
   /// \param alpha screening weight, at least 0, in units of 1 / area
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_solver{`1e-3`}
   ///   \named_concurrency_tag
@@ -130,9 +130,9 @@ public:
   /// \throws Parameter_error if a parameter is outside its domain, or if the operators are not
   /// those of the space
   Poisson_solver(const Spline_space_3& space, const std::vector<Operators>& operators,
-                 double alpha = 0, const Poisson_solver_options& np = {})
+                 double alpha = 0, const Poisson_solver_options& options = {})
     : Multigrid_solver(
-          internal::multigrid_solver(space, operators.data(), operators.size(), alpha, np)) {}
+          internal::multigrid_solver(space, operators.data(), operators.size(), alpha, options)) {}
 
   /// For \f$A \eta = b\f$, where \f$A\f$ is the stiffness matrix with other matrices of its pattern
   /// added, such as those of `Dirichlet_boundary` and `Point_constraints`.
@@ -141,7 +141,7 @@ public:
   /// \param element_integrals \f$\int b_i\f$
   /// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 /
   /// area
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_solver{`1e-3`}
   ///   \named_concurrency_tag
@@ -149,7 +149,7 @@ public:
   /// \throws Parameter_error if a parameter is outside its domain
   Poisson_solver(const Spline_space_3& space, Sparse_matrix a,
                  const Eigen::VectorXd& element_integrals, double alpha = 0,
-                 const Poisson_solver_options& np = {});
+                 const Poisson_solver_options& options = {});
 
   /// \cond
   // Parameter_error if the reaction or the stabilization is outside its domain

@@ -7,7 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
 #include <CGAL/Restricted_laplacian_3/splines/prolongation.h>
@@ -35,7 +35,7 @@ inline void check_alpha(double alpha) {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Multigrid_solver multigrid_solver(
     const Spline_space_3& space, System_matrices&& system, const Poisson_solver_options& options) {
-  return name_step("not enough memory for the multigrid solver", [&] {
+  return explain_out_of_memory("not enough memory for the multigrid solver", [&] {
     Sparse_matrix finest;
     finest.swap(system.matrices.back());
     system.matrices.pop_back();

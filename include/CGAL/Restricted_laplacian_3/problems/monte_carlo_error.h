@@ -18,6 +18,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of `estimate_operators()` and `estimate_eigenvalues()`.
 struct Monte_carlo_options {
@@ -42,7 +43,9 @@ struct Monte_carlo_options {
     internal::read_parameter(np, internal_np::sampling, sampling);
   }
 };
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Matrices from samples, and the standard error of each of their entries.
 struct Estimated_operators {
@@ -51,7 +54,9 @@ struct Estimated_operators {
   /// standard errors of the entries, in matrices of the same pattern
   Operators standard_errors;
 };
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Eigenvalues from samples, and their standard errors.
 struct Estimated_eigenvalues {
@@ -60,7 +65,9 @@ struct Estimated_eigenvalues {
   /// one for each value
   Eigen::VectorXd standard_errors;
 };
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level by the sum over random samples (paper, section 4.3), and
 /// how far each entry is from the integral.
@@ -73,7 +80,7 @@ struct Estimated_eigenvalues {
 /// Takes the time of one assembly for each batch.
 /// \param space the space whose elements are integrated
 /// \param level from 0, the coarsest, to the depth of the space
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_samples
 ///   \named_batches
@@ -83,9 +90,12 @@ struct Estimated_eigenvalues {
 /// \param stabilization,stabilized as in `assemble_operators()`
 /// \throws Parameter_error if the level or a parameter is outside its domain
 Estimated_operators estimate_operators(const Spline_space_3& space, int level,
-                                       const Monte_carlo_options& np = {}, double stabilization = 0,
+                                       const Monte_carlo_options& options = {},
+                                       double stabilization = 0,
                                        Stabilized stabilized = Stabilized::stiffness_and_mass);
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The smallest eigenvalues of \f$S x = \lambda M x\f$ on the finest level by random samples,
 /// and how far each is from that of the integrals.
@@ -104,7 +114,7 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
 /// Takes the time of two assemblies for each batch and one eigenproblem by `smallest_eigenpairs()`.
 /// \param space the space; its finest level is used
 /// \param count number of eigenvalues, positive
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_samples
 ///   \named_batches
@@ -115,8 +125,9 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
 /// \throws Parameter_error if `count` or a parameter is outside its domain
 /// \throws Numerical_error if a factorization fails, or if not all eigenvalues were found
 Estimated_eigenvalues estimate_eigenvalues(const Spline_space_3& space, int count,
-                                           const Monte_carlo_options& np = {},
+                                           const Monte_carlo_options& options = {},
                                            double stabilization = 0);
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

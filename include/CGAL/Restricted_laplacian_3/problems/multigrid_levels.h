@@ -11,6 +11,7 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// The patches of a level on which `Patch_smoother` works: one for each sheet of the next coarser
 /// level, with all elements that act on one of its children. On a smooth surface these are about 50
@@ -23,17 +24,22 @@ namespace Restricted_laplacian_3 {
 /// \param space the space whose elements are grouped
 /// \param level not 0
 Smoothing_patches smoothing_patches(const Spline_space_3& space, int level);
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// What a multigrid hierarchy needs of a space besides the matrices: prolongations and patches of
 /// the levels from `coarsest` to depth.
 /// \param space the space
 /// \param coarsest from 0 to depth
 Multigrid_levels multigrid_levels(const Spline_space_3& space, int coarsest);
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// The same from the finest level whose dense factorization takes no time that counts.
 Multigrid_levels multigrid_levels(const Spline_space_3& space);
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

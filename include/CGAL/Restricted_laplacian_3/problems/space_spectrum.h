@@ -87,7 +87,7 @@ struct Laplace_spectrum_options {
 /// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space.
 /// \param space the space; its finest level is used
 /// \param count number of pairs, positive
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
@@ -96,7 +96,7 @@ struct Laplace_spectrum_options {
 /// \throws Numerical_error if a factorization fails
 /// \throws Canceled if `progress` returned `false`
 Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int count,
-                                  const Laplace_spectrum_options& np = {});
+                                  const Laplace_spectrum_options& options = {});
 
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// The smallest eigenvalues and eigenfunctions of \f$-\Delta_{\mathcal M}\f$ on a spline space:
@@ -104,7 +104,7 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int count,
 /// `vertex_values` remains empty.
 /// \param space the space; its finest level is used
 /// \param count number of pairs, positive
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
@@ -113,7 +113,7 @@ Laplace_spectrum laplace_spectrum(const Spline_space_3& space, int count,
 /// \throws Numerical_error if a factorization fails
 /// \throws Canceled if `progress` returned `false`
 Laplace_spectrum laplace_eigenpairs(const Spline_space_3& space, int count,
-                                    const Laplace_spectrum_options& np = {});
+                                    const Laplace_spectrum_options& options = {});
 
 namespace internal {
 

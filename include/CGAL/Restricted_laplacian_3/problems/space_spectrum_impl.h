@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 
@@ -210,7 +210,7 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
     of_multigrid.eigenvalues_only = options.eigenvalues_only;
     if(options.eigenvalues_only && !of_multigrid.tolerance)
       of_multigrid.tolerance = Laplace_spectrum_options::tolerance_of_eigenvalues;
-    internal::name_step("not enough memory for the eigenvectors", [&] {
+    internal::explain_out_of_memory("not enough memory for the eigenvectors", [&] {
       internal::take_pairs(
           internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
           Eigensolver::multigrid, spectrum);

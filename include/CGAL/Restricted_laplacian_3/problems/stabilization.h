@@ -24,6 +24,7 @@ inline double default_stabilization(const Spline_space_3& space) {
   return space.is_paper_space() ? 0 : 1e-3;
 }
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// For `laplace_spectrum()`, of the stiffness matrix alone: 1e-5, and 0 in the space of the paper.
 /// With it `multigrid_eigenpairs()` needs few iterations on any surface, while eigenvalues change
@@ -31,6 +32,7 @@ inline double default_stabilization(const Spline_space_3& space) {
 inline double default_spectrum_stabilization(const Spline_space_3& space) {
   return space.is_paper_space() ? 0 : 1e-5;
 }
+/// \endcond
 
 namespace internal {
 
@@ -42,6 +44,7 @@ inline double smoothing_in_cells(const Spline_space_3& space, double smoothing) 
 
 } // namespace internal
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Fits
 /// For fits, `Function_fitter::fit()`: 1e-14, as small as rounding permits, so that the error is
 /// that of the space. The iteration ends by what shows on the surface, see there, and need not
@@ -55,16 +58,21 @@ inline double default_fit_stabilization(const Spline_space_3& space, double smoo
   return std::clamp(of_smoothing * internal::smoothing_in_cells(space, smoothing), smallest,
                     largest);
 }
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Fits
 /// Factor of the stabilization for `Function_fitter::project()`: nothing is known there of the
 /// functions but their loads, so the iteration ends by the residual.
 constexpr double default_projection_stabilization = 1e-4;
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Fits
 /// Factor of the stabilization for `estimate_curvature()`: larger than for other fits, because it
 /// is the derivatives that count.
 constexpr double default_curvature_stabilization = 0.01;
+/// \endcond
 
 namespace internal {
 

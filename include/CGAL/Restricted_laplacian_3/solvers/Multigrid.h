@@ -141,7 +141,7 @@ public:
   /// vectors of one cycle, kept between cycles
   template <int K> struct Workspace {
     struct Level {
-      internal::Level_vectors<K> b, x, r, left;
+      internal::Level_vectors<K> b, x, r, residual;
     };
     /// vectors of each level
     std::vector<Level> levels;
@@ -207,9 +207,9 @@ public:
       solution.swap(fine);
       if(level == finest)
         break;
-      auto& left = workspace.levels[level].left;
-      level_smoother(level).template residual<K>(loads[level], solution, left);
-      run<K>(level, left, correction, cycle, steps, workspace);
+      auto& residual = workspace.levels[level].residual;
+      level_smoother(level).template residual<K>(loads[level], solution, residual);
+      run<K>(level, residual, correction, cycle, steps, workspace);
       add<K>(correction, solution);
     }
     export_solution<K>(finest, solution, scale, x);
@@ -401,10 +401,10 @@ private:
     transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
     if(cycle == Cycle::W && level > 1) {
       // The second visit corrects what the first one left.
-      internal::Level_vectors<K> left;
-      level_smoother(level - 1).template residual<K>(coarse.b, coarse.x, left);
-      m_levels[level - 1].deflation.template remove_from<K>(left);
-      run<K>(level - 1, left, coarse.x, cycle, steps, workspace);
+      internal::Level_vectors<K> residual;
+      level_smoother(level - 1).template residual<K>(coarse.b, coarse.x, residual);
+      m_levels[level - 1].deflation.template remove_from<K>(residual);
+      run<K>(level - 1, residual, coarse.x, cycle, steps, workspace);
       transfer.prolongation.template multiply<K, true>(m_is_parallel, coarse.x, x);
     }
     smoother.template post_smooth<K>(b, x, steps);

@@ -18,6 +18,7 @@ namespace Restricted_laplacian_3 {
 /// shape of a multigrid cycle: how often the next coarser level is visited
 enum class Cycle { V = 1, W = 2 };
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// Sets of unknowns of one level that are relaxed together, in the order in which this is done.
 ///
@@ -41,7 +42,9 @@ struct Smoothing_patches {
   /// same color, nor belongs to one.
   std::vector<std::uint64_t> neighborhoods;
 };
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// What a multigrid hierarchy is made of besides the finest matrix. Matrices need not be
 /// compressed. The functions that take it over leave it empty.
@@ -55,6 +58,7 @@ struct Multigrid_levels {
   /// Galerkin products are computed
   std::vector<Sparse_matrix> coarse_matrices;
 };
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -73,7 +73,7 @@ struct Poisson_solver_options {
 /// When the iteration for a least-squares problem ends, at the latest: the solution \f$x\f$ of
 /// \f$A x = b\f$ minimizes \f$x^T A\, x - 2\, b^T x + s\f$, and an error well below the square
 /// root of the minimum does not show.
-struct Least_squares_end {
+struct Least_squares_criterion {
   /// \f$s\f$ of each right-hand side
   Eigen::VectorXd squares;
   /// largest estimated error in the norm of the energy, over the square root of the minimum; 0: any
@@ -93,7 +93,7 @@ struct Solve_options {
   /// residual is larger than the right-hand side.
   bool has_first_guess = false;
   /// if the problem is one of least squares
-  Least_squares_end least_squares;
+  Least_squares_criterion least_squares;
 
   /// the defaults
   Solve_options() = default;
@@ -142,7 +142,7 @@ public:
   /// the smoother is point Gauss-Seidel
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param alpha the screening weight that `a` contains, if any
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_solver{`1e-3`}
   ///   \named_concurrency_tag
@@ -152,7 +152,7 @@ public:
   /// \throws Numerical_error if the coarsest level cannot be solved
   Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
                    const Eigen::VectorXd& element_integrals, double alpha = 0,
-                   const Options& np = Options());
+                   const Options& options = Options());
 
   /// With a screening weight that varies over the surface.
   /// \param a the matrix, as above
@@ -160,14 +160,14 @@ public:
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param constant_loads \f$w_i = \int \alpha\, b_i\f$ for each unknown, not negative: what `a`
   /// maps the constant 1 to. On components where all of them are 0, constants are in the kernel.
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_solver{`1e-3`}
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
   Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
                    const Eigen::VectorXd& element_integrals, const Eigen::VectorXd& constant_loads,
-                   const Options& np = Options());
+                   const Options& options = Options());
 
   /// A solver is moved, not copied. One that was moved from can only be assigned to.
   Multigrid_solver(Multigrid_solver&& other) noexcept;

@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_SOLVER_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SOLVERS_MULTIGRID_SOLVER_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
@@ -77,7 +77,7 @@ struct Multigrid_solver::Impl {
   struct Block_options {
     double tolerance;
     bool has_first_guess;
-    Least_squares_end least_squares;
+    Least_squares_criterion least_squares;
     internal::Progress progress;
   };
 
@@ -115,7 +115,7 @@ struct Multigrid_solver::Impl {
   }
 
   static void check_least_squares(const Eigen::Ref<const Eigen::MatrixXd>& b,
-                                  const Least_squares_end& end) {
+                                  const Least_squares_criterion& end) {
     if(!(end.tolerance >= 0))
       throw Parameter_error("least_squares", "has a tolerance that is negative");
     if(end.tolerance > 0 && (end.squares.size() != b.cols() || !end.squares.allFinite()))
@@ -153,7 +153,7 @@ struct Multigrid_solver::Impl {
     timer.start();
     for(Eigen::Index first = 0; first < b.cols(); first += internal::vectors_of_a_block) {
       // Some columns travel with empty ones: eight take about twice as long as one.
-      const Eigen::Index left = b.cols() - first;
+      const Eigen::Index remaining = b.cols() - first;
       const auto part = [&](Eigen::Index column) {
         return static_cast<double>((std::min)(column, b.cols())) / static_cast<double>(b.cols());
       };
@@ -161,11 +161,11 @@ struct Multigrid_solver::Impl {
       of_block.least_squares.squares =
           squares.tail((std::max)(squares.size() - first, Eigen::Index(0)));
       of_block.progress = progress.part(part(first), part(first + internal::vectors_of_a_block));
-      if(left == 1)
-        solve_block<1>(of_block, b.rightCols(left), x.rightCols(left), report);
+      if(remaining == 1)
+        solve_block<1>(of_block, b.rightCols(remaining), x.rightCols(remaining), report);
       else
-        solve_block<internal::vectors_of_a_block>(of_block, b.rightCols(left), x.rightCols(left),
-                                                  report);
+        solve_block<internal::vectors_of_a_block>(of_block, b.rightCols(remaining),
+                                                  x.rightCols(remaining), report);
     }
     progress(1);
     report.solve_seconds = timer.time();
@@ -181,181 +181,213 @@ struct Multigrid_solver::Impl {
           typename std::decay_t<decltype(hierarchy)>::template Workspace<K> workspace;
           using Block = internal::Block_vector<K>;
           Cycle cycle = options.cycle;
-          iterate<K>(
+          Iteration<K> iteration(*this, given, b, cycle);
+          iteration.start(
               [&](const Block& p, Block& q) {
                 hierarchy.template nested_iteration<K>(p, q, cycle, options.smoothing_steps,
                                                        workspace);
               },
-              [&](const Block& p, Block& q) {
-                hierarchy.template apply<K>(p, q, cycle, options.smoothing_steps, workspace);
-              },
-              cycle, given, b, x, report);
+              x);
+          iteration.run([&](const Block& p, Block& q) {
+            hierarchy.template apply<K>(p, q, cycle, options.smoothing_steps, workspace);
+          });
+          iteration.finish(x, report);
         },
         multigrid);
   }
 
-  /// \param guess makes the first guess
-  /// \param precondition one cycle
-  /// \param cycle its shape; W-cycles that are found to diverge become V-cycles
-  template <int K>
-  void iterate(internal::Block_operator<K> guess, internal::Block_operator<K> precondition,
-               Cycle& cycle, const Block_options& given,
-               const Eigen::Ref<const Eigen::MatrixXd>& b_all, Eigen::Ref<Eigen::MatrixXd> x_all,
-               Solve_report& report) const {
-    using Block = internal::Block_vector<K>;
-    using Row = internal::Block_row<K>;
-    const double tolerance = given.tolerance;
-    const internal::Progress& progress = given.progress;
-    const Eigen::Index count = (std::min)(b_all.cols(), Eigen::Index(K));
-    Block load = Block::Zero(b_all.rows(), K), b, x, r;
-    load.leftCols(count) = b_all.leftCols(count);
-    // Squares of very small or large loads would leave the range of numbers.
-    const Row scale = load.cwiseAbs().colwise().maxCoeff().array().unaryExpr(
-        [](double largest) { return largest > 0 ? largest : 1.; });
-    load = load * scale.inverse().matrix().asDiagonal();
-    b = load;
-    means.template project_load<K>(b);
-    Row norm = internal::dot<K>(b, b).sqrt();
-    // What the projection leaves of the load of a constant is rounding error.
-    norm = (norm > projection_tolerance * internal::dot<K>(load, load).sqrt()).select(norm, 0.);
-    b = b * (norm > 0).select(Row::Ones(), Row::Zero()).matrix().asDiagonal();
-    const Row target = tolerance * norm;
-
-    const internal::Symmetric_matrix& matrix = this->matrix();
-    const auto multiply = [&](const Block& p, Block& q) {
-      matrix.template multiply<K>(p, q, options.is_parallel);
-    };
-    // the first thing that follows after each step
-    const auto project = [&](Block& p) {
-      means.template project_load<K>(p);
-      if(progress.is_shown())
-        progress(part_done<K>(internal::dot<K>(p, p).sqrt(), norm, tolerance));
-    };
-    Row residual;
-    const auto update_residual = [&] {
-      matrix.template residual<K>(b, x, r, options.is_parallel);
-      project(r);
-      residual = internal::dot<K>(r, r).sqrt();
-    };
-    progress(0);
-    if(given.has_first_guess) {
-      Block guessed = Block::Zero(load.rows(), K);
-      guessed.leftCols(count) = x_all.leftCols(count);
-      guessed = guessed * scale.inverse().matrix().asDiagonal();
-      x = guessed;
-      update_residual();
-      const Block left = r;
-      const Row of_guess = residual;
-      guess(left, x);
-      x += guessed;
-      update_residual();
-      for(int k = 0; k < K; ++k)
-        if(!(residual[k] <= of_guess[k])) {
-          x.col(k) = guessed.col(k);
-          r.col(k) = left.col(k);
-          residual[k] = of_guess[k];
-        }
-    } else {
-      guess(b, x);
-      update_residual();
-    }
-
-    // The recursively updated residual drifts away from the true one. Start again from the true one
-    // as long as that helps.
-    int iterations = 0;
-    internal::Conjugate_gradient_record<K> record(options.energy_tolerance);
-    if(given.least_squares.tolerance > 0) {
-      Block constants = Block::Zero(load.rows(), K);
-      means.template shift_solution<K>(load, constants);
-      Row squares = Row::Zero();
-      for(int k = 0; k < static_cast<int>(count); ++k)
-        squares[k] = given.least_squares.squares[k];
-      record.compare_with_least_squares(squares / scale.square() -
-                                            internal::dot<K>(constants, load),
-                                        given.least_squares.tolerance);
-    }
-    // A first guess that is worse than none comes from cycles that diverge, on a near-kernel or by
-    // rounding.
-    const auto start_at_zero_where_worse = [&] {
-      bool was_worse = false;
-      for(int k = 0; k < K; ++k)
-        if(!(residual[k] <= norm[k])) {
-          was_worse = true;
-          x.col(k).setZero();
-          r.col(k) = b.col(k);
-          residual[k] = norm[k];
-        }
-      return was_worse;
-    };
-    if(start_at_zero_where_worse() && !given.has_first_guess)
-      cycle = Cycle::V;
-    const auto is_left = [&] {
-      for(int k = 0; k < K; ++k)
-        if(residual[k] > target[k] && !record.has_converged(k))
-          return true;
-      return false;
-    };
-    bool has_improved = true;
-    while(has_improved && is_left() && iterations < options.maximum_iterations) {
-      record.ends_if_it_amplifies = cycle == Cycle::W;
-      record.start(internal::dot<K>(x, b + r));
-      if(options.stand_alone_multigrid)
-        internal::stationary_iteration<K>(multiply, precondition, project, r, x, target, iterations,
-                                          options.maximum_iterations);
-      else
-        internal::conjugate_gradient<K>(multiply, precondition, project, r, x, target, iterations,
-                                        options.maximum_iterations, record);
-      const Row last = residual;
-      update_residual();
-      has_improved = (residual.max(target) < last.max(target) * restart_gain).any();
-      if(cycle == Cycle::W && (record.amplifies() || !(residual <= norm).all())) {
-        cycle = Cycle::V;
-        start_at_zero_where_worse();
-        has_improved = true;
-      }
-    }
-
-    means.template shift_solution<K>(load, x);
-    x = x * scale.matrix().asDiagonal();
-    x_all.leftCols(count) = x.leftCols(count);
-    report.iterations = (std::max)(report.iterations, iterations);
-    for(int k = 0; k < static_cast<int>(count); ++k) {
-      const double relative = norm[k] > 0 ? residual[k] / norm[k] : 0;
-      report.relative_residuals.push_back(relative);
-      report.relative_residual = (std::max)(report.relative_residual, relative);
-      if(norm[k] > 0)
-        report.relative_energy_error =
-            record.knows_error(k)
-                ? (std::max)(report.relative_energy_error, std::sqrt(record.squared_error(k)))
-                : std::numeric_limits<double>::quiet_NaN();
-      if(relative <= tolerance || record.has_converged(k))
-        continue;
-      report.worsen_status(!(relative <= 1) ? Solve_status::diverged
-                           : has_improved   ? Solve_status::iteration_limit
-                                            : Solve_status::stalled);
-    }
-  }
-
-  /// Residuals fall by about the same factor in each step; the last of the right-hand sides counts.
-  template <int K>
-  static double part_done(const internal::Block_row<K>& residual,
-                          const internal::Block_row<K>& norm, double tolerance) {
-    double largest = tolerance;
-    for(int k = 0; k < K; ++k)
-      if(norm[k] > 0)
-        largest = (std::max)(largest, residual[k] / norm[k]);
-    return std::log(largest) / std::log(tolerance);
-  }
-
-  /// a restart has to reduce a residual by this factor at least, else the iteration ends
-  static constexpr double restart_gain = 0.9;
-  /// a right-hand side that the projection reduces to this fraction is a constant
-  static constexpr double projection_tolerance = 1e-13;
+  template <int K> class Iteration;
 
   Options options;
   internal::Mean_projection means;
   std::variant<Multigrid<Patch_smoother>, Multigrid<Gauss_seidel_smoother>> multigrid;
   double setup_seconds;
+};
+
+/// The iteration for some right-hand sides, at most `K`.
+template <int K> class Multigrid_solver::Impl::Iteration {
+  using Block = internal::Block_vector<K>;
+  using Row = internal::Block_row<K>;
+
+public:
+  /// \param cycle of the preconditioner; W-cycles that are found to diverge become V-cycles
+  Iteration(const Impl& solver, const Block_options& given,
+            const Eigen::Ref<const Eigen::MatrixXd>& b, Cycle& cycle)
+    : m_solver(solver), m_given(given), m_cycle(cycle),
+      m_count(static_cast<int>((std::min)(b.cols(), Eigen::Index(K)))),
+      m_load(Block::Zero(b.rows(), K)), m_record(solver.options.energy_tolerance) {
+    m_load.leftCols(m_count) = b.leftCols(m_count);
+    // Squares of very small or large loads would leave the range of numbers.
+    m_scale = m_load.cwiseAbs().colwise().maxCoeff().array().unaryExpr(
+        [](double largest) { return largest > 0 ? largest : 1.; });
+    m_load = m_load * m_scale.inverse().matrix().asDiagonal();
+    m_b = m_load;
+    m_solver.means.template project_load<K>(m_b);
+    m_norm = internal::dot<K>(m_b, m_b).sqrt();
+    // What the projection leaves of the load of a constant is rounding error.
+    m_norm = (m_norm > projection_tolerance * internal::dot<K>(m_load, m_load).sqrt())
+                 .select(m_norm, 0.);
+    m_b = m_b * (m_norm > 0).select(Row::Ones(), Row::Zero()).matrix().asDiagonal();
+    m_target = given.tolerance * m_norm;
+    if(given.least_squares.tolerance > 0)
+      compare_with_least_squares();
+    given.progress(0);
+  }
+
+  /// \param guess makes a first guess
+  /// \param x one of the caller, if there is one
+  void start(internal::Block_operator<K> guess, const Eigen::Ref<const Eigen::MatrixXd>& x) {
+    if(m_given.has_first_guess)
+      improve_first_guess(guess, x);
+    else {
+      guess(m_b, m_x);
+      update_residual();
+    }
+    if(start_at_zero_where_worse() && !m_given.has_first_guess)
+      m_cycle = Cycle::V;
+  }
+
+  /// \param precondition one cycle
+  void run(internal::Block_operator<K> precondition) {
+    const auto multiply = [&](const Block& p, Block& q) {
+      m_solver.matrix().template multiply<K>(p, q, m_solver.options.is_parallel);
+    };
+    const auto project = [&](Block& p) { this->project(p); };
+    const internal::Preconditioned_operator<K> a = {multiply, precondition, project};
+    // The recursively updated residual drifts away from the true one. Start again from the true one
+    // as long as that helps.
+    const int limit = m_solver.options.maximum_iterations;
+    while(m_has_improved && !is_done() && m_iterations < limit) {
+      m_record.ends_if_it_amplifies = m_cycle == Cycle::W;
+      m_record.start(internal::dot<K>(m_x, m_b + m_r));
+      if(m_solver.options.stand_alone_multigrid)
+        internal::stationary_iteration<K>(a, m_r, m_x, m_target, m_iterations, limit);
+      else
+        internal::conjugate_gradient<K>(a, m_r, m_x, m_target, m_iterations, limit, m_record);
+      const Row last = m_residual;
+      update_residual();
+      m_has_improved = (m_residual.max(m_target) < last.max(m_target) * restart_gain).any();
+      if(m_cycle == Cycle::W && (m_record.amplifies() || !(m_residual <= m_norm).all())) {
+        m_cycle = Cycle::V;
+        start_at_zero_where_worse();
+        m_has_improved = true;
+      }
+    }
+  }
+
+  /// \param x gets the solution, and the report what is said of it
+  void finish(Eigen::Ref<Eigen::MatrixXd> x, Solve_report& report) {
+    m_solver.means.template shift_solution<K>(m_load, m_x);
+    m_x = m_x * m_scale.matrix().asDiagonal();
+    x.leftCols(m_count) = m_x.leftCols(m_count);
+    report.iterations = (std::max)(report.iterations, m_iterations);
+    for(int k = 0; k < m_count; ++k) {
+      const double relative = m_norm[k] > 0 ? m_residual[k] / m_norm[k] : 0;
+      report.relative_residuals.push_back(relative);
+      report.relative_residual = (std::max)(report.relative_residual, relative);
+      if(m_norm[k] > 0)
+        report.relative_energy_error =
+            m_record.knows_error(k)
+                ? (std::max)(report.relative_energy_error, std::sqrt(m_record.squared_error(k)))
+                : std::numeric_limits<double>::quiet_NaN();
+      if(relative <= m_given.tolerance || m_record.has_converged(k))
+        continue;
+      report.worsen_status(!(relative <= 1) ? Solve_status::diverged
+                           : m_has_improved ? Solve_status::iteration_limit
+                                            : Solve_status::stalled);
+    }
+  }
+
+private:
+  /// a restart has to reduce a residual by this factor at least, else the iteration ends
+  static constexpr double restart_gain = 0.9;
+  /// a right-hand side that the projection reduces to this fraction is a constant
+  static constexpr double projection_tolerance = 1e-13;
+
+  void compare_with_least_squares() {
+    Block constants = Block::Zero(m_load.rows(), K);
+    m_solver.means.template shift_solution<K>(m_load, constants);
+    Row squares = Row::Zero();
+    for(int k = 0; k < m_count; ++k)
+      squares[k] = m_given.least_squares.squares[k];
+    m_record.compare_with_least_squares(squares / m_scale.square() -
+                                            internal::dot<K>(constants, m_load),
+                                        m_given.least_squares.tolerance);
+  }
+
+  /// where that lessens the residual
+  void improve_first_guess(internal::Block_operator<K> guess,
+                           const Eigen::Ref<const Eigen::MatrixXd>& x) {
+    Block guessed = Block::Zero(m_load.rows(), K);
+    guessed.leftCols(m_count) = x.leftCols(m_count);
+    guessed = guessed * m_scale.inverse().matrix().asDiagonal();
+    m_x = guessed;
+    update_residual();
+    const Block r_of_guess = m_r;
+    const Row of_guess = m_residual;
+    guess(r_of_guess, m_x);
+    m_x += guessed;
+    update_residual();
+    for(int k = 0; k < K; ++k)
+      if(!(m_residual[k] <= of_guess[k])) {
+        m_x.col(k) = guessed.col(k);
+        m_r.col(k) = r_of_guess.col(k);
+        m_residual[k] = of_guess[k];
+      }
+  }
+
+  /// A first guess that is worse than none comes from cycles that diverge, on a near-kernel or by
+  /// rounding.
+  bool start_at_zero_where_worse() {
+    bool was_worse = false;
+    for(int k = 0; k < K; ++k)
+      if(!(m_residual[k] <= m_norm[k])) {
+        was_worse = true;
+        m_x.col(k).setZero();
+        m_r.col(k) = m_b.col(k);
+        m_residual[k] = m_norm[k];
+      }
+    return was_worse;
+  }
+
+  bool is_done() const {
+    for(int k = 0; k < K; ++k)
+      if(m_residual[k] > m_target[k] && !m_record.has_converged(k))
+        return false;
+    return true;
+  }
+
+  /// the first thing that follows after each step
+  void project(Block& p) const {
+    m_solver.means.template project_load<K>(p);
+    if(m_given.progress.is_shown())
+      m_given.progress(part_done(internal::dot<K>(p, p).sqrt()));
+  }
+
+  void update_residual() {
+    m_solver.matrix().template residual<K>(m_b, m_x, m_r, m_solver.options.is_parallel);
+    project(m_r);
+    m_residual = internal::dot<K>(m_r, m_r).sqrt();
+  }
+
+  /// Residuals fall by about the same factor in each step; the last of the right-hand sides counts.
+  double part_done(const Row& residual) const {
+    double largest = m_given.tolerance;
+    for(int k = 0; k < K; ++k)
+      if(m_norm[k] > 0)
+        largest = (std::max)(largest, residual[k] / m_norm[k]);
+    return std::log(largest) / std::log(m_given.tolerance);
+  }
+
+  const Impl& m_solver;
+  const Block_options& m_given;
+  Cycle& m_cycle;
+  int m_count; ///< of columns that are not empty
+  Block m_load, m_b, m_x, m_r;
+  Row m_scale, m_norm, m_target, m_residual;
+  internal::Conjugate_gradient_record<K> m_record;
+  int m_iterations = 0;
+  bool m_has_improved = true;
 };
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
@@ -406,15 +438,15 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE double Multigrid_solver::setup_seconds() cons
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
 Multigrid_solver::solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x,
                         const Solve_options& options) const {
-  return internal::name_step("not enough memory for the iteration",
-                             [&] { return m_impl->solve(b, x, options); });
+  return internal::explain_out_of_memory("not enough memory for the iteration",
+                                         [&] { return m_impl->solve(b, x, options); });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report
 Multigrid_solver::solve(const Eigen::Ref<const Eigen::MatrixXd>& b, Eigen::MatrixXd& x,
                         const Solve_options& options) const {
-  return internal::name_step("not enough memory for the iteration",
-                             [&] { return m_impl->solve(b, x, options); });
+  return internal::explain_out_of_memory("not enough memory for the iteration",
+                                         [&] { return m_impl->solve(b, x, options); });
 }
 
 } // namespace Restricted_laplacian_3

@@ -86,7 +86,7 @@ struct Multigrid_eigenpairs_options {
 /// \param prolongations from each level to the next finer one
 /// \param patches of each level but the coarsest, see `smoothing_patches()`
 /// \param count number \f$k\f$ of pairs
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_tolerance{`1e-3`}
 ///   \named_maximum_iterations{`100`, on each level}
@@ -107,7 +107,7 @@ Eigenpairs multigrid_eigenpairs(std::vector<Sparse_matrix> stiffness,
                                 std::vector<Sparse_matrix> mass,
                                 std::vector<Sparse_matrix> prolongations,
                                 std::vector<Smoothing_patches> patches, int count,
-                                const Multigrid_eigenpairs_options& np = {});
+                                const Multigrid_eigenpairs_options& options = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -82,10 +82,12 @@ struct Lobpcg_levels {
 };
 
 /// Uses the matrices up, one after the other: what is needed at most is little more than they are.
-inline void make_levels(std::size_t start, double alpha, std::vector<Sparse_matrix>& stiffness,
-                        std::vector<Sparse_matrix>& mass, std::vector<Sparse_matrix>& prolongations,
-                        std::vector<Smoothing_patches>& patches, bool is_parallel,
-                        Lobpcg_levels& levels) {
+inline Lobpcg_levels make_levels(std::size_t start, double alpha,
+                                 std::vector<Sparse_matrix>& stiffness,
+                                 std::vector<Sparse_matrix>& mass,
+                                 std::vector<Sparse_matrix>& prolongations,
+                                 std::vector<Smoothing_patches>& patches, bool is_parallel) {
+  Lobpcg_levels levels;
   const std::size_t finest = stiffness.size() - 1;
   std::vector<Sparse_matrix> coarse(finest);
   for(std::size_t level = 0; level < finest; ++level)
@@ -103,6 +105,7 @@ inline void make_levels(std::size_t start, double alpha, std::vector<Sparse_matr
   }
   levels.multigrid = Multigrid<>(
       std::move(a), {std::move(prolongations), std::move(patches), std::move(coarse)}, is_parallel);
+  return levels;
 }
 
 /// Finds the pairs with which the iteration begins. A level on which that fails is not the end: the
@@ -162,9 +165,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
   Eigenpairs pairs;
   pairs.shift = internal::natural_shift(mass[finest].coeffs().sum());
   const double alpha = internal::reaction_of_hierarchy(at_start.values, pairs.shift);
-  internal::Lobpcg_levels levels;
-  internal::make_levels(start, alpha, stiffness, mass, prolongations, patches, options.is_parallel,
-                        levels);
+  internal::Lobpcg_levels levels = internal::make_levels(
+      start, alpha, stiffness, mass, prolongations, patches, options.is_parallel);
   internal::Nested_lobpcg solver(levels.multigrid, at_start.vectors,
                                  {alpha, pairs.shift, options.maximum_iterations,
                                   options.smoothing_steps, options.is_parallel});

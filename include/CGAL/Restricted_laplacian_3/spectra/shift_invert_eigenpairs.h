@@ -100,7 +100,7 @@ Eigen::MatrixXd all_copies(Pencil& pencil, const Eigen::MatrixXd& constants, dou
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
 /// \param k number of pairs, positive
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_tolerance{`1e-10`, of the eigenvalues}
 ///   \named_maximum_iterations{`1000` restarts of the Lanczos iteration}
@@ -111,12 +111,12 @@ Eigen::MatrixXd all_copies(Pencil& pencil, const Eigen::MatrixXd& constants, dou
 /// \throws Canceled if `progress` returned `false`
 template <class SparseCholesky>
 Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int k,
-                                   const Eigenpairs_options& np = {}) {
+                                   const Eigenpairs_options& options = {}) {
   if(!s.isCompressed() || !m.isCompressed()) {
     Sparse_matrix compressed_s = s, compressed_m = m;
     compressed_s.makeCompressed();
     compressed_m.makeCompressed();
-    return shift_invert_eigenpairs<SparseCholesky>(compressed_s, compressed_m, k, np);
+    return shift_invert_eigenpairs<SparseCholesky>(compressed_s, compressed_m, k, options);
   }
   internal::check_eigenproblem(s, m, k);
   Eigenpairs pairs;
@@ -127,18 +127,18 @@ Eigenpairs shift_invert_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& 
   const double mass = m.coeffs().sum();
   const Sparse_matrix unit_mass = m / mass;
   internal::Inverted_pencil<SparseCholesky> pencil(s, unit_mass, pairs.shift * mass,
-                                                   np.regularization);
+                                                   options.regularization);
   pairs.regularization = pencil.regularization();
   pairs.set_status(Solve_status::converged);
   int operations = 0;
-  if(np.progress)
-    pencil.on_operation = [&operations, &np, k] {
+  if(options.progress)
+    pencil.on_operation = [&operations, &options, k] {
       // Most problems take two to four times the dimension of the Krylov space.
-      if(!np.progress(1 - std::exp(-++operations / (4. * k + 20))))
+      if(!options.progress(1 - std::exp(-++operations / (4. * k + 20))))
         throw Canceled();
     };
   Eigen::MatrixXd vectors = internal::all_copies(pencil, internal::constants_in_kernel(s),
-                                                 pairs.shift * mass, k, np, pairs);
+                                                 pairs.shift * mass, k, options, pairs);
   internal::finish_eigenpairs(s, m, std::move(vectors), pairs);
   // A pair that is further off is none, whatever Spectra says: the factorization was of no use.
   constexpr double largest_residual = 1e-3;

@@ -47,7 +47,7 @@ namespace Restricted_laplacian_3 {
 ///
 /// \param s,m full symmetric matrices; an unknown whose rows are empty is 0 in all vectors
 /// \param count number \f$k\f$ of pairs, positive
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_tolerance{`1e-10`, of the eigenvalues}
 ///   \named_maximum_iterations{`1000` restarts of the Lanczos iteration}
@@ -60,7 +60,7 @@ namespace Restricted_laplacian_3 {
 /// densely, if this was compiled without Spectra
 /// \throws Canceled if `progress` returned `false`
 Eigenpairs smallest_eigenpairs(const Sparse_matrix& s, const Sparse_matrix& m, int count,
-                               const Eigenpairs_options& np = {});
+                               const Eigenpairs_options& options = {});
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

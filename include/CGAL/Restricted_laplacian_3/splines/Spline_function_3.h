@@ -68,6 +68,7 @@ private:
   Eigen::VectorXd m_coefficients;
 };
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Writes the values of a function at all vertices into a property map: NaN at vertices that have
 /// no face of positive area.
@@ -88,6 +89,7 @@ void evaluate_at_vertices(const Spline_function_3& u, const Surface& surface, Ve
     internal::put_value_at(map, v, static_cast<Value>(values[i]));
   });
 }
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

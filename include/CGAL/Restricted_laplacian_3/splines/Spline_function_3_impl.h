@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/spline_evaluation.h>
 
@@ -56,7 +56,7 @@ Spline_function_3::gradient(const Surface_location& location) const {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 Spline_function_3::values_at_vertices() const {
-  return internal::name_step("not enough memory for the values at the vertices", [&] {
+  return internal::explain_out_of_memory("not enough memory for the values at the vertices", [&] {
     std::vector<double> values(surface().number_of_vertices());
     internal::for_each_vertex_chunk(
         m_space, m_level, [&](std::size_t first, const std::vector<internal::Sheet_point>& points) {

@@ -6,7 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/basis/Tensor_basis_3.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/spline_evaluation.h>
@@ -40,7 +40,7 @@ Spline_functions_3::Spline_functions_3(const Spline_space_3& space,
   : Spline_functions_3(space, coefficients, space.depth()) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd Spline_functions_3::values_at_vertices() const {
-  return internal::name_step("not enough memory for the values at the vertices", [&] {
+  return internal::explain_out_of_memory("not enough memory for the values at the vertices", [&] {
     Eigen::MatrixXd result(static_cast<Eigen::Index>(m_space.surface().number_of_vertices()),
                            m_coefficients.rows());
     internal::for_each_vertex_chunk(

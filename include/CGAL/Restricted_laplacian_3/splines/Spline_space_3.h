@@ -146,12 +146,12 @@ public:
   /// The spaces of a surface given as points and triangles, which need not be a manifold, or as
   /// oriented points.
   /// \param surface becomes a part of the space
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_space
   /// \cgalNamedParamsEnd
   /// \throws Parameter_error if a parameter is outside its domain
-  explicit Spline_space_3(Triangulated_surface_3 surface, const Options& np = Options());
+  explicit Spline_space_3(Triangulated_surface_3 surface, const Options& options = Options());
 
   /// The same space with another integration: samples, weights, a diffusion tensor, a curved
   /// surface; for example `space.integrated_by(Monte_carlo(space.octree(), 100000, 1))`.

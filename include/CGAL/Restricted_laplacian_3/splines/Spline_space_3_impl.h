@@ -5,7 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_SPLINES_SPLINE_SPACE_3_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -39,11 +39,11 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE int default_depth(const Triangulated_surface_
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Spline_space_3::Spline_space_3(Triangulated_surface_3 surface, const Options& np)
-  : m_options(checked(surface, np)),
+Spline_space_3::Spline_space_3(Triangulated_surface_3 surface, const Options& options)
+  : m_options(checked(surface, options)),
     m_octree(std::make_shared<const Octree_3>(make_octree(std::move(surface), m_options))),
     m_integration(default_integration(*m_octree)) {
-  internal::name_step("not enough memory for the elements of the space", [&] {
+  internal::explain_out_of_memory("not enough memory for the elements of the space", [&] {
     std::vector<internal::Level_elements> levels;
     for(int level = 0; level <= depth(); ++level)
       levels.push_back(number_elements(m_octree->level_data(level)));
@@ -76,7 +76,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Octree_3
 Spline_space_3::make_octree(Triangulated_surface_3&& surface, const Options& o) {
   internal::check_memory(surface, *o.depth, *o.cube_scale, *o.maximum_memory);
   const bool is_split = splits(surface, o);
-  return internal::name_step("not enough memory for the octree", [&] {
+  return internal::explain_out_of_memory("not enough memory for the octree", [&] {
     return Octree_3(std::move(surface), *o.depth, *o.cube_scale, is_split,
                     o.joining_tolerance.value_or(-1), o.is_parallel);
   });

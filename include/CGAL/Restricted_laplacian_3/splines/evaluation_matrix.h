@@ -36,6 +36,7 @@ Sparse_matrix evaluation_matrix(const Spline_space_3& space,
                                 const std::vector<Surface_location>& locations,
                                 std::optional<int> level = {});
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The matrix that takes the coefficients of a function to its derivatives along an axis of space
 /// at the vertices, see `Spline_jets`. Its rows, as in `evaluation_matrix()`, sum to 0.
@@ -45,7 +46,9 @@ Sparse_matrix evaluation_matrix(const Spline_space_3& space,
 /// \throws Parameter_error if the level is not from 0 to depth, or the axis not from 0 to 2
 Sparse_matrix derivative_matrix(const Spline_space_3& space, int axis,
                                 std::optional<int> level = {});
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// The same for locations: a row for each.
 /// \param space the space
@@ -57,6 +60,7 @@ Sparse_matrix derivative_matrix(const Spline_space_3& space, int axis,
 Sparse_matrix derivative_matrix(const Spline_space_3& space, int axis,
                                 const std::vector<Surface_location>& locations,
                                 std::optional<int> level = {});
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -23,9 +23,11 @@ namespace Restricted_laplacian_3 {
 /// \throws Parameter_error if `level` is not from 0 to depth - 1
 Sparse_matrix prolongation_matrix(const Spline_space_3& space, int level);
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The prolongations from `coarsest` to `coarsest + 1`, ..., from depth - 1 to depth.
 std::vector<Sparse_matrix> prolongation_matrices(const Spline_space_3& space, int coarsest);
+/// \endcond
 
 namespace internal {
 

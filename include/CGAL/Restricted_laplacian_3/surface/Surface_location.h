@@ -71,6 +71,7 @@ struct Surface_point : Surface_location {
   Vector_3 normal;
 };
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Converts locations of \cgal (face descriptor and barycentric coordinates) to `Surface_location`.
 /// Construction is linear in the number of faces, conversion takes constant time.
@@ -114,6 +115,7 @@ public:
 private:
   Index_map m_index;
 };
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

@@ -4,7 +4,7 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_SURFACE_TRIANGULATED_SURFACE_3_IMPL_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 #include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 
@@ -74,7 +74,7 @@ Triangulated_surface_3::Triangulated_surface_3(std::vector<Point_3> points,
       if(v >= m_points.size())
         throw Invalid_face_error(f, "names a vertex that does not exist");
   compute_bounding_box();
-  internal::name_step("not enough memory for the surface", [&] { compute_areas(); });
+  internal::explain_out_of_memory("not enough memory for the surface", [&] { compute_areas(); });
   if(!(m_area > 0))
     throw zero_area_error();
 }
@@ -90,7 +90,7 @@ Triangulated_surface_3::Triangulated_surface_3(internal::Part_of_surface&& part)
     for(double area : m_areas)
       m_area += area;
   else
-    internal::name_step("not enough memory for the surface", [&] { compute_areas(); });
+    internal::explain_out_of_memory("not enough memory for the surface", [&] { compute_areas(); });
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Triangulated_surface_3::Triangulated_surface_3(

@@ -43,6 +43,7 @@ T barycentric_mean(const T& a, const T& b, const T& c, const std::array<double, 
 
 } // namespace internal
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` together with the degree that `function_of_degree()` says.
 ///
@@ -62,6 +63,7 @@ private:
   Function m_function;
   int m_degree;
 };
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// Tells that a function or vector field is well approximated by polynomials of a degree below 6 on
@@ -77,6 +79,7 @@ template <class Function> Function_of_degree<Function> function_of_degree(Functi
   return Function_of_degree<Function>(std::move(f), degree);
 }
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` that interpolates values at the vertices linearly in each
 /// triangle. `T` is `double` or a vector type.
@@ -101,7 +104,9 @@ public:
 private:
   std::vector<T> m_values;
 };
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Gradients
 /// A function or vector field that is constant on each triangle, as a function object on
 /// `Surface_point`. Integrals of it are exact up to rounding, and take fewer nodes than others.
@@ -127,7 +132,9 @@ public:
 private:
   std::vector<T> m_values;
 };
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Gradients
 /// A vector field that is linear in each triangle, and may jump from one to the next, as a function
 /// object on `Surface_point`: it is given by its values at the corners of the triangles.
@@ -157,6 +164,7 @@ public:
 private:
   std::vector<T> m_values;
 };
+/// \endcond
 
 namespace internal {
 

@@ -141,6 +141,7 @@ struct Stitched_colors : Stitching_report {
   std::vector<Rgb_color> colors;
 };
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The edges of a surface, as pairs of vertices in ascending order, whose ends have different
 /// scans.
@@ -149,7 +150,9 @@ struct Stitched_colors : Stitching_report {
 /// \throws Parameter_error the number of scans is not that of the vertices
 std::vector<std::pair<std::uint32_t, std::uint32_t>>
 scan_transitions(const Triangulated_surface_3& surface, const std::vector<std::uint32_t>& scans);
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The visible contrast of seams: the mean over edges of the length of the difference of the
 /// colors of their ends, \f$\lvert c_v - c_w \rvert_2\f$ over the three channels. What true
@@ -159,6 +162,7 @@ scan_transitions(const Triangulated_surface_3& surface, const std::vector<std::u
 /// \throws Parameter_error an edge names a vertex without a color
 double mean_color_jump(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& edges,
                        const std::vector<Rgb_color>& colors);
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Colors a surface from several scans without visible seams (paper, section 5.2), in steps, so
@@ -187,13 +191,13 @@ public:
   static constexpr double default_tolerance = internal::default_gradient_tolerance;
 
   /// \param space of a mesh or soup; is copied, which costs nothing
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_stitching
   /// \cgalNamedParamsEnd
   /// \throws Input_error the surface is a point set
   /// \throws Parameter_error a parameter is outside its domain
-  explicit Color_stitcher(const Spline_space_3& space, const Options& np = Options());
+  explicit Color_stitcher(const Spline_space_3& space, const Options& options = Options());
 
   /// the space, as given to the constructor
   const Spline_space_3& space() const { return m_space; }

@@ -41,6 +41,7 @@ using Scan_pose = CGAL::Aff_transformation_3<CGAL::Simple_cartesian<double>>;
 /// is not finite; or the first three columns are not a rotation times a positive number, up to 1 %
 Scan_pose scan_pose(const std::array<double, 16>& rows);
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// What a scan says of a location near it.
 struct Scan_sample {
@@ -59,6 +60,7 @@ struct Scan_sample {
   /// not along the normal
   bool is_beyond_boundary = false;
 };
+/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// A scan: a triangulated surface or a set of oriented points with a color at each vertex, placed

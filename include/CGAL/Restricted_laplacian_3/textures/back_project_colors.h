@@ -61,6 +61,7 @@ struct Back_projection_options {
   }
 };
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The colors of a scan on a surface: of the vertices that it covers, in ascending order.
 struct Back_projection {
@@ -80,7 +81,9 @@ struct Back_projection {
   /// the number of vertices that face the viewpoint, near the scan or not
   std::size_t number_of_facing_vertices = 0;
 };
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Takes colors of scans to the vertices of a surface (paper, section 5.2). A scan *covers* a
 /// vertex of the surface if
@@ -104,7 +107,7 @@ class Color_back_projector {
 
 public:
   /// \param surface has to outlive this object
-  /// \param np optional named parameters:
+  /// \param options named parameters, or the options themselves:
   /// \cgalNamedParamsBegin
   ///   \named_of_back_projection
   ///   \named_color_gradients
@@ -112,7 +115,7 @@ public:
   /// \cgalNamedParamsEnd
   /// \throws Parameter_error a parameter is outside its domain
   explicit Color_back_projector(const Triangulated_surface_3& surface,
-                                const Options& np = Options());
+                                const Options& options = Options());
 
   /// the surface that colors are taken to
   const Triangulated_surface_3& surface() const { return *m_surface; }
@@ -139,12 +142,14 @@ private:
   std::vector<Vector_3> m_normals;
   double m_spacing;
 };
+/// \endcond
 
+/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The colors of one scan on a surface, see `Color_back_projector`.
 /// \param surface a surface of triangles
 /// \param scan the scan
-/// \param np optional named parameters:
+/// \param options named parameters, or the options themselves:
 /// \cgalNamedParamsBegin
 ///   \named_of_back_projection
 ///   \named_color_gradients
@@ -152,7 +157,8 @@ private:
 /// \cgalNamedParamsEnd
 /// \throws Parameter_error a parameter is outside its domain
 Back_projection back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,
-                                    const Back_projection_options& np = {});
+                                    const Back_projection_options& options = {});
+/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

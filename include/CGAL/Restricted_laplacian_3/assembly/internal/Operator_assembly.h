@@ -74,15 +74,15 @@ public:
     m_keeps_stabilization = wants_mass && m_stabilizes_mass && m_normal_stabilization != 0;
     // Where the metric is not constant on each face, the degree is not known.
     m_degree = wants_mass || !m_integration.adds_moments() ? degree_of_mass : degree_of_stiffness;
-    double done = 0, left = 1;
+    double done = 0, remaining = 1;
     for(int top = m_octree.depth(); top >= coarsest; top -= 2) {
       Moments next;
       if(top - 2 >= coarsest)
         next.resize(m_octree.number_of_sheets(top - 2), m_keeps_stabilization);
-      run_stage(top, coarsest, next, progress.part(done, 1 - left * sixteenth));
+      run_stage(top, coarsest, next, progress.part(done, 1 - remaining * sixteenth));
       m_moments = std::move(next);
-      left *= sixteenth;
-      done = 1 - left;
+      remaining *= sixteenth;
+      done = 1 - remaining;
     }
     for(const Assembly_targets& t : m_targets)
       if(t.sink)

@@ -9,7 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/shared/assemble_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/internal/name_step.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
 
 #include <cmath>
 #include <cstddef>
@@ -38,7 +38,7 @@ assemble_system(const Spline_space_3& space, int coarsest, const Elliptic_operat
   std::optional<Mass_weight> weight;
   if(elliptic.reaction_function)
     weight = Mass_weight{*elliptic.reaction_function, elliptic.name_of_reaction};
-  return name_step("not enough memory for the matrices", [&] {
+  return explain_out_of_memory("not enough memory for the matrices", [&] {
     const std::size_t number_of_levels = static_cast<std::size_t>(space.depth() - coarsest) + 1;
     System_matrices result;
     result.matrices.resize(number_of_levels);

@@ -41,11 +41,11 @@ Fit_residual::subtract(const Spline_space_3& space, const Sparse_matrix& mass,
   const Eigen::VectorXd diagonal = mass.diagonal();
   for(Eigen::Index k = 0; k < coefficients.cols(); ++k) {
     const auto eta = coefficients.col(k);
-    const Eigen::VectorXd left = loads.col(k) - mass.selfadjointView<Eigen::Upper>() * eta;
+    const Eigen::VectorXd residual = loads.col(k) - mass.selfadjointView<Eigen::Upper>() * eta;
     // the terms of the products are that large, even if they cancel
     const double largest = (std::max)(squares[k], diagonal.dot(eta.cwiseAbs2()) / (h * h));
-    squares[k] = (std::max)(squares[k] - eta.dot(loads.col(k) + left) / (h * h), 0.);
-    loads.col(k) = left;
+    squares[k] = (std::max)(squares[k] - eta.dot(loads.col(k) + residual) / (h * h), 0.);
+    loads.col(k) = residual;
     are_accurate = are_accurate && !(squares[k] < smallest_accurate_square * largest);
   }
 }

@@ -220,7 +220,7 @@ private:
   /// of a cycle for `K` vectors on a level
   template <int K> struct Workspace {
     Block<K> x, r;
-    std::vector<double> left;
+    std::vector<double> residual;
     Petsc_matrix restricted, prolongated; // of r, and of the solution of the next coarser level
   };
 
@@ -318,9 +318,9 @@ private:
     add_coarse<K>(level);
     if(m_options.cycle == Cycle::W && level > 1) {
       // The second visit corrects what the first one left.
-      w.left.resize(K * own_size(level - 1));
-      m_levels[level - 1].smoother->smoother->template residual<K>(w.left.data());
-      make_cycle<K>(level - 1, w.left.data());
+      w.residual.resize(K * own_size(level - 1));
+      m_levels[level - 1].smoother->smoother->template residual<K>(w.residual.data());
+      make_cycle<K>(level - 1, w.residual.data());
       add_coarse<K>(level);
     }
     petsc_check(MatDenseRestoreArrayRead(w.restricted, &load));

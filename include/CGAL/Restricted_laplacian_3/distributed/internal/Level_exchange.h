@@ -229,17 +229,7 @@ public:
         std::lower_bound(numbers.begin(), numbers.end(), first_own) - numbers.begin());
     const std::size_t number_of_sheets = own.level.number_of_sheets();
 
-    // centers, and the position of each element among those of the same center
-    std::vector<Center> centers(size);
-    for(std::size_t i = 0; i < size; ++i) {
-      const std::uint32_t slot = all.first_slots[i];
-      const auto [dx, dy, dz] =
-          Tensor_basis_3::offset(static_cast<int>(slot % Tensor_basis_3::size));
-      centers[i].key = Element_numbering::center_key(
-          level.cell(slot / Tensor_basis_3::size).neighbor(dx, dy, dz));
-      centers[i].position =
-          i > 0 && centers[i - 1].key == centers[i].key ? centers[i - 1].position + 1 : 0;
-    }
+    const std::vector<Center> centers = centers_of(all, level);
     // Those that this rank owns are consecutive.
     const auto [first_key, last_key] = m_ranges.cells(m_rank, own.level.level);
     const auto first_of = [&](std::uint64_t key) {
@@ -259,21 +249,15 @@ public:
     result.number_of_split_elements = m_communicator.sum(number_of_split_elements);
 
     // the elements of the part, in the order of their numbers
-    constexpr std::uint32_t none = 0xffffffff;
-    std::vector<std::uint32_t> first_slots(size, none);
     result.part.elements.assign(all.elements.begin() + static_cast<std::ptrdiff_t>(first_sheet),
                                 all.elements.begin() +
                                     static_cast<std::ptrdiff_t>(first_sheet + number_of_sheets));
-    for(std::size_t sheet = 0; sheet < number_of_sheets; ++sheet)
-      for_each_element(result.part.elements[sheet], [&](int k, std::uint32_t element) {
-        const std::size_t slot = Tensor_basis_3::size * sheet + static_cast<std::size_t>(k);
-        first_slots[element] = (std::min)(first_slots[element], static_cast<std::uint32_t>(slot));
-      });
-    std::vector<std::uint32_t> number_in_part(size, none);
+    const std::vector<std::uint32_t> first_slots = first_slots_of(result.part.elements, size);
+    std::vector<std::uint32_t> number_in_part(size, no_element);
     std::vector<std::vector<Center>> questions(m_ranges.size());
     std::vector<std::vector<std::uint32_t>> places(m_ranges.size());
     for(std::size_t i = 0; i < size; ++i) {
-      if(first_slots[i] == none)
+      if(first_slots[i] == no_element)
         continue;
       number_in_part[i] = static_cast<std::uint32_t>(result.part.first_slots.size());
       result.part.first_slots.push_back(first_slots[i]);
@@ -320,6 +304,33 @@ private:
   struct Cell_answer {
     std::uint64_t first, number;
   };
+  /// the center of each element, and its position among those of the same center
+  static std::vector<Center> centers_of(const Level_elements& elements, const Octree_level& level) {
+    std::vector<Center> result(elements.first_slots.size());
+    for(std::size_t i = 0; i < result.size(); ++i) {
+      const std::uint32_t slot = elements.first_slots[i];
+      const auto [dx, dy, dz] =
+          Tensor_basis_3::offset(static_cast<int>(slot % Tensor_basis_3::size));
+      result[i].key = Element_numbering::center_key(
+          level.cell(slot / Tensor_basis_3::size).neighbor(dx, dy, dz));
+      result[i].position =
+          i > 0 && result[i - 1].key == result[i].key ? result[i - 1].position + 1 : 0;
+    }
+    return result;
+  }
+
+  /// of each element the first of its slots in a part, or `no_element` if it has none there
+  static std::vector<std::uint32_t> first_slots_of(const std::vector<Cell_elements>& part,
+                                                   std::size_t number_of_elements) {
+    std::vector<std::uint32_t> result(number_of_elements, no_element);
+    for(std::size_t sheet = 0; sheet < part.size(); ++sheet)
+      for_each_element(part[sheet], [&](int k, std::uint32_t element) {
+        const std::size_t slot = Tensor_basis_3::size * sheet + static_cast<std::size_t>(k);
+        result[element] = (std::min)(result[element], static_cast<std::uint32_t>(slot));
+      });
+    return result;
+  }
+
   static constexpr std::uint64_t unknown = (std::numeric_limits<std::uint64_t>::max)();
 
   /// Ranks see the same faces near their common boundary, but may take those for united that others

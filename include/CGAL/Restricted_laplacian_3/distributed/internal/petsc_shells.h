@@ -68,11 +68,11 @@ public:
     auto& workspace = std::get<Workspace<K>>(m_workspaces);
     if(!is_first)
       return m_multigrid.apply<K>(b, x, m_options.cycle, m_options.smoothing_steps, workspace);
-    Block_vector<K> guess, left;
+    Block_vector<K> guess, residual;
     m_multigrid.nested_iteration<K>(b, guess, m_options.cycle, m_options.smoothing_steps,
                                     workspace);
-    left = b - m_matrix * guess;
-    m_multigrid.apply<K>(left, x, m_options.cycle, m_options.smoothing_steps, workspace);
+    residual = b - m_matrix * guess;
+    m_multigrid.apply<K>(residual, x, m_options.cycle, m_options.smoothing_steps, workspace);
     x += guess;
   }
 

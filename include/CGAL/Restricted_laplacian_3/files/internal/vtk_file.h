@@ -182,21 +182,21 @@ private:
                          size = count("the size of the cells");
     std::vector<std::uint32_t> corners;
     if(!m_has_offsets) {
-      std::uintmax_t left = 0, cells = 0;
+      std::uintmax_t remaining = 0, cells = 0;
       read_numbers(size, Number_type::int32, "cells", [&](double value) {
-        if(left == 0) {
-          left = index_of(value, "the number of corners");
+        if(remaining == 0) {
+          remaining = index_of(value, "the number of corners");
           ++cells;
         } else {
           corners.push_back(index_of(value, "the number of a point"));
-          --left;
+          --remaining;
         }
-        if(left == 0) {
+        if(remaining == 0) {
           keep(corners);
           corners.clear();
         }
       });
-      if(left > 0 || cells != number)
+      if(remaining > 0 || cells != number)
         m_in.fail("the cells do not have the size that stands before them");
       return;
     }

@@ -145,8 +145,9 @@ private:
         else if(end.key < aside.key && visited.count(m_geometry.vertex(p.face, k)) == 0)
           aside = end;
         if(p.place[(k + 2) % 3] > 0)
-          add_beyond({p.face, k}, s, corners[k], corners[(k + 1) % 3], 0,
-                     m_geometry.length(p.face, k), none, p);
+          add_beyond({p.face, k},
+                     {s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(p.face, k)}, none,
+                     p);
       }
     });
     while(!m_heap.empty() && m_windows.size() < most_windows) {
@@ -212,9 +213,8 @@ private:
     });
   }
 
-  void add_beyond(const Side& out, const Plane_vector& s, const Plane_vector& p,
-                  const Plane_vector& q, double first, double last, std::uint32_t before,
-                  const Point& from) {
+  void add_beyond(const Side& out, const Ray_beam& beam, std::uint32_t before, const Point& from) {
+    const Plane_vector &s = beam.source, &p = beam.p, &q = beam.q;
     const double l = m_geometry.length(out.face, out.number);
     // The start may be in a face of no height.
     const double least_height =
@@ -247,7 +247,7 @@ private:
       entry.window = static_cast<std::uint32_t>(m_windows.size() - 1);
       m_heap.push(entry);
     };
-    for_each_window_beyond(m_geometry, out, s, p, q, first, last, {}, add, least_height);
+    for_each_window_beyond(m_geometry, out, beam, {}, add, least_height);
   }
 
   void cross(std::uint32_t number, double distance) {
@@ -275,8 +275,7 @@ private:
           if(there < distance)
             offer_end(end_at(way, number, {face, corner(k + 2)}, there, from));
         },
-        [&](const Side& side, const Plane_vector& p, const Plane_vector& q, double first,
-            double last) { add_beyond(side, s, p, q, first, last, number, from); });
+        [&](const Side& side, const Ray_beam& beam) { add_beyond(side, beam, number, from); });
   }
 
   /// leads the strip from a point of a face to the same point of another face

@@ -82,7 +82,7 @@ public:
     const std::array<Plane_vector, 3> corners = m_geometry.corners(face);
     for(std::uint32_t k = 0; k < 3; ++k) {
       offer_from(face, k, corners, s, s, label);
-      add_beyond({face, k}, s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(face, k),
+      add_beyond({face, k}, {s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(face, k)},
                  {0, no_root, label});
     }
   }
@@ -120,7 +120,7 @@ public:
         clip(length - along, -d_along);
         clip(across, d_across);
         if((low + high) / 2 * d_across + across > 1e-12 * length)
-          add_beyond({face, k}, source, p, q, low * (q - p).length(), high * (q - p).length(),
+          add_beyond({face, k}, {source, p, q, low * (q - p).length(), high * (q - p).length()},
                      {-far_source, no_root, label});
       }
     }
@@ -320,21 +320,17 @@ private:
       return passing_point(s, {std::cos(t), std::sin(t)}, p, q);
     };
     const Side opposite{c.face, (c.number + 1) % 3};
-    add_beyond(opposite, s, p, q, part[0] <= 0 ? 0 : passes(part[0]),
-               part[1] >= all ? m_geometry.length(opposite.face, opposite.number) : passes(part[1]),
-               {m_rays[v].distance, v, m_rays[v].origin.label});
+    const double first = part[0] <= 0 ? 0 : passes(part[0]),
+                 last = part[1] >= all ? m_geometry.length(opposite.face, opposite.number)
+                                       : passes(part[1]);
+    add_beyond(opposite, {s, p, q, first, last}, {m_rays[v].distance, v, m_rays[v].origin.label});
   }
 
   // Windows
 
   /// Makes windows in the faces beyond a side of a face.
-  /// \param s the source
-  /// \param p, q the ends of the side, in the order of that face
-  /// \param first, last the part of the side
-  void add_beyond(const Side& side, const Plane_vector& s, const Plane_vector& p,
-                  const Plane_vector& q, double first, double last, const Ray_origin& origin) {
-    for_each_window_beyond(m_geometry, side, s, p, q, first, last, origin,
-                           [&](const Ray_window& w) { add(w); });
+  void add_beyond(const Side& side, const Ray_beam& beam, const Ray_origin& origin) {
+    for_each_window_beyond(m_geometry, side, beam, origin, [&](const Ray_window& w) { add(w); });
   }
 
   void add(Ray_window w) {
@@ -422,10 +418,9 @@ private:
           ray.origin = w.origin;
           offer(m_geometry.vertex(w.side.face, w.side.number + 2), ray);
         },
-        [&](const Side& side, const Plane_vector& p, const Plane_vector& q, double first,
-            double last) {
+        [&](const Side& side, const Ray_beam& beam) {
           if(target == all_ways || target == side.number)
-            add_beyond(side, s, p, q, first, last, w.origin);
+            add_beyond(side, beam, w.origin);
         });
   }
 

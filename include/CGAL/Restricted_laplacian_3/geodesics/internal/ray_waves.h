@@ -81,24 +81,28 @@ inline void narrow(Ray_window& w, double l, const std::array<double, 2>& ends) {
     w.last = (std::min)(w.last, l - equal(ends[1], from_second) + slack);
 }
 
+/// Rays of one point that pass through a side of a face, all in one frame.
+struct Ray_beam {
+  Plane_vector source;
+  Plane_vector p, q;  // the ends of the side, in the order of the face
+  double first, last; // the part of the side
+};
+
 /// Calls `visit(window)` for the windows in the faces beyond a side through which rays pass; none
 /// if they come along the side.
-/// \param s the point that they come from
-/// \param p, q the ends of the side, in the order of its face
-/// \param first, last the part of the side that they pass through
-/// \param least_height what the point is taken to be off the side, at least
+/// \param least_height what the source is taken to be off the side, at least
 template <class Visitor>
 void for_each_window_beyond(const Ray_geometry& geometry, const Ray_geometry::Side& side,
-                            const Plane_vector& s, const Plane_vector& p, const Plane_vector& q,
-                            double first, double last, const Ray_origin& origin, Visitor&& visit,
+                            const Ray_beam& beam, const Ray_origin& origin, Visitor&& visit,
                             double least_height = 0) {
   constexpr double along_the_side = 1e-14;
-  const double l = geometry.length(side.face, side.number);
+  const double l = geometry.length(side.face, side.number), first = beam.first, last = beam.last;
   if(!(last > first))
     return;
-  const Plane_vector u = (1 / l) * (q - p);
-  const double x = dot(s - p, u),
-               height = (std::max)(std::abs(internal::cross(u, s - p)), least_height * l);
+  const Plane_vector u = (1 / l) * (beam.q - beam.p);
+  const double x = dot(beam.source - beam.p, u),
+               height =
+                   (std::max)(std::abs(internal::cross(u, beam.source - beam.p)), least_height * l);
   if(!(height > along_the_side * l))
     return;
   geometry.for_each_beyond(side, [&](const Ray_geometry::Side& other) {
@@ -129,8 +133,8 @@ struct Nearest_ray {
 
 /// Where a window goes in its face: calls `at_apex(c, distance, passes)` with the third corner, its
 /// distance from the source and where the ray passes the side, if that is seen, and
-/// `through(side, p, q, first, last)` for the other sides that rays pass through, with their ends
-/// in the order of the face and the part; all in the frame of the window's side.
+/// `through(side, beam)` for the other sides that rays pass through; all in the frame of the
+/// window's side.
 /// \param nearest the nearest way to the third corner, as far as it is known
 template <class At_apex, class Through>
 void cross_face(const Ray_geometry& geometry, const Ray_window& w, const Nearest_ray& nearest,
@@ -157,11 +161,11 @@ void cross_face(const Ray_geometry& geometry, const Ray_window& w, const Nearest
     return passing_point(s, {x - s.x, -s.y}, p, q);
   };
   if(left_last > w.first)
-    through(Ray_geometry::Side{face, (k + 2) % 3}, c, a, where(left_last, c, a),
-            where(w.first, c, a));
+    through(Ray_geometry::Side{face, (k + 2) % 3},
+            Ray_beam{s, c, a, where(left_last, c, a), where(w.first, c, a)});
   if(right_first < w.last)
-    through(Ray_geometry::Side{face, (k + 1) % 3}, b, c, where(w.last, b, c),
-            where(right_first, b, c));
+    through(Ray_geometry::Side{face, (k + 1) % 3},
+            Ray_beam{s, b, c, where(w.last, b, c), where(right_first, b, c)});
 }
 
 /// Squared distances along a side of the length `length`, less the offset before squaring: a cubic

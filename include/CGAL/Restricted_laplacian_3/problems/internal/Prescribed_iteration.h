@@ -75,15 +75,15 @@ public:
     report.relative_energy_error = 0;
     const double energy_tolerance = m_solver.options().energy_tolerance;
     for(int step = 0; step < largest_number_of_steps; ++step) {
-      const double norm = m_left.norm(), residual_before = m_residual, miss_before = m_miss;
+      const double norm = m_step_load.norm(), residual_before = m_residual, miss_before = m_miss;
       if(!(norm > 0)) {
         report.set_status(Solve_status::converged);
         break;
       }
       const Progress of_progress = progress.part(part_done(step), part_done(step + 1));
       Eigen::VectorXd d;
-      const Solve_report of_step =
-          m_solver.solve(m_left, d, {tolerance_of_step(tolerance, norm), of_progress.callback()});
+      const Solve_report of_step = m_solver.solve(
+          m_step_load, d, {tolerance_of_step(tolerance, norm), of_progress.callback()});
       m_x += d;
       m_fluxes += m_exact.cwiseProduct(m_weights).cwiseProduct(misses());
       update();
@@ -190,9 +190,9 @@ private:
     const Eigen::VectorXd missed = misses(), pull = m_weights.cwiseProduct(missed),
                           pull_of_others = pull - m_exact.cwiseProduct(pull),
                           flux_load = load_of(m_fluxes + pull_of_others),
-                          left = m_load + flux_load - product_without_weights(m_x);
-    m_left = left + load_of(m_exact.cwiseProduct(pull));
-    m_residual = projected_norm(left);
+                          residual = m_load + flux_load - product_without_weights(m_x);
+    m_step_load = residual + load_of(m_exact.cwiseProduct(pull));
+    m_residual = projected_norm(residual);
     m_scale = (std::max)(m_scale_of_load, flux_load.norm());
     m_miss = m_values.size() > 0 ? m_exact.cwiseProduct(missed).cwiseAbs().maxCoeff() : 0;
   }
@@ -202,7 +202,7 @@ private:
   const Point_constraints* m_constraints;
   Eigen::VectorXd m_values, m_weights, m_exact; // g, w, 1 where a value is to be met
   Eigen::VectorXd m_guess, m_x, m_fluxes;       // lambda, 0 for values that pull
-  Eigen::VectorXd m_left;                       // what the next step solves for
+  Eigen::VectorXd m_step_load;                  // what the next step solves for
   double m_scale_of_load = 0, m_residual = 0, m_scale = 0, m_miss = 0;
 };
 

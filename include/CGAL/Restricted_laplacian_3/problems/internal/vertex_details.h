@@ -110,13 +110,20 @@ struct Vertex_details_report {
 using Incomplete_cholesky =
     Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
+/// A matrix scaled to a unit diagonal.
+struct Scaled_vertex_matrix {
+  Eigen::SparseMatrix<double> a;
+  Eigen::VectorXd scale; ///< 0 marks vertices without an equation
+  Incomplete_cholesky factor;
+};
+
 /// `K` channels at once, of which the last ones may not exist
-/// \param a the matrix, scaled to a unit diagonal by `scale`; 0 marks vertices without an equation
 template <int K>
-void solve_vertex_system(const Eigen::SparseMatrix<double>& a, const Incomplete_cholesky& factor,
-                         const Eigen::VectorXd& scale, const Eigen::MatrixXd& loads,
+void solve_vertex_system(const Scaled_vertex_matrix& matrix, const Eigen::MatrixXd& loads,
                          double tolerance, int maximum_iterations, Eigen::MatrixXd& x,
                          Vertex_details_report& report) {
+  const Eigen::SparseMatrix<double>& a = matrix.a;
+  const Eigen::VectorXd& scale = matrix.scale;
   const Eigen::Index n = x.rows(), count = x.cols();
   Block_vector<K> b = Block_vector<K>::Zero(n, K), y = Block_vector<K>::Zero(n, K);
   b.leftCols(count) = scale.asDiagonal() * loads;
@@ -125,14 +132,14 @@ void solve_vertex_system(const Eigen::SparseMatrix<double>& a, const Incomplete_
       y(i, k) = scale[i] > 0 && std::isfinite(x(i, k)) ? x(i, k) / scale[i] : 0;
   const auto multiply = [&](const Block_vector<K>& p, Block_vector<K>& q) { q.noalias() = a * p; };
   const auto precondition = [&](const Block_vector<K>& p, Block_vector<K>& q) {
-    q = factor.solve(p);
+    q = matrix.factor.solve(p);
   };
   const auto project = [](Block_vector<K>&) {};
   const Block_row<K> norm = dot<K>(b, b).sqrt(), target = tolerance * norm;
   Block_vector<K> r = b - a * y;
   int iterations = 0;
   Conjugate_gradient_record<K> record;
-  conjugate_gradient<K>(multiply, precondition, project, r, y, target, iterations,
+  conjugate_gradient<K>({multiply, precondition, project}, r, y, target, iterations,
                         maximum_iterations, record);
   report.iterations = (std::max)(report.iterations, iterations);
   r = b - a * y;
@@ -161,17 +168,20 @@ void solve_vertex_system(const Eigen::SparseMatrix<double>& a, const Incomplete_
 inline Vertex_details_report add_vertex_details(const Vertex_system& system, double tolerance,
                                                 int maximum_iterations, Eigen::MatrixXd& x) {
   const Eigen::Index n = x.rows();
-  Eigen::VectorXd scale(n);
+  Scaled_vertex_matrix matrix;
+  Eigen::VectorXd& scale = matrix.scale;
+  scale.resize(n);
   const Eigen::VectorXd diagonal = system.matrix.diagonal();
   for(Eigen::Index i = 0; i < n; ++i)
     scale[i] = diagonal[i] > 0 ? 1 / std::sqrt(diagonal[i]) : 0;
-  const Eigen::SparseMatrix<double> a = scale.asDiagonal() * system.matrix * scale.asDiagonal();
-  Eigen::SparseMatrix<double> regular = a; // with ones in the rows of vertices without a face
+  matrix.a = scale.asDiagonal() * system.matrix * scale.asDiagonal();
+  Eigen::SparseMatrix<double> regular =
+      matrix.a; // with ones in the rows of vertices without a face
   for(Eigen::Index i = 0; i < n; ++i)
     if(scale[i] == 0)
       regular.coeffRef(i, i) = 1;
-  const Incomplete_cholesky factor(regular);
-  if(factor.info() != Eigen::Success)
+  matrix.factor.compute(regular);
+  if(matrix.factor.info() != Eigen::Success)
     throw Numerical_error("the incomplete Cholesky factorization of the details failed");
   Vertex_details_report report;
   // as many channels at a time as share a pass over the matrix
@@ -181,8 +191,8 @@ inline Vertex_details_report add_vertex_details(const Vertex_system& system, dou
     Eigen::MatrixXd channels = x.middleCols(first, count);
     const Eigen::MatrixXd loads = system.loads.middleCols(first, count);
     const auto solve = [&](auto size) {
-      solve_vertex_system<decltype(size)::value>(a, factor, scale, loads, tolerance,
-                                                 maximum_iterations, channels, report);
+      solve_vertex_system<decltype(size)::value>(matrix, loads, tolerance, maximum_iterations,
+                                                 channels, report);
     };
     if(count == 1)
       solve(std::integral_constant<int, 1>());

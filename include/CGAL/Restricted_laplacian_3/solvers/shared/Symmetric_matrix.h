@@ -175,11 +175,13 @@ private:
         of_earlier[n] = values(n) + first;
         of_own[n] = values(n) + own;
       }
-      add_symmetric_column<K, N>(of_earlier.data(), inner + first,
-                                 static_cast<std::size_t>(own - first), x.data(), x_j.data(),
-                                 to_earlier.data(), part.first_row, sums);
-      add_symmetric_column<K, N>(of_own.data(), inner + own, static_cast<std::size_t>(end - own),
-                                 x.data(), x_j.data(), to.data(), 0, sums);
+      const Column_entries earlier = {of_earlier.data(), inner + first,
+                                      static_cast<std::size_t>(own - first)},
+                           later = {of_own.data(), inner + own,
+                                    static_cast<std::size_t>(end - own)};
+      add_symmetric_column<K, N>(earlier, x.data(), x_j.data(), to_earlier.data(), part.first_row,
+                                 sums);
+      add_symmetric_column<K, N>(later, x.data(), x_j.data(), to.data(), 0, sums);
       for(std::size_t n = 0; n < N; ++n)
         row<K>(*y[n], j) = Eigen::Map<const Block_row<K>>(sums + K * n);
     }

@@ -19,6 +19,14 @@ namespace internal {
 template <int K>
 using Block_operator = Function_view<void(const Block_vector<K>&, Block_vector<K>&)>;
 
+/// A system \f$A x = b\f$ and a preconditioner \f$B\f$.
+template <int K> struct Preconditioned_operator {
+  Block_operator<K> multiply;     ///< `multiply(p, q)`: \f$q = A p\f$
+  Block_operator<K> precondition; ///< `precondition(r, z)`: \f$z = B r\f$
+  /// `project(r)`: removes from a residual what is outside of the range of \f$A\f$
+  Function_view<void(Block_vector<K>&)> project;
+};
+
 /// scalar products of corresponding columns
 template <int K> Block_row<K> dot(const Block_vector<K>& x, const Block_vector<K>& y) {
   return x.cwiseProduct(y).colwise().sum().array();
@@ -86,11 +94,11 @@ public:
     if(m_numbers[k] < static_cast<int>(m_reductions[k].size()))
       return false;
     const double square = squared_error(k),
-                 left = m_energies[k] > 0 ? m_squares[k] / m_energies[k] - 1 : 0;
+                 misfit = m_energies[k] > 0 ? m_squares[k] / m_energies[k] - 1 : 0;
     const auto is_small = [square](double tolerance, double reference) {
       return tolerance > 0 && square <= tolerance * tolerance * reference;
     };
-    return is_small(m_tolerance, 1) || is_small(m_least_squares_tolerance, left);
+    return is_small(m_tolerance, 1) || is_small(m_least_squares_tolerance, misfit);
   }
 
   bool amplifies() const {
@@ -110,31 +118,28 @@ private:
 /// coefficients: the iterates of a column are those of a solve of its own. Columns that have
 /// converged stand still.
 ///
-/// \param multiply `multiply(p, q)`: \f$q = A p\f$
-/// \param precondition `precondition(r, z)`: \f$z = B r\f$, symmetric positive semi-definite
-/// \param project `project(r)`: removes from the residual what is outside of the range of \f$A\f$
+/// \param a with a preconditioner that is symmetric and positive semi-definite
 /// \param r the residual of the initial `x`, on return the recursively updated residual
 /// \param target norms of the residuals at which the columns have converged
 /// \param iterations counts on from its value up to `maximum_iterations`
 /// \param record is told each step; columns that have converged by it stand still, too
 template <int K>
-void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> precondition,
-                        Function_view<void(Block_vector<K>&)> project, Block_vector<K>& r,
-                        Block_vector<K>& x, const Block_row<K>& target, int& iterations,
-                        int maximum_iterations, Conjugate_gradient_record<K>& record) {
+void conjugate_gradient(const Preconditioned_operator<K>& a, Block_vector<K>& r, Block_vector<K>& x,
+                        const Block_row<K>& target, int& iterations, int maximum_iterations,
+                        Conjugate_gradient_record<K>& record) {
   Block_vector<K> z, p, q;
   // the product of the residual with the search direction is rho but for rounding, or a mean in it
   Block_row<K> rho = Block_row<K>::Zero(), slope = rho;
   for(bool first = true; iterations < maximum_iterations; ++iterations, first = false) {
     const Block_row<K> norm = dot<K>(r, r).sqrt();
     // written so that a NaN ends the iteration
-    std::array<bool, K> is_left;
+    std::array<bool, K> is_wanted;
     for(int k = 0; k < K; ++k)
-      is_left[k] = norm[k] > target[k] && !record.has_converged(k);
-    if(std::none_of(is_left.begin(), is_left.end(), [](bool is) { return is; }) ||
+      is_wanted[k] = norm[k] > target[k] && !record.has_converged(k);
+    if(std::none_of(is_wanted.begin(), is_wanted.end(), [](bool is) { return is; }) ||
        (record.ends_if_it_amplifies && record.amplifies()))
       return;
-    precondition(r, z);
+    a.precondition(r, z);
     const Block_row<K> next_rho = dot<K>(r, z);
     if(first)
       p = z;
@@ -145,7 +150,7 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
     }
     slope += next_rho;
     rho = next_rho;
-    multiply(p, q);
+    a.multiply(p, q);
     Block_row<K> curvature = dot<K>(p, q);
     // Where the cycle has left the range of numbers, the solution stays as it is.
     for(int k = 0; k < K; ++k)
@@ -156,13 +161,13 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
       }
     Block_row<K> alpha = safe_quotient<K>(rho, curvature);
     for(int k = 0; k < K; ++k)
-      if(!is_left[k])
+      if(!is_wanted[k])
         alpha[k] = 0;
     if((alpha == 0).all())
       return;
     x += p * alpha.matrix().asDiagonal();
     r -= q * alpha.matrix().asDiagonal();
-    project(r);
+    a.project(r);
     Block_row<K> reduction = alpha * slope;
     slope = record.wants_exact_reductions() ? dot<K>(r, p) : Block_row<K>(Block_row<K>::Zero());
     reduction += alpha * slope;
@@ -175,8 +180,7 @@ void conjugate_gradient(Block_operator<K> multiply, Block_operator<K> preconditi
 /// The iteration \f$ x \leftarrow x + B (b - A x) \f$; parameters as in `conjugate_gradient()`.
 /// Ends where a residual grows to a hundred times what it was at first.
 template <int K>
-void stationary_iteration(Block_operator<K> multiply, Block_operator<K> precondition,
-                          Function_view<void(Block_vector<K>&)> project, Block_vector<K>& r,
+void stationary_iteration(const Preconditioned_operator<K>& a, Block_vector<K>& r,
                           Block_vector<K>& x, const Block_row<K>& target, int& iterations,
                           int maximum_iterations) {
   constexpr double largest_growth = 100;
@@ -186,13 +190,13 @@ void stationary_iteration(Block_operator<K> multiply, Block_operator<K> precondi
     const Block_row<K> norm = dot<K>(r, r).sqrt();
     if(!(norm > target).any() || (norm > limit).any())
       return;
-    precondition(r, z);
-    multiply(z, q);
+    a.precondition(r, z);
+    a.multiply(z, q);
     if(!q.allFinite())
       return;
     x += z;
     r -= q;
-    project(r);
+    a.project(r);
   }
 }
 

@@ -17,6 +17,13 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
+/// Entries of a column of `N` matrices with the same pattern.
+struct Column_entries {
+  const double* const* values; ///< of each matrix
+  const int* rows;
+  std::size_t count;
+};
+
 namespace plain {
 
 template <class Number>
@@ -35,17 +42,16 @@ inline void add_combination(const double* q, const double* c, std::size_t rows, 
 }
 
 template <int K, int N>
-void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
-                          const double* x, const double* own, double* const* sums,
-                          std::size_t first_row, double* own_sums) {
-  for(std::size_t k = 0; k < count; ++k) {
-    const std::size_t row = static_cast<std::size_t>(rows[k]);
+void add_symmetric_column(const Column_entries& column, const double* x, const double* own,
+                          double* const* sums, std::size_t first_row, double* own_sums) {
+  for(std::size_t k = 0; k < column.count; ++k) {
+    const std::size_t row = static_cast<std::size_t>(column.rows[k]);
     const double* const from = x + K * row;
     for(int n = 0; n < N; ++n) {
       double* const to = sums[n] + K * (row - first_row);
       for(int c = 0; c < K; ++c) {
-        own_sums[K * n + c] += values[n][k] * from[c];
-        to[c] += values[n][k] * own[c];
+        own_sums[K * n + c] += column.values[n][k] * from[c];
+        to[c] += column.values[n][k] * own[c];
       }
     }
   }
@@ -120,9 +126,8 @@ add_combination(const double* q, const double* c, std::size_t rows, double* sum)
 
 template <int K, int N>
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void
-add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
-                     const double* x, const double* own, double* const* sums, std::size_t first_row,
-                     double* own_sums) {
+add_symmetric_column(const Column_entries& column, const double* x, const double* own,
+                     double* const* sums, std::size_t first_row, double* own_sums) {
   static_assert(K == 8);
   const Lanes low = load(own), high = load(own + 4);
   Lanes low_sum[N], high_sum[N];
@@ -130,11 +135,11 @@ add_symmetric_column(const double* const* values, const int* rows, std::size_t c
     low_sum[n] = load(own_sums + 8 * n);
     high_sum[n] = load(own_sums + 8 * n + 4);
   }
-  for(std::size_t k = 0; k < count; ++k) {
-    const std::size_t row = static_cast<std::size_t>(rows[k]);
+  for(std::size_t k = 0; k < column.count; ++k) {
+    const std::size_t row = static_cast<std::size_t>(column.rows[k]);
     const Lanes from_low = load(x + 8 * row), from_high = load(x + 8 * row + 4);
     for(int n = 0; n < N; ++n) {
-      const double value = values[n][k];
+      const double value = column.values[n][k];
       double* const to = sums[n] + 8 * (row - first_row);
       low_sum[n] += value * from_low;
       high_sum[n] += value * from_high;
@@ -209,19 +214,18 @@ add_combination(const double* q, const double* c, std::size_t rows, double* sum)
 
 template <int K, int N>
 CGAL_RESTRICTED_LAPLACIAN_3_WIDE_LANES_FUNCTION void
-add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
-                     const double* x, const double* own, double* const* sums, std::size_t first_row,
-                     double* own_sums) {
+add_symmetric_column(const Column_entries& column, const double* x, const double* own,
+                     double* const* sums, std::size_t first_row, double* own_sums) {
   static_assert(K == 8);
   Wide_lanes x_own, from, to, own_sum[N];
   load(own, x_own);
   for(int n = 0; n < N; ++n)
     load(own_sums + 8 * n, own_sum[n]);
-  for(std::size_t k = 0; k < count; ++k) {
-    const std::size_t row = static_cast<std::size_t>(rows[k]);
+  for(std::size_t k = 0; k < column.count; ++k) {
+    const std::size_t row = static_cast<std::size_t>(column.rows[k]);
     load(x + 8 * row, from);
     for(int n = 0; n < N; ++n) {
-      const double value = values[n][k];
+      const double value = column.values[n][k];
       double* const place = sums[n] + 8 * (row - first_row);
       own_sum[n] += value * from;
       load(place, to);
@@ -254,14 +258,13 @@ inline void add_combination(const double* q, const double* c, std::size_t rows, 
 /// with `K` vectors `x`: those of the column, times the row `own` of `x`, to `sums`, which begin
 /// with row `first_row`, and those of the row to `own_sums`, `K` numbers for each matrix.
 template <int K, int N>
-void add_symmetric_column(const double* const* values, const int* rows, std::size_t count,
-                          const double* x, const double* own, double* const* sums,
-                          std::size_t first_row, double* own_sums) {
+void add_symmetric_column(const Column_entries& column, const double* x, const double* own,
+                          double* const* sums, std::size_t first_row, double* own_sums) {
   if constexpr(K == 8) {
     CGAL_RESTRICTED_LAPLACIAN_3_WIDEST(
-        add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums));
+        add_symmetric_column<K, N>(column, x, own, sums, first_row, own_sums));
   } else
-    plain::add_symmetric_column<K, N>(values, rows, count, x, own, sums, first_row, own_sums);
+    plain::add_symmetric_column<K, N>(column, x, own, sums, first_row, own_sums);
 }
 
 } // namespace internal

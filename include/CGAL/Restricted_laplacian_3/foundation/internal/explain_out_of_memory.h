@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_NAME_STEP_H
-#define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_NAME_STEP_H
+#ifndef CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_EXPLAIN_OUT_OF_MEMORY_H
+#define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_EXPLAIN_OUT_OF_MEMORY_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 
@@ -16,7 +16,7 @@ namespace internal {
 /// \param message a literal
 /// \return what `step` returns
 /// \throws Out_of_memory with the message, in place of a `std::bad_alloc` that names no step
-template <class Step> decltype(auto) name_step(const char* message, Step&& step) {
+template <class Step> decltype(auto) explain_out_of_memory(const char* message, Step&& step) {
   try {
     return step();
   } catch(const Out_of_memory&) {
@@ -30,4 +30,4 @@ template <class Step> decltype(auto) name_step(const char* message, Step&& step)
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 
-#endif // CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_NAME_STEP_H
+#endif // CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_EXPLAIN_OUT_OF_MEMORY_H

@@ -13,7 +13,7 @@ import { statSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { bundle, folder, launch, open, run } from '../../viewer/tests/pages.js';
+import { bundle, folder, launch, open, run } from '../../../viewer/tests/pages.js';
 
 if (process.argv.length !== 3) {
   console.error('usage: node viewer_pages.js MESH_DIR');

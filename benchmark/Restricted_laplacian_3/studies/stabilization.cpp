@@ -10,8 +10,8 @@
 // residual of 1e-8 on meshes (files, or names in the folder of shared meshes), for the coordinate x
 // as right-hand side. Times are not measured. Raw output is in results/.
 
-#include "sphere.h"
 #include "support/package.h"
+#include "support/sphere.h"
 
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 

@@ -27,12 +27,12 @@
 // With --curvature: mean curvature of an irregular torus, the median and the 95th percentile of the
 // relative error at its vertices, in percent.
 
-#include "sphere.h"
 #include "support/curved_shapes.h"
 #include "support/held_out.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/simplify.h"
+#include "support/sphere.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>

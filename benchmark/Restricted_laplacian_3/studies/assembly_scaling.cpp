@@ -15,9 +15,9 @@
 //
 // usage: assembly_scaling [MESH]
 
-#include "sphere.h"
 #include "support/measure.h"
 #include "support/meshes.h"
+#include "support/sphere.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>

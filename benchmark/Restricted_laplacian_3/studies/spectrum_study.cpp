@@ -20,11 +20,11 @@
 // usage: spectrum_study [--output FOLDER] [PART|MESH]...
 // A MESH, a file or a name, is studied as a series.
 
-#include "sphere.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/simplify.h"
 #include "support/spectra.h"
+#include "support/sphere.h"
 
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 

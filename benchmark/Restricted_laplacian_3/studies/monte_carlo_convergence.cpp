@@ -18,10 +18,10 @@
 // usage: monte_carlo_convergence [matrices|eigenvalues|areas|points|scans]...
 // without an argument all of them
 
-#include "sphere.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
+#include "support/sphere.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Disjoint_sets.h>
 #include <CGAL/Restricted_laplacian_3/input/point_areas.h>
