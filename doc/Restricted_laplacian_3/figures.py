@@ -58,10 +58,6 @@ def least_rows(shape, problem, is_on_one_mesh):
             if re.match(f"{shape}, {problem}, least seconds" + (" on " if is_on_one_mesh else "$"), r.headings[-2])]
 
 
-def faces_of_one_mesh(shape):
-    return int(re.search(r" on (\d+) faces", least_rows(shape, "poisson", True)[0].headings[-2])[1])
-
-
 def least_seconds(problem, methods, is_on_one_mesh):
     names = [METHODS[m] for m in methods]
     if "restricted_v" not in methods:
@@ -386,10 +382,6 @@ def of_two(r):
 
 for name, names, text in [
         ("loads", {"work": "work of a cycle", "unkns": "unknowns", "fragm": "parts of triangles"}, "{:.3f}".format),
-        ("unknowns", {"unknowns": "unknowns, finest level", "ghosts": "ghosts, all levels",
-                      "most_gh.": "ghosts, the rank that has most"}, whole),
-        ("messages", {"messages": "mean", "most_me.": "the rank that sends most"}, whole),
-        ("kilobytes", {"kB": "mean", "most_kB": "the rank that sends most"}, whole),
         ("time", {"cycle_ms": "a cycle", "held_ms": "of it, levels that all ranks hold"}, whole),
         ("efficiency", {"effic": "time of one rank, divided, over time"}, "{:.2f}".format)]:
     add_table("partition_" + name, lambda names=names: lines_of_rows(partitions(), names), (), {"": "what"}, by_ranks,
@@ -397,10 +389,6 @@ for name, names, text in [
 add_table("distributed_model", lambda: [r for r in with_model("cycle_ms", "cycle_ms", ("model", "measured"))
                                         if r["ranks"] <= 2],
           (), {"Surface": surface_of, "": "what"}, by_ranks, "value", whole, 2)
-for name, column in [("messages", "messages"), ("kilobytes", "kB")]:
-    add_table("distributed_" + name,
-              lambda c=column: [r for r in with_model(c, c, ("counted", "sent")) if r["ranks"] > 1],
-              (), {"Surface": surface_of, "": "what"}, by_ranks, "value", whole, 2)
 add_table("distributed_seconds", steps_on_ranks, (), {"Surface": surface_of, "Step": "what"}, process, "value", short,
           2)
 # where one problem is solved: memory is the largest up to then
@@ -410,25 +398,16 @@ add_table("distributed_memory", lambda: [r for r in steps_on_ranks() if r["what"
 add_table("distributed_iterations", lambda: {(surface_of(r), r["ranks"]): r for r in of_patches()
                                              if r["tolerance"] == 1e-8}.values(),
           (), {"Surface": surface_of}, by_ranks, "iter", str)
-for name, value, text in [("seconds", if_converged("solve_s"), short), ("iterations", if_converged("iter"), whole),
-                          ("setup", "setup_s", short)]:
-    add_table("preconditioners_" + name, "distributed_comparison", DISTRIBUTED,
-              {"Surface": surface_of, "Residual": power_of("tolerance"), "": by_ranks}, of(PRECONDITIONERS), value,
-              text, 3, list(PRECONDITIONERS.values()), has_peers)
-add_table("preconditioners_messages", "distributed_comparison", DISTRIBUTED, {"Surface": surface_of, "": by_ranks},
-          of(PRECONDITIONERS), "messages", whole, 2, list(PRECONDITIONERS.values()),
-          lambda r: has_peers(r) and r["tolerance"] == 1e-8)
+add_table("preconditioners_seconds", "distributed_comparison", DISTRIBUTED,
+          {"Surface": surface_of, "Residual": power_of("tolerance"), "": by_ranks}, of(PRECONDITIONERS),
+          if_converged("solve_s"), short, 3, list(PRECONDITIONERS.values()), has_peers)
 for name, value, text, where in [
-        ("seconds", if_found("solve_s"), short, of_two), ("error", if_found("error"), error, of_two),
+        ("seconds", if_found("solve_s"), short, of_two),
         # of one tolerance: memory is the largest up to then
         ("memory", "mib", whole, lambda r: of_two(r) and "--tolerance" not in r.command)]:
     add_table("distributed_pairs_" + name, "distributed_eigensolvers", SLEPC,
               {"Unknowns": "unknowns", "Pairs": "pairs", "Residual": power_of("tolerance")}, of(EIGENSOLVERS), value,
               text, 0, [e for e in EIGENSOLVERS.values() if name != "memory" or e != "Davidson"], where)
-add_table("distributed_pairs_ranks", "distributed_eigensolvers", SLEPC,
-          {"Unknowns": "unknowns", "Pairs": "pairs", "Residual": power_of("tolerance")}, by_ranks, if_found("solve_s"),
-          short, 0, ["1 rank", "2 ranks", "4 ranks"], lambda r: r["method"] == "lobpcg" and r["pairs"] == 20,
-          command="--depth 7")
 
 
 # ---- compilation, Python
@@ -474,7 +453,6 @@ DISTANCES = {
     "heat_idt": "heat, intrinsic Delaunay",
     "cgal_exact": "CGAL, exact",
 }
-MESH_OF_DISTANCES = {"Mesh": lambda r: f"`{r['mesh']}`", "Vertices": lambda r: whole(r["n"])}
 OF_DISTANCES = ["bimba_5k", "cat_16k", "bimba_46k", "sword_45k", "bunny_closed_70k", "fandisk_32k", "turbine_18k",
                 "pulley_28k", "cessna_soup_14k", "itokawa_197k"]
 for name, value, text in [("mean", "mean", percent), ("query", "query_s", short)]:
