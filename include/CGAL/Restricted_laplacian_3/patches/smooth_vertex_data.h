@@ -46,7 +46,6 @@ inline std::array<double, 7> cubic_weights(const std::array<double, 3>& barycent
 
 } // namespace internal
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` that interpolates values at the vertices smoothly: by a
 /// cubic polynomial in the barycentric coordinates of each triangle, continuous over the edges. For
@@ -139,7 +138,6 @@ private:
   std::vector<T> m_values;
   std::vector<T> m_deviations; // seven of each face, or none
 };
-/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

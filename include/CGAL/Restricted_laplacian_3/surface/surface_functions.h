@@ -79,7 +79,6 @@ template <class Function> Function_of_degree<Function> function_of_degree(Functi
   return Function_of_degree<Function>(std::move(f), degree);
 }
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Functions
 /// A function object on `Surface_point` that interpolates values at the vertices linearly in each
 /// triangle. `T` is `double` or a vector type.
@@ -104,9 +103,7 @@ public:
 private:
   std::vector<T> m_values;
 };
-/// \endcond
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Gradients
 /// A function or vector field that is constant on each triangle, as a function object on
 /// `Surface_point`. Integrals of it are exact up to rounding, and take fewer nodes than others.
@@ -132,9 +129,7 @@ public:
 private:
   std::vector<T> m_values;
 };
-/// \endcond
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Gradients
 /// A vector field that is linear in each triangle, and may jump from one to the next, as a function
 /// object on `Surface_point`: it is given by its values at the corners of the triangles.
@@ -164,7 +159,6 @@ public:
 private:
   std::vector<T> m_values;
 };
-/// \endcond
 
 namespace internal {
 
