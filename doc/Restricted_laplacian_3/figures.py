@@ -514,6 +514,15 @@ for name, value in [("time_to_line", "time/line"), ("busy", "busy")]:
                                                          list(SHAPE_APPLICATIONS.values()), short)
 
 
+def table_mesh_spectra():
+    found = rows("shape_study_meshes", "spectra", "runs", "wrong")
+    return table(["Meshes", "Runs", "Wrong"],
+                 [[whole(len(found)), whole(sum(r["runs"] for r in found)), whole(sum(r["wrong"] for r in found))]], 0)
+
+
+TABLES["mesh_spectra"] = table_mesh_spectra
+
+
 # ---- thin features and tessellations
 
 
