@@ -116,23 +116,22 @@ Gradient_report integrate_gradients_on_surface(const Surface& surface, const Fie
 /// part of
 /// \f$\nabla u - v\f$ along the conormal is 0.
 ///
-/// *Means.* Gradients do not determine constants. Without a weight \f$\alpha\f$, the mean of \f$u\f$ on
-/// each connected component of the surface is that of the target \f$g\f$, if there is one, and
-/// `mean` else. With a weight, the weighted mean of \f$u\f$ on a component is that of
+/// *Means.* Gradients do not determine constants. Without a weight \f$\alpha\f$, the mean of
+/// \f$u\f$ on each connected component of the surface is that of the target \f$g\f$, if there is
+/// one, and `mean` else. With a weight, the weighted mean of \f$u\f$ on a component is that of
 /// \f$g\f$, which is imposed separately from the solution of the system, however small the weight
-/// is. On components where the weight vanishes everywhere, the mean is `mean`, if it is
-/// given, and else the weighted mean of the targets of all other components. (Components are those
-/// of the splines: not split, if `split` is `false`, where two come within three cells of
-/// each other.)
+/// is. On components where the weight vanishes everywhere, the mean is `mean`, if it is given, and
+/// else the weighted mean of the targets of all other components. (Components are those of the
+/// splines: not split, if `split` is `false`, where two come within three cells of each other.)
 ///
-/// *Details.* Splines do not resolve what is smaller than a cell. With `details`, their
-/// values at the vertices are the first guess for the same problem with the functions that are
-/// linear in each triangle, whose matrix \f$S\f$ is that of cotangents. What they leave is of short
-/// waves, so a few steps of conjugate gradients with an incomplete Cholesky factor suffice. The
-/// splines, with their multigrid, are then the auxiliary space of a solver for the cotangent
-/// system. See J. Xu, *The auxiliary space method and optimal multigrid preconditioning techniques
-/// for unstructured grids*, Computing 56 (1996). The result depends on the triangulation, as that of
-/// the cotangent Laplacian does.
+/// *Details.* Splines do not resolve what is smaller than a cell. With `details`, their values at
+/// the vertices are the first guess for the same problem with the functions that are linear in each
+/// triangle, whose matrix \f$S\f$ is that of cotangents. What they leave is of short waves, so a
+/// few steps of conjugate gradients with an incomplete Cholesky factor suffice. The splines, with
+/// their multigrid, are then the auxiliary space of a solver for the cotangent system. See J. Xu,
+/// *The auxiliary space method and optimal multigrid preconditioning techniques for unstructured
+/// grids*, Computing 56 (1996). The result depends on the triangulation, as that of the cotangent
+/// Laplacian does.
 ///
 /// \tparam Surface a model of `RestrictedSurface_3`
 /// \param surface a mesh, a `soup()`, oriented points, or a `Spline_space_3`
