@@ -187,4 +187,11 @@ TEST_CASE("polygons_with_many_corners_are_divided_without_overlap", "[polygons]"
     twice.emplace_back((1 + 0.1 * (i % 2)) * std::cos(4 * CGAL_PI * i / 101),
                        std::sin(4 * CGAL_PI * i / 101), 0);
   CHECK(divided(twice).size() == 99);
+  // and one whose corners are anywhere, everywhere: in no time all the same
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(0, 1);
+  Points anywhere;
+  for(int i = 0; i < 50000; ++i)
+    anywhere.emplace_back(number(random), number(random), 0);
+  CHECK(divided(anywhere).size() == 49998);
 }

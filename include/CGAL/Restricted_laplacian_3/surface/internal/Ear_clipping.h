@@ -20,10 +20,10 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// The division of a polygon in the plane, counterclockwise, by cutting off one corner after the
-/// other in whose triangle no other corner lies. A grid finds the corners near a triangle: O(n)
-/// time for n corners if each turn around the polygon cuts off a part of the corners, and O(n^2) if
-/// it always cuts off a few. Where a polygon meets itself there may be no such corner; another is
-/// cut off, so that the number of triangles is right in any case.
+/// other in whose triangle no other corner lies. A grid finds the corners near a triangle. Whoever
+/// was cut off, the corner before it is tried next, so that a few turns around the polygon do: O(n)
+/// time for n corners, times the number of those near a triangle. In the end a polygon that meets
+/// itself has no such corner left; then any is cut off, so that the number of triangles is right.
 class Ear_clipping {
 public:
   using Place = std::array<double, 2>;
@@ -49,25 +49,21 @@ public:
     while(left_over > 2) {
       if(is_ear(corner, least)) {
         result.push_back({m_before[corner], corner, m_after[corner]});
-        corner = cut_off(corner);
-        last_met = corner;
-        least = Ear::plain;
+        corner = last_met = cut_off(corner);
         --left_over;
       } else {
         corner = m_after[corner];
-        if(corner == last_met)
-          least = least == Ear::plain      ? Ear::straight
-                  : least == Ear::straight ? Ear::crossed
-                                           : Ear::any;
+        if(corner == last_met) // a whole turn
+          least = least == Ear::plain ? Ear::straight : Ear::any;
       }
     }
     return result;
   }
 
 private:
-  /// what is cut off, the next where the one before is found nowhere: a corner whose triangle is
-  /// empty, has no area, turns to the left, or is a triangle
-  enum class Ear { plain, straight, crossed, any };
+  /// what is cut off, each the next where the one before is found nowhere any more: a corner that
+  /// turns left and whose triangle is empty; one whose triangle has no area, too; any
+  enum class Ear { plain, straight, any };
 
   double turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     const Place &a = m_places[i], &b = m_places[j], &c = m_places[k];
@@ -75,13 +71,11 @@ private:
   }
 
   bool is_ear(std::uint32_t corner, Ear least) const {
+    if(least == Ear::any)
+      return true;
     const double area = turn(m_before[corner], corner, m_after[corner]);
-    switch(least) {
-    case Ear::plain: return area > 0 && is_empty(m_before[corner], corner, m_after[corner]);
-    case Ear::straight: return area == 0;
-    case Ear::crossed: return area > 0;
-    default: return true;
-    }
+    return area > 0 ? is_empty(m_before[corner], corner, m_after[corner])
+                    : area == 0 && least == Ear::straight;
   }
 
   /// whether no corner at which the polygon is not convex lies in a triangle or on its sides
@@ -102,13 +96,13 @@ private:
     return true;
   }
 
-  /// \return the corner with which to go on: not the next one, so that no fan arises
+  /// \return the corner with which to go on: that before, for which it may have been in the way
   std::uint32_t cut_off(std::uint32_t corner) {
     const std::uint32_t before = m_before[corner], after = m_after[corner];
     m_after[before] = after;
     m_before[after] = before;
     m_after[corner] = corner;
-    return m_after[after];
+    return before;
   }
 
   std::array<std::size_t, 2> cell_of(const Place& p) const {
