@@ -28,7 +28,6 @@ std::vector<Face_side> boundary_sides(const Spline_space_3& space);
 
 } // namespace internal
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Integrals over the boundary of a surface, or over a part \f$\Gamma\f$ of it.
 ///
@@ -106,7 +105,6 @@ private:
   std::vector<Node> m_nodes;
   double m_length = 0;
 };
-/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

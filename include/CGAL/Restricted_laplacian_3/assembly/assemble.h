@@ -156,7 +156,6 @@ Sparse_matrix assemble_mass_matrix(const Spline_space_3& space, std::optional<in
 Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_function_view& f,
                               std::optional<int> level = {});
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all components of a function in one pass over the surface: \f$ \gamma_{ik} =
 /// \int_{\mathcal M} f_k\, b_i \f$ (paper, section 5.3), a row for each element of `level`, a
@@ -169,7 +168,6 @@ Eigen::VectorXd assemble_load(const Spline_space_3& space, const Surface_functio
 Eigen::MatrixXd assemble_component_loads(const Spline_space_3& space,
                                          const Surface_function_view& f,
                                          std::optional<int> level = {});
-/// \endcond
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The loads of all channels of a vector field in one pass over the surface: \f$ \gamma_{ik} =

@@ -18,7 +18,6 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Options
 /// The named parameters of `estimate_operators()` and `estimate_eigenvalues()`.
 struct Monte_carlo_options {
@@ -43,9 +42,7 @@ struct Monte_carlo_options {
     internal::read_parameter(np, internal_np::sampling, sampling);
   }
 };
-/// \endcond
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Matrices from samples, and the standard error of each of their entries.
 struct Estimated_operators {
@@ -54,9 +51,7 @@ struct Estimated_operators {
   /// standard errors of the entries, in matrices of the same pattern
   Operators standard_errors;
 };
-/// \endcond
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Eigenvalues from samples, and their standard errors.
 struct Estimated_eigenvalues {
@@ -65,9 +60,7 @@ struct Estimated_eigenvalues {
   /// one for each value
   Eigen::VectorXd standard_errors;
 };
-/// \endcond
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Stiffness and mass matrix of one level by the sum over random samples (paper, section 4.3), and
 /// how far each entry is from the integral.
@@ -93,9 +86,7 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
                                        const Monte_carlo_options& options = {},
                                        double stabilization = 0,
                                        Stabilized stabilized = Stabilized::stiffness_and_mass);
-/// \endcond
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// The smallest eigenvalues of \f$S x = \lambda M x\f$ on the finest level by random samples,
 /// and how far each is from that of the integrals.
@@ -127,7 +118,6 @@ Estimated_operators estimate_operators(const Spline_space_3& space, int level,
 Estimated_eigenvalues estimate_eigenvalues(const Spline_space_3& space, int count,
                                            const Monte_carlo_options& options = {},
                                            double stabilization = 0);
-/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

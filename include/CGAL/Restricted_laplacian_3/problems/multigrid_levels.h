@@ -11,7 +11,6 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// The patches of a level on which `Patch_smoother` works: one for each sheet of the next coarser
 /// level, with all elements that act on one of its children. On a smooth surface these are about 50
@@ -24,7 +23,6 @@ namespace Restricted_laplacian_3 {
 /// \param space the space whose elements are grouped
 /// \param level not 0
 Smoothing_patches smoothing_patches(const Spline_space_3& space, int level);
-/// \endcond
 
 /// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers

@@ -24,7 +24,6 @@ inline double default_stabilization(const Spline_space_3& space) {
   return space.is_paper_space() ? 0 : 1e-3;
 }
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// For `laplace_spectrum()`, of the stiffness matrix alone: 1e-5, and 0 in the space of the paper.
 /// With it `multigrid_eigenpairs()` needs few iterations on any surface, while eigenvalues change
@@ -32,7 +31,6 @@ inline double default_stabilization(const Spline_space_3& space) {
 inline double default_spectrum_stabilization(const Spline_space_3& space) {
   return space.is_paper_space() ? 0 : 1e-5;
 }
-/// \endcond
 
 namespace internal {
 

@@ -18,7 +18,6 @@ namespace Restricted_laplacian_3 {
 /// shape of a multigrid cycle: how often the next coarser level is visited
 enum class Cycle { V = 1, W = 2 };
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers
 /// Sets of unknowns of one level that are relaxed together, in the order in which this is done.
 ///
@@ -42,7 +41,6 @@ struct Smoothing_patches {
   /// same color, nor belongs to one.
   std::vector<std::uint64_t> neighborhoods;
 };
-/// \endcond
 
 /// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Solvers

@@ -15,7 +15,6 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Descriptors
 /// An eigenvalue of a sequence counts as 0 if it is at most this fraction of the largest one.
 ///
@@ -23,7 +22,6 @@ namespace Restricted_laplacian_3 {
 /// tolerance of the eigensolver, \f$10^{-10}\f$. Eigenvalues that are not 0 grow linearly (Weyl's
 /// law); the first is smaller than its share only where parts of the surface are nearly separate.
 constexpr double zero_eigenvalue_tolerance = 1e-8;
-/// \endcond
 
 namespace internal {
 

@@ -61,7 +61,6 @@ struct Back_projection_options {
   }
 };
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The colors of a scan on a surface: of the vertices that it covers, in ascending order.
 struct Back_projection {
@@ -81,9 +80,7 @@ struct Back_projection {
   /// the number of vertices that face the viewpoint, near the scan or not
   std::size_t number_of_facing_vertices = 0;
 };
-/// \endcond
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// Takes colors of scans to the vertices of a surface (paper, section 5.2). A scan *covers* a
 /// vertex of the surface if
@@ -142,9 +139,7 @@ private:
   std::vector<Vector_3> m_normals;
   double m_spacing;
 };
-/// \endcond
 
-/// \cond SKIP_IN_MANUAL
 /// \ingroup PkgRestrictedLaplacian3Colors
 /// The colors of one scan on a surface, see `Color_back_projector`.
 /// \param surface a surface of triangles
@@ -158,7 +153,6 @@ private:
 /// \throws Parameter_error a parameter is outside its domain
 Back_projection back_project_colors(const Triangulated_surface_3& surface, const Colored_scan& scan,
                                     const Back_projection_options& options = {});
-/// \endcond
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
