@@ -206,7 +206,7 @@ public:
       options.cycle = RL::Cycle::W;
     }
     return m_coarse.seconds + seconds_of([&] {
-             coarse.push_back(std::move(a));
+             coarse.emplace_back().swap(a);
              m_solver.emplace(RL::internal::multigrid_solver(
                  m_space, {std::move(coarse), m_integrals, m_screening * m_integrals}, options));
            });

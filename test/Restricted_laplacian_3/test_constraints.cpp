@@ -79,6 +79,9 @@ TEST_CASE("boundary_values_are_met_with_order_three", "[constraints]") {
     const RL::Poisson_solver solver(space, a, operators.mass * Eigen::VectorXd::Ones(a.cols()), 0,
                                     params::tolerance(1e-8));
     CHECK(solver.kernel_dimension() == 0);
+    CHECK(a.nonZeros() == operators.stiffness.nonZeros()); // of which the solver has a copy
+    static_cast<void>(RL::Poisson_solver(space, std::move(a), solver.upper_half().diagonal()));
+    CHECK(a.size() == 0);
     Eigen::VectorXd eta;
     CHECK(solver.solve(boundary.load(g) - RL::assemble_load(space, f), eta).converged);
     boundary_errors.push_back(boundary.root_mean_square_error(eta, g));

@@ -349,6 +349,21 @@ TEST_CASE("matrices_that_are_not_compressed_give_the_same", "[multigrid]") {
   CHECK(solution == same_solution);
 }
 
+TEST_CASE("matrices_are_taken_over_and_not_copied", "[multigrid]") {
+  const Sparse_matrix a = path_matrix(size_of_finest, 0.01);
+  const Eigen::VectorXd integrals = Eigen::VectorXd::Ones(size_of_finest);
+  const auto is_left_empty = [&](auto&& last_argument) {
+    Sparse_matrix taken = a;
+    const RL::Multigrid_solver solver(std::move(taken), path_levels(), integrals, last_argument);
+    return taken.size() == 0;
+  };
+  CHECK(is_left_empty(0.01));
+  CHECK(is_left_empty(Eigen::VectorXd(0.01 * integrals)));
+  const Sparse_matrix kept = a;
+  static_cast<void>(RL::Multigrid_solver(kept, path_levels(), integrals));
+  CHECK(kept.nonZeros() == a.nonZeros());
+}
+
 TEST_CASE("products_with_too_many_entries_are_refused", "[multigrid]") {
   std::vector<int> counts = {3, 0, 4};
   CHECK(RL::internal::sum_counts(counts.data(), 3, "a", "product") == 7);

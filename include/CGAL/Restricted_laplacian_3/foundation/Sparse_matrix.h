@@ -11,7 +11,8 @@ namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Operators
 /// Type of all sparse matrices. Those of operators are symmetric and stored in full, so their
-/// columns are their rows.
+/// columns are their rows. Such a matrix is moved by `swap()`: `std::move()` copies it, as those of
+/// Eigen 3.4 have no move constructor.
 using Sparse_matrix = Eigen::SparseMatrix<double>;
 
 } // namespace Restricted_laplacian_3

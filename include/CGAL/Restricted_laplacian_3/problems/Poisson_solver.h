@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -137,7 +138,7 @@ public:
   /// For \f$A \eta = b\f$, where \f$A\f$ is the stiffness matrix with other matrices of its pattern
   /// added, such as those of `Dirichlet_boundary` and `Point_constraints`.
   /// \param space the space
-  /// \param a \f$A\f$
+  /// \param a \f$A\f$, which is taken over and left empty
   /// \param element_integrals \f$\int b_i\f$
   /// \param alpha number \f$\alpha\f$ for which \f$A\f$ contains \f$\alpha M\f$, in units of 1 /
   /// area
@@ -147,9 +148,15 @@ public:
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
   /// \throws Parameter_error if a parameter is outside its domain
-  Poisson_solver(const Spline_space_3& space, Sparse_matrix a,
+  Poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                  const Eigen::VectorXd& element_integrals, double alpha = 0,
                  const Poisson_solver_options& options = {});
+
+  /// The same with a copy of `a`.
+  Poisson_solver(const Spline_space_3& space, const Sparse_matrix& a,
+                 const Eigen::VectorXd& element_integrals, double alpha = 0,
+                 const Poisson_solver_options& options = {})
+    : Poisson_solver(space, Sparse_matrix(a), element_integrals, alpha, options) {}
 
   /// \cond
   // Parameter_error if the reaction or the stabilization is outside its domain

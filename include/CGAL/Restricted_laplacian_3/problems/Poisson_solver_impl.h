@@ -102,12 +102,13 @@ multigrid_solver(const Spline_space_3& space, const Operators* operators, std::s
      (space.is_paper_space() || levels != space.depth() - coarsest_multigrid_level(space) + 1))
     throw Parameter_error("operators", "are not those of the levels of a hierarchy");
   System_matrices system;
+  system.matrices.reserve(number);
   for(int i = 0; i < levels; ++i) {
     const auto n = static_cast<Eigen::Index>(space.dimension(space.depth() - levels + 1 + i));
     for(const Sparse_matrix* matrix : {&operators[i].stiffness, &operators[i].mass})
       if(matrix->rows() != n || matrix->cols() != n)
         throw Parameter_error("operators", "do not fit the dimension of the space");
-    system.matrices.push_back(shifted_stiffness(operators[i], alpha));
+    shifted_stiffness(operators[i], alpha).swap(system.matrices.emplace_back());
   }
   const Sparse_matrix& mass = operators[number - 1].mass;
   system.integrals = space.is_paper_space()
@@ -121,7 +122,7 @@ inline System_matrices system_of_matrix(Sparse_matrix&& a, const Eigen::VectorXd
                                         double alpha) {
   check_alpha(alpha);
   System_matrices system;
-  system.matrices.push_back(std::move(a));
+  system.matrices.emplace_back().swap(a);
   system.integrals = integrals;
   system.constant_loads = alpha * integrals;
   return system;
@@ -130,7 +131,7 @@ inline System_matrices system_of_matrix(Sparse_matrix&& a, const Eigen::VectorXd
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Poisson_solver::Poisson_solver(const Spline_space_3& space, Sparse_matrix a,
+Poisson_solver::Poisson_solver(const Spline_space_3& space, Sparse_matrix&& a,
                                const Eigen::VectorXd& element_integrals, double alpha,
                                const Poisson_solver_options& options)
   : Multigrid_solver(internal::multigrid_solver(

@@ -137,7 +137,8 @@ public:
   /// of the residual, relative to the right-hand side
   static constexpr double default_tolerance = Options::default_tolerance;
 
-  /// \param a the matrix; what is below its diagonal is not read, and need not be stored
+  /// \param a the matrix, which is taken over and left empty; what is below its diagonal is not
+  /// read, and need not be stored
   /// \param levels what else the hierarchy is made of, see `multigrid_levels()`; without patches,
   /// the smoother is point Gauss-Seidel
   /// \param element_integrals \f$\int b_i\f$ for each unknown
@@ -150,12 +151,18 @@ public:
   /// \throws Parameter_error if sizes do not fit, if an option is outside its domain, if an entry
   /// of the matrix is not finite, or a diagonal entry negative beyond rounding
   /// \throws Numerical_error if the coarsest level cannot be solved
-  Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
+  Multigrid_solver(Sparse_matrix&& a, Multigrid_levels levels,
                    const Eigen::VectorXd& element_integrals, double alpha = 0,
                    const Options& options = Options());
 
+  /// The same with a copy of `a`.
+  Multigrid_solver(const Sparse_matrix& a, Multigrid_levels levels,
+                   const Eigen::VectorXd& element_integrals, double alpha = 0,
+                   const Options& options = Options())
+    : Multigrid_solver(Sparse_matrix(a), std::move(levels), element_integrals, alpha, options) {}
+
   /// With a screening weight that varies over the surface.
-  /// \param a the matrix, as above
+  /// \param a the matrix, as above; one that is still needed is copied by `Sparse_matrix(a)`
   /// \param levels what else the hierarchy is made of
   /// \param element_integrals \f$\int b_i\f$ for each unknown
   /// \param constant_loads \f$w_i = \int \alpha\, b_i\f$ for each unknown, not negative: what `a`
@@ -165,7 +172,7 @@ public:
   ///   \named_of_solver{`1e-3`}
   ///   \named_concurrency_tag
   /// \cgalNamedParamsEnd
-  Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
+  Multigrid_solver(Sparse_matrix&& a, Multigrid_levels levels,
                    const Eigen::VectorXd& element_integrals, const Eigen::VectorXd& constant_loads,
                    const Options& options = Options());
 

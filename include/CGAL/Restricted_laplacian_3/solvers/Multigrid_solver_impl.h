@@ -391,14 +391,14 @@ private:
 };
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Multigrid_solver::Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
+Multigrid_solver::Multigrid_solver(Sparse_matrix&& a, Multigrid_levels levels,
                                    const Eigen::VectorXd& element_integrals, double alpha,
                                    const Options& options)
   : Multigrid_solver(std::move(a), std::move(levels), element_integrals,
                      Eigen::VectorXd(alpha * element_integrals), options) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
-Multigrid_solver::Multigrid_solver(Sparse_matrix a, Multigrid_levels levels,
+Multigrid_solver::Multigrid_solver(Sparse_matrix&& a, Multigrid_levels levels,
                                    const Eigen::VectorXd& element_integrals,
                                    const Eigen::VectorXd& constant_loads, const Options& options) {
   a.makeCompressed();

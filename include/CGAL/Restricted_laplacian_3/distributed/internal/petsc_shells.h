@@ -50,7 +50,8 @@ public:
         levels.prolongations.push_back(prolongation_matrix(space.part(), level));
         levels.patches.push_back(smoothing_patches(space.part(), level + 1));
       }
-      Sparse_matrix finest = std::move(matrices.back());
+      Sparse_matrix finest;
+      finest.swap(matrices.back());
       matrices.pop_back();
       levels.coarse_matrices = std::move(matrices);
       m_multigrid = Multigrid<Patch_smoother>(std::move(finest), std::move(levels),
