@@ -37,6 +37,7 @@
 //
 // usage: accuracy_per_second [OPTION]...
 
+#include "support/driver.h"
 #include "support/linear_solvers.h"
 #include "support/measure.h"
 #include "support/package.h"
@@ -52,7 +53,6 @@
 
 #include <Eigen/Dense>
 #include <HYPRE.h>
-#include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <array>
@@ -61,15 +61,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
 using namespace benchmarks;
 
@@ -499,31 +496,23 @@ void compare_spectra(const Options& o, const Shape& shape) {
 }
 
 bool read_options(int argc, char* argv[], Options& o) {
-  po::options_description all("usage: accuracy_per_second [OPTION]...");
-  auto add = all.add_options();
+  Command_line line("usage: accuracy_per_second [OPTION]...");
   bool is_quick = false;
-  const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
-  add("help,h", "show this");
-  add("part", list(o.parts), "poisson spectrum");
-  add("first", po::value(&o.smallest_mesh)->default_value(o.smallest_mesh),
+  line.add("part", o.parts, "poisson spectrum");
+  line.add(
+      "first", o.smallest_mesh,
       "coarsest mesh; 0 has 2 thousand triangles on the sphere, 1 thousand on the torus, the next "
       "one four times as many");
-  add("meshes", po::value(&o.meshes)->default_value(o.meshes), "number of meshes of each shape");
-  add("depth", list(o.depths), "of Poisson problems; 4 5 6 7 8");
-  add("spectrum-depth", list(o.spectrum_depths), "3 4 5 6");
-  add("tolerance", list(o.tolerances), "1e-3");
-  add("repetitions", po::value(&o.repetitions)->default_value(o.repetitions));
-  add("threads", po::value(&o.threads)->default_value(o.threads),
-      "of the package and of CHOLMOD; hypre has one");
-  add("stabilization", po::value(&o.stabilization)->default_value(o.stabilization));
-  add("quick", po::bool_switch(&is_quick), "two meshes of each shape, depths to 5, one repetition");
-  po::variables_map given;
-  po::store(po::parse_command_line(argc, argv, all), given);
-  po::notify(given);
-  if(given.count("help")) {
-    std::cout << all;
+  line.add("meshes", o.meshes, "number of meshes of each shape");
+  line.add("depth", o.depths, "of Poisson problems; 4 5 6 7 8");
+  line.add("spectrum-depth", o.spectrum_depths, "3 4 5 6");
+  line.add("tolerance", o.tolerances, "1e-3");
+  line.add("repetitions", o.repetitions);
+  line.add("threads", o.threads, "of the package and of CHOLMOD; hypre has one");
+  line.add("stabilization", o.stabilization);
+  line.add("quick", is_quick, "two meshes of each shape, depths to 5, one repetition");
+  if(!line.read(argc, argv))
     return false;
-  }
   if(is_quick) {
     o.meshes = 2;
     o.repetitions = 1;
@@ -536,10 +525,10 @@ bool read_options(int argc, char* argv[], Options& o) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("accuracy_per_second", [&] {
     Options o;
     if(!read_options(argc, argv, o))
-      return 0;
+      return;
     const Hypre_session session;
     set_blas_threads(o.threads);
     [[maybe_unused]] const auto limited = limit_threads(o.threads);
@@ -557,8 +546,5 @@ int main(int argc, char* argv[]) {
         else
           compare_spectra(o, shape);
       }
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "accuracy_per_second: %s\n", e.what());
-    return 1;
-  }
+  });
 }

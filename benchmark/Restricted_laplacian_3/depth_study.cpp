@@ -18,6 +18,7 @@
 //
 // usage: depth_study [OPTION]...
 
+#include "support/driver.h"
 #include "support/linear_solvers.h"
 #include "support/package.h"
 #include "support/spectra.h"
@@ -28,14 +29,10 @@
 
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <exception>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -44,7 +41,6 @@
 namespace {
 
 using namespace benchmarks;
-namespace po = boost::program_options;
 namespace params = RL::parameters;
 using Mesh = CGAL::Surface_mesh<RL::Point_3>;
 
@@ -270,32 +266,23 @@ private:
 };
 
 bool read_options(int argc, char* argv[], Options& o) {
-  po::options_description all("usage: depth_study [OPTION]...");
-  const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
-  all.add_options()("help,h", "show this")(
-      "mesh", list(o.meshes), "files, or names in the folders of meshes; twelve shared ones")(
-      "depth", list(o.depths), "4 5 6 7 8")("threads", list(o.threads), "1")(
-      "deepest", po::value(&o.deepest)->default_value(o.deepest), "depth of the reference")(
-      "most-unknowns", po::value(&o.most_unknowns)->default_value(o.most_unknowns),
-      "of the reference, which else is less deep")(
-      "repetitions", po::value(&o.repetitions)->default_value(o.repetitions));
-  po::variables_map given;
-  po::store(po::parse_command_line(argc, argv, all), given);
-  po::notify(given);
-  if(given.count("help")) {
-    std::cout << all;
-    return false;
-  }
-  return true;
+  Command_line line("usage: depth_study [OPTION]...");
+  line.add("mesh", o.meshes, "files, or names in the folders of meshes; twelve shared ones");
+  line.add("depth", o.depths, "4 5 6 7 8");
+  line.add("threads", o.threads, "1");
+  line.add("deepest", o.deepest, "depth of the reference");
+  line.add("most-unknowns", o.most_unknowns, "of the reference, which else is less deep");
+  line.add("repetitions", o.repetitions);
+  return line.read(argc, argv);
 }
 
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("depth_study", [&] {
     Options o;
     if(!read_options(argc, argv, o))
-      return 0;
+      return;
     print_header(argc, argv);
     std::printf("# %-16s %7s %-12s %5s %6s %7s %9s %9s %7s %5s %3s %9s\n", "mesh", "vertices",
                 "method", "depth", "edge/h", "threads", "unknowns", "seconds", "MiB", "iter", "ok",
@@ -303,8 +290,5 @@ int main(int argc, char* argv[]) {
     for(const std::string& name : o.meshes)
       if(auto mesh = find_mesh_file(name))
         Study(o, name, std::move(*mesh)).run();
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "depth_study: %s\n", e.what());
-    return 1;
-  }
+  });
 }

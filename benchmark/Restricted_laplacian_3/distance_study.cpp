@@ -23,6 +23,7 @@
 //
 // usage: distance_study [OPTION]...
 
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -39,15 +40,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <exception>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -55,7 +53,6 @@
 namespace {
 
 using namespace benchmarks;
-namespace po = boost::program_options;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Cgal_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Cgal_mesh::Vertex_index;
@@ -253,54 +250,44 @@ void study(const std::string& name, const RL::Triangulated_surface_3& surface, s
 } // namespace
 
 int main(int argc, char* argv[]) {
-  std::vector<std::string> meshes,
-      methods = {"fast", "exact", "spline_6", "spline_7", "heat", "heat_idt", "cgal_exact"};
-  bool paths = false;
-  std::vector<double> sources = {0};
-  po::options_description options("usage: distance_study [OPTION]...");
-  auto add = options.add_options();
-  add("help", "this text");
-  add("mesh", po::value(&meshes)->multitoken()->required(), "files or names of meshes");
-  add("method", po::value(&methods)->multitoken(), "all but points by default");
-  add("paths", po::bool_switch(&paths), "shortest paths in place of distances");
-  add("source", po::value(&sources)->multitoken(),
-      "numbers of vertices, over that of all vertices; by default 0");
-  try {
-    po::variables_map map;
-    po::store(po::parse_command_line(argc, argv, options), map);
-    if(map.count("help") > 0) {
-      std::cout << options;
+  return run_benchmark("distance_study", [&] {
+    std::vector<std::string> meshes,
+        methods = {"fast", "exact", "spline_6", "spline_7", "heat", "heat_idt", "cgal_exact"};
+    bool paths = false;
+    std::vector<double> sources = {0};
+    Command_line line("usage: distance_study [OPTION]...");
+    line.add("mesh", meshes, "files or names of meshes");
+    line.add("method", methods, "all but points by default");
+    line.add("paths", paths, "shortest paths in place of distances");
+    line.add("source", sources, "numbers of vertices, over that of all vertices; by default 0");
+    if(!line.read(argc, argv))
       return 0;
-    }
-    po::notify(map);
-  } catch(const po::error& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 1;
-  }
-  print_header(argc, argv);
-  if(paths)
-    std::printf("# %-18s %7s %7s %-10s %6s %9s %9s %7s %8s %8s\n", "mesh", "n", "source", "method",
-                "paths", "mean", "worst", "long", "segments", "us");
-  else
-    std::printf("# %-18s %7s %7s %-10s %9s %9s %7s %7s %8s %8s\n", "mesh", "n", "source", "method",
-                "mean", "worst", "short", "long", "setup_s", "query_s");
-  const auto limit = limit_threads(1);
-  int failures = 0;
-  for(const std::string& name : meshes)
-    try {
-      if(const auto surface = find_mesh(name))
-        for(const double part : sources) {
-          const std::string file = name.substr(name.rfind('/') + 1);
-          const auto source =
-              static_cast<std::size_t>(part * static_cast<double>(surface->number_of_vertices()));
-          if(paths)
-            study_paths(file, *surface, source);
-          else
-            study(file, *surface, source, methods);
-        }
-    } catch(const std::exception& e) {
-      std::printf("# %s: %s\n", name.c_str(), e.what());
-      ++failures;
-    }
-  return failures > 0;
+    line.require("mesh");
+    print_header(argc, argv);
+    if(paths)
+      std::printf("# %-18s %7s %7s %-10s %6s %9s %9s %7s %8s %8s\n", "mesh", "n", "source",
+                  "method", "paths", "mean", "worst", "long", "segments", "us");
+    else
+      std::printf("# %-18s %7s %7s %-10s %9s %9s %7s %7s %8s %8s\n", "mesh", "n", "source",
+                  "method", "mean", "worst", "short", "long", "setup_s", "query_s");
+    const auto limit = limit_threads(1);
+    int failures = 0;
+    for(const std::string& name : meshes)
+      try {
+        if(const auto surface = find_mesh(name))
+          for(const double part : sources) {
+            const std::string file = name.substr(name.rfind('/') + 1);
+            const auto source =
+                static_cast<std::size_t>(part * static_cast<double>(surface->number_of_vertices()));
+            if(paths)
+              study_paths(file, *surface, source);
+            else
+              study(file, *surface, source, methods);
+          }
+      } catch(const std::exception& e) {
+        std::printf("# %s: %s\n", name.c_str(), e.what());
+        ++failures;
+      }
+    return failures > 0 ? 1 : 0;
+  });
 }

@@ -17,12 +17,8 @@
 //
 // usage: eigensolver_comparison [OPTION]... MESH DEPTH
 //        eigensolver_comparison --mesh-to-pairs [--reference DEPTH] [OPTION]... MESH DEPTH...
-// options: --pairs K          default 100
-//          --tolerance T      of residuals; default 1e-6, with --mesh-to-pairs 1e-3
-//          --threads N        default 1
-//          --stabilization C  default that of the package
-//          --no-peer          without Spectra
 
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -50,7 +46,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -261,57 +256,44 @@ void compare_from_mesh(const Options& o) {
   print("cotangent_spectra", o.threads, records, peak, reference);
 }
 
-Options read_options(int argc, char* argv[]) {
-  Options o;
-  const auto number = [&](int& i) {
-    if(++i >= argc)
-      throw std::runtime_error(std::string("a number is missing after ") + argv[i - 1]);
-    return std::atof(argv[i]);
-  };
-  for(int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if(argument == "--pairs")
-      o.pairs = static_cast<int>(number(i));
-    else if(argument == "--tolerance")
-      o.tolerance = number(i);
-    else if(argument == "--threads")
-      o.threads = static_cast<int>(number(i));
-    else if(argument == "--stabilization")
-      o.stabilization = number(i);
-    else if(argument == "--reference")
-      o.reference = static_cast<int>(number(i));
-    else if(argument == "--mesh-to-pairs")
-      o.from_mesh = true;
-    else if(argument == "--no-peer")
-      o.with_peer = false;
-    else if(o.mesh.empty())
-      o.mesh = argument;
-    else
-      o.depths.push_back(std::atoi(argv[i]));
-  }
-  if(o.mesh.empty() || o.depths.empty())
-    throw std::runtime_error("usage: eigensolver_comparison [OPTION]... MESH DEPTH...");
+bool read_options(int argc, char* argv[], Options& o) {
+  Command_line line("usage: eigensolver_comparison [OPTION]... MESH DEPTH...");
+  bool without_peer = false;
+  line.add("pairs", o.pairs);
+  line.add("tolerance", o.tolerance, "of residuals; default 1e-6, with --mesh-to-pairs 1e-3");
+  line.add("threads", o.threads);
+  line.add("stabilization", o.stabilization, "default that of the package");
+  line.add("mesh-to-pairs", o.from_mesh, "times include the space");
+  line.add("reference", o.reference, "depth with which --mesh-to-pairs compares; default 0, none");
+  line.add("no-peer", without_peer, "without Spectra");
+  line.add("mesh", o.mesh);
+  line.add("depth", o.depths);
+  line.add_positional("mesh", 1);
+  line.add_positional("depth");
+  if(!line.read(argc, argv))
+    return false;
+  line.require("mesh");
+  line.require("depth");
+  o.with_peer = !without_peer;
   if(o.pairs < 1 || o.pairs > most_pairs)
     throw std::runtime_error("the number of pairs must be between 1 and " +
                              std::to_string(most_pairs));
   if(o.tolerance == 0)
     o.tolerance = o.from_mesh ? 1e-3 : 1e-6;
-  return o;
+  return true;
 }
 
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
-    const Options o = read_options(argc, argv);
+  return run_benchmark("eigensolver_comparison", [&] {
+    Options o;
+    if(!read_options(argc, argv, o))
+      return;
     print_header(argc, argv);
     if(o.from_mesh)
       compare_from_mesh(o);
     else
       compare_on_matrices(o);
-    return 0;
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "eigensolver_comparison: %s\n", e.what());
-    return 1;
-  }
+  });
 }

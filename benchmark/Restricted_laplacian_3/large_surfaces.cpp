@@ -18,6 +18,7 @@
 // check that all problems are the same.
 
 #include "../../programs/support/program.h"
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/refined_mesh.h"
@@ -33,20 +34,16 @@
 #include <tbb/global_control.h>
 #endif
 
-#include <boost/program_options.hpp>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 using namespace benchmarks;
 
 namespace {
@@ -118,25 +115,24 @@ std::vector<Record> measure(const Run& run) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("large_surfaces", [&] {
     std::vector<int> depths = {9}, divisions;
     int threads = 2, pairs = 0;
     std::string format = "ply", folder = std::filesystem::temp_directory_path().string(), mesh;
-    po::options_description options;
-    auto add = options.add_options();
-    add("depth", po::value(&depths)->multitoken());
-    add("threads", po::value(&threads));
-    add("pairs", po::value(&pairs));
-    add("format", po::value(&format));
-    add("folder", po::value(&folder));
-    add("mesh", po::value(&mesh)->required());
-    add("divisions", po::value(&divisions)->multitoken()->required());
-    po::positional_options_description positional;
-    positional.add("mesh", 1).add("divisions", -1);
-    po::variables_map given;
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(),
-              given);
-    po::notify(given);
+    Command_line line("usage: large_surfaces [OPTION]... MESH DIVISIONS...");
+    line.add("depth", depths);
+    line.add("threads", threads);
+    line.add("pairs", pairs);
+    line.add("format", format);
+    line.add("folder", folder);
+    line.add("mesh", mesh);
+    line.add("divisions", divisions);
+    line.add_positional("mesh", 1);
+    line.add_positional("divisions");
+    if(!line.read(argc, argv))
+      return 0;
+    line.require("mesh");
+    line.require("divisions");
 
     const auto flat = find_mesh(mesh);
     if(!flat)
@@ -166,8 +162,5 @@ int main(int argc, char* argv[]) {
       std::filesystem::remove(file);
     }
     return 0;
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "large_surfaces: %s\n", e.what());
-    return 1;
-  }
+  });
 }

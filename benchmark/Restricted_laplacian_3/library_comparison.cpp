@@ -22,6 +22,7 @@
 // usage: library_comparison [MESH [NUMBER OF EIGENVALUES]]
 // default: bunny_closed_70k of the shared meshes, 50
 
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/package.h"
 
@@ -45,7 +46,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -212,10 +212,5 @@ void compare(int argc, char* argv[]) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
-    compare(argc, argv);
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "library_comparison: %s\n", e.what());
-    return 1;
-  }
+  return run_benchmark("library_comparison", [&] { compare(argc, argv); });
 }

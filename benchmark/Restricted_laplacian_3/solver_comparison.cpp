@@ -40,6 +40,7 @@
 // usage: solver_comparison [OPTION]... [MESH]...
 
 #include "support/boomer_amg.h"
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/package.h"
 #include "support/vertex_normals.h"
@@ -53,7 +54,6 @@
 #endif
 
 #include <HYPRE.h>
-#include <boost/program_options.hpp>
 #include <mpi.h>
 #include <unistd.h>
 
@@ -62,10 +62,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -76,7 +74,6 @@
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
 using namespace benchmarks;
 using Matrix = RL::Sparse_matrix;
@@ -700,58 +697,48 @@ private:
 };
 
 bool read_options(int argc, char* argv[], Options& o) {
-  po::options_description all("usage: solver_comparison [OPTION]... [MESH]...");
-  auto add = all.add_options();
+  Command_line line("usage: solver_comparison [OPTION]... [MESH]...");
   bool is_quick = false, is_unsplit = false;
   std::string matrix = "stiffness";
-  const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
-  add("help,h", "show this");
-  add("mesh", list(o.meshes), "files, or names in the folder of shared meshes");
-  add("depth", list(o.depths), "5 6 7 8");
-  add("threads", list(o.threads), "1 2");
-  add("tolerance", list(o.tolerances), "5e-3 1e-5 1e-8");
-  add("solver", list(o.solvers),
+  line.add("mesh", o.meshes, "files, or names in the folder of shared meshes");
+  line.add("depth", o.depths, "5 6 7 8");
+  line.add("threads", o.threads, "1 2");
+  line.add("tolerance", o.tolerances, "5e-3 1e-5 1e-8");
+  line.add(
+      "solver", o.solvers,
       "ours ours_point ours_paper amg1 amg1_pcg amg2 amg2_pcg hmis hmis_pcg cgc cgc_pcg cholmod "
       "ic_cg, ours the first; or a configuration of support/boomer_amg.h");
-  add("repetitions", po::value(&o.protocol.repetitions)->default_value(o.protocol.repetitions));
-  add("iterations",
-      po::value(&o.protocol.maximum_iterations)->default_value(o.protocol.maximum_iterations));
-  add("limit", po::value(&o.protocol.limit_seconds)->default_value(o.protocol.limit_seconds),
-      "least number of seconds after which a peer is stopped");
-  add("rhs", po::value(&o.rhs)->default_value(o.rhs),
+  line.add("repetitions", o.protocol.repetitions);
+  line.add("iterations", o.protocol.maximum_iterations);
+  line.add("limit", o.protocol.limit_seconds,
+           "least number of seconds after which a peer is stopped");
+  line.add(
+      "rhs", o.rhs,
       "x: the coordinate; random: independent normal values at the vertices; normals: the gradient "
       "of the x component of the vertex normals");
-  add("matrix", po::value(&matrix)->default_value(matrix), "stiffness or mass");
-  add("screening", po::value(&o.factors.mass)->default_value(o.factors.mass),
-      "weight of the mass matrix, in units of 1 / h^2");
-  add("stabilization", po::value(&o.stabilization)->default_value(o.stabilization),
-      "of the normal derivative; 0 is the system of the paper");
-  add("unsplit", po::bool_switch(&is_unsplit), "elements are not split");
-  add("paper", po::bool_switch(&o.is_paper), "the space of the paper");
-  add("processor-time", po::bool_switch(&counts_processor_time()),
-      "seconds of the processor, for one thread on a machine that is busy otherwise");
-  add("ordering", po::value(&o.ordering)->default_value(o.ordering), "of cholmod: metis or amd");
-  add("memory", po::value(&o.memory_gib)->default_value(o.memory_gib),
-      "GiB that a process of hypre may take");
-  add("mpirun", po::value(&o.mpirun)->default_value(o.mpirun), "starts hypre's processes");
-  add("scratch", po::value(&o.scratch)->default_value(o.scratch), "folder for the systems");
-  add("quick", po::bool_switch(&is_quick), "one mesh, depths 5 and 6, one repetition");
-  po::positional_options_description positional;
-  positional.add("mesh", -1);
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
-  po::notify(given);
-  if(given.count("help")) {
-    std::cout << all;
+  line.add("matrix", matrix, "stiffness or mass");
+  line.add("screening", o.factors.mass, "weight of the mass matrix, in units of 1 / h^2");
+  line.add("stabilization", o.stabilization,
+           "of the normal derivative; 0 is the system of the paper");
+  line.add("unsplit", is_unsplit, "elements are not split");
+  line.add("paper", o.is_paper, "the space of the paper");
+  line.add("processor-time", counts_processor_time(),
+           "seconds of the processor, for one thread on a machine that is busy otherwise");
+  line.add("ordering", o.ordering, "of cholmod: metis or amd");
+  line.add("memory", o.memory_gib, "GiB that a process of hypre may take");
+  line.add("mpirun", o.mpirun, "starts hypre's processes");
+  line.add("scratch", o.scratch, "folder for the systems");
+  line.add("quick", is_quick, "one mesh, depths 5 and 6, one repetition");
+  line.add_positional("mesh");
+  if(!line.read(argc, argv))
     return false;
-  }
   if(is_quick) {
     o.protocol.repetitions = 1;
     o.depths = {5, 6};
-    if(given.count("mesh") == 0)
+    if(!line.has("mesh"))
       o.meshes.resize(1);
   }
-  if(counts_processor_time() && given.count("threads") == 0)
+  if(counts_processor_time() && !line.has("threads"))
     o.threads = {1};
   if(counts_processor_time() && o.threads != std::vector<int>{1})
     throw std::invalid_argument("--processor-time is for one thread");
@@ -811,12 +798,9 @@ int compare(int argc, char* argv[]) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("solver_comparison", [&] {
     if(argc > 8 && std::string(argv[1]) == worker_mark)
       return hypre_worker(argc, argv);
     return compare(argc, argv);
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "solver_comparison: %s\n", e.what());
-    return 1;
-  }
+  });
 }

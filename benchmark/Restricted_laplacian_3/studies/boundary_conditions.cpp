@@ -25,21 +25,18 @@
 
 #include "../../test/Restricted_laplacian_3/harmonic_functions.h"
 #include "../../test/Restricted_laplacian_3/special_shapes.h"
+#include "support/driver.h"
 #include "support/package.h"
 
 #include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <exception>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -47,7 +44,6 @@
 namespace {
 
 using namespace benchmarks;
-namespace po = boost::program_options;
 namespace params = RL::parameters;
 using shapes::Triangles;
 
@@ -199,38 +195,28 @@ void study_two_sides(const Options& o) {
 }
 
 bool read_options(int argc, char* argv[], Options& o) {
-  po::options_description all("usage: boundary_conditions [OPTION]...");
-  const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
-  all.add_options()("help,h", "show this")("part", list(o.parts),
-                                           "boundary points")("depth", list(o.depths), "4 5 6 7 8");
-  po::variables_map given;
-  po::store(po::parse_command_line(argc, argv, all), given);
-  po::notify(given);
-  if(given.count("help")) {
-    std::cout << all;
-    return false;
-  }
-  return true;
+  Command_line line("usage: boundary_conditions [OPTION]...");
+  line.add("part", o.parts, "boundary points");
+  line.add("depth", o.depths, "4 5 6 7 8");
+  return line.read(argc, argv);
 }
 
 } // namespace
 
-int main(int argc, char* argv[]) try {
-  Options o;
-  if(!read_options(argc, argv, o))
-    return 0;
-  print_header(argc, argv);
-  for(const std::string& part : o.parts)
-    if(part == "boundary")
-      study_boundary(o);
-    else {
-      std::printf("# %-16s %5s %9s %10s %10s %10s %10s\n", "points", "depth", "unknowns",
-                  "iterations", "value", "error", "miss");
-      study_one_value(o);
-      study_two_sides(o);
-    }
-  return 0;
-} catch(const std::exception& e) {
-  std::cerr << "boundary_conditions: " << e.what() << '\n';
-  return 1;
+int main(int argc, char* argv[]) {
+  return run_benchmark("boundary_conditions", [&] {
+    Options o;
+    if(!read_options(argc, argv, o))
+      return;
+    print_header(argc, argv);
+    for(const std::string& part : o.parts)
+      if(part == "boundary")
+        study_boundary(o);
+      else {
+        std::printf("# %-16s %5s %9s %10s %10s %10s %10s\n", "points", "depth", "unknowns",
+                    "iterations", "value", "error", "miss");
+        study_one_value(o);
+        study_two_sides(o);
+      }
+  });
 }

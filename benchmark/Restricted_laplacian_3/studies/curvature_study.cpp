@@ -31,6 +31,7 @@
 
 #include "support/aabb_tree.h"
 #include "support/curved_shapes.h"
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/mesh_curvature.h"
 #include "support/meshes.h"
@@ -46,22 +47,17 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = RL::parameters;
 using namespace benchmarks;
@@ -442,25 +438,17 @@ void study_edges(const Options& o) {
 }
 
 bool read_options(int argc, char* argv[], Options& o) {
-  po::options_description all("usage: curvature_study [OPTION]...");
-  auto add = all.add_options();
+  Command_line line("usage: curvature_study [OPTION]...");
   bool is_quick = false;
-  const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
-  add("help,h", "show this");
-  add("study", po::value(&o.study)->default_value(o.study), "accuracy, change, normals or edges");
-  add("shape", list(o.shapes), "sphere torus ellipsoid saddle");
-  add("triangles", list(o.triangles), "20000 80000 320000");
-  add("mesh", list(o.meshes), "files, or names in the folder of shared meshes");
-  add("depth", list(o.depths), "4 5 6 7");
-  add("threads", po::value(&o.threads)->default_value(o.threads));
-  add("quick", po::bool_switch(&is_quick), "20000 triangles, depths 4 and 5");
-  po::variables_map given;
-  po::store(po::parse_command_line(argc, argv, all), given);
-  po::notify(given);
-  if(given.count("help")) {
-    std::cout << all;
+  line.add("study", o.study, "accuracy, change, normals or edges");
+  line.add("shape", o.shapes, "sphere torus ellipsoid saddle");
+  line.add("triangles", o.triangles, "20000 80000 320000");
+  line.add("mesh", o.meshes, "files, or names in the folder of shared meshes");
+  line.add("depth", o.depths, "4 5 6 7");
+  line.add("threads", o.threads);
+  line.add("quick", is_quick, "20000 triangles, depths 4 and 5");
+  if(!line.read(argc, argv))
     return false;
-  }
   if(is_quick) {
     o.triangles = {20000};
     o.depths = {4, 5};
@@ -471,7 +459,7 @@ bool read_options(int argc, char* argv[], Options& o) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("curvature_study", [&] {
     Options o;
     if(!read_options(argc, argv, o))
       return 0;
@@ -489,8 +477,6 @@ int main(int argc, char* argv[]) {
       std::fprintf(stderr, "curvature_study: there is no study %s\n", o.study.c_str());
       return 1;
     }
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "curvature_study: %s\n", e.what());
-    return 1;
-  }
+    return 0;
+  });
 }

@@ -26,6 +26,7 @@
 // messages and kB that a rank sends, mean and largest.
 
 // before headers of PETSc, which make macros of functions of MPI
+#include "support/driver.h"
 #include "support/sent_messages.h"
 
 #include "support/distributed.h"
@@ -34,8 +35,6 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
-
-#include <boost/program_options.hpp>
 
 #include <petscksp.h>
 
@@ -49,7 +48,6 @@
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 using namespace benchmarks;
 
 namespace {
@@ -238,20 +236,17 @@ int main(int argc, char* argv[]) {
                                       "gamg_sor"};
     int depth = 8, repetitions = 3, threads = 0;
     std::string mesh;
-    po::options_description description;
-    auto add = description.add_options();
-    add("depth", po::value(&depth));
-    add("tolerance", po::value(&tolerances)->multitoken());
-    add("method", po::value(&names)->multitoken());
-    add("repetitions", po::value(&repetitions));
-    add("threads", po::value(&threads));
-    add("mesh", po::value(&mesh)->required());
-    po::positional_options_description positional;
-    positional.add("mesh", 1);
-    po::variables_map given;
-    po::store(po::command_line_parser(argc, argv).options(description).positional(positional).run(),
-              given);
-    po::notify(given);
+    Command_line line("usage: distributed_comparison [OPTION]... MESH");
+    line.add("depth", depth);
+    line.add("tolerance", tolerances);
+    line.add("method", names);
+    line.add("repetitions", repetitions);
+    line.add("threads", threads);
+    line.add("mesh", mesh);
+    line.add_positional("mesh", 1);
+    if(!line.read(argc, argv))
+      return;
+    line.require("mesh");
     if(communicator.rank() == 0) {
       print_header(argc, argv);
       std::printf("# ranks unknowns method              tolerance  space_s assembly_s  setup_s  "

@@ -24,14 +24,13 @@
 // others.
 
 #include "support/distributed.h"
+#include "support/driver.h"
 #include "support/measure.h"
 
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 
 #include <Eigen/Core>
-
-#include <boost/program_options.hpp>
 
 #include <slepceps.h>
 
@@ -43,7 +42,6 @@
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 using namespace benchmarks;
 
 namespace {
@@ -161,20 +159,17 @@ void run_threads(const RL::Communicator& communicator, const Task& task) {
 int main(int argc, char* argv[]) {
   const auto run_all = [&](const RL::Communicator& communicator) {
     Task task;
-    po::options_description description;
-    auto add = description.add_options();
-    add("depth", po::value(&task.depth));
-    add("pairs", po::value(&task.pairs)->multitoken());
-    add("tolerance", po::value(&task.tolerances)->multitoken());
-    add("method", po::value(&task.methods)->multitoken());
-    add("threads", po::value(&task.threads));
-    add("mesh", po::value(&task.mesh)->required());
-    po::positional_options_description positional;
-    positional.add("mesh", 1);
-    po::variables_map given;
-    po::store(po::command_line_parser(argc, argv).options(description).positional(positional).run(),
-              given);
-    po::notify(given);
+    Command_line line("usage: distributed_eigensolvers [OPTION]... MESH");
+    line.add("depth", task.depth);
+    line.add("pairs", task.pairs);
+    line.add("tolerance", task.tolerances);
+    line.add("method", task.methods);
+    line.add("threads", task.threads);
+    line.add("mesh", task.mesh);
+    line.add_positional("mesh", 1);
+    if(!line.read(argc, argv))
+      return;
+    line.require("mesh");
     if(communicator.rank() == 0) {
       print_header(argc, argv);
       std::printf("# ranks unknowns method       pairs tolerance space_s assembly_s setup_s  "

@@ -12,6 +12,7 @@
 // usage: evaluation [MESH [DEPTH [NUMBER OF FUNCTIONS]]]
 // default: armadillo_mc1m of the shared meshes, 5, 100
 
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/package.h"
 
@@ -25,7 +26,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -85,10 +85,5 @@ void compare(int argc, char* argv[]) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
-    compare(argc, argv);
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "evaluation: %s\n", e.what());
-    return 1;
-  }
+  return run_benchmark("evaluation", [&] { compare(argc, argv); });
 }

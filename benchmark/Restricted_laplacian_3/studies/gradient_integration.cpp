@@ -27,6 +27,7 @@
 
 #include "../../programs/support/mesh_output.h"
 #include "../../programs/support/vertex_data.h"
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -44,22 +45,17 @@
 #include <Eigen/CholmodSupport>
 #endif
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
 namespace params = RL::parameters;
 using namespace benchmarks;
@@ -224,27 +220,18 @@ void run_cholmod(Colored_mesh& m) {
 #endif
 
 bool read_options(int argc, char* argv[], Options& o) {
-  po::options_description all("usage: gradient_integration [OPTION]... [MESH]...");
-  auto add = all.add_options();
+  Command_line line("usage: gradient_integration [OPTION]... [MESH]...");
   bool is_quick = false;
-  const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
-  add("help,h", "show this");
-  add("mesh", list(o.meshes), "PLY files, or names in the folder of shared meshes");
-  add("depth", list(o.depths), "6 7 8 9");
-  add("space", list(o.spaces), "split paper");
-  add("details", list(o.details), "tolerances with details; 1e-3 1e-5");
-  add("threads", po::value(&o.threads)->default_value(o.threads));
-  add("write", po::value(&o.folder), "folder for colored meshes, which has to exist");
-  add("quick", po::bool_switch(&is_quick), "depths 5 and 6");
-  po::positional_options_description positional;
-  positional.add("mesh", -1);
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
-  po::notify(given);
-  if(given.count("help")) {
-    std::cout << all;
+  line.add("mesh", o.meshes, "PLY files, or names in the folder of shared meshes");
+  line.add("depth", o.depths, "6 7 8 9");
+  line.add("space", o.spaces, "split paper");
+  line.add("details", o.details, "tolerances with details; 1e-3 1e-5");
+  line.add("threads", o.threads);
+  line.add("write", o.folder, "folder for colored meshes, which has to exist");
+  line.add("quick", is_quick, "depths 5 and 6");
+  line.add_positional("mesh");
+  if(!line.read(argc, argv))
     return false;
-  }
   if(is_quick)
     o.depths = {5, 6};
   return true;
@@ -253,10 +240,10 @@ bool read_options(int argc, char* argv[], Options& o) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("gradient_integration", [&] {
     Options o;
     if(!read_options(argc, argv, o))
-      return 0;
+      return;
     [[maybe_unused]] const auto limited = limit_threads(o.threads);
     set_blas_threads(o.threads);
     print_header(argc, argv);
@@ -275,8 +262,5 @@ int main(int argc, char* argv[]) {
           run(o, mesh, space, depth);
       std::printf("\n\n");
     }
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "gradient_integration: %s\n", e.what());
-    return 1;
-  }
+  });
 }

@@ -15,6 +15,7 @@
 //
 // usage: iterations_everywhere [OPTION]...
 
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -22,7 +23,6 @@
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
 
-#include <boost/program_options.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 
@@ -32,7 +32,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <iostream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,7 +39,6 @@
 namespace {
 
 using namespace benchmarks;
-namespace po = boost::program_options;
 namespace params = RL::parameters;
 
 struct Options {
@@ -154,53 +152,43 @@ private:
 } // namespace
 
 int main(int argc, char* argv[]) {
-  Options o;
-  po::options_description options("Options");
-  auto add = options.add_options();
-  add("help", "print this text");
-  add("mesh", po::value(&o.meshes)->multitoken(), "files, or names of shared meshes");
-  add("depth", po::value(&o.depths)->multitoken(), "4 to 8 by default");
-  add("problem", po::value(&o.problems)->multitoken(), "all by default");
-  add("cycle", po::value(&o.cycles)->multitoken(), "v, w, or both, the default");
-  add("limit", po::value(&o.limit)->default_value(o.limit), "iterations at most");
-  add("tolerance", po::value(&o.tolerance)->default_value(o.tolerance), "relative residual");
-  add("stabilization", po::value(&o.stabilization), "that of the package by default");
-  add("energy-tolerance", po::value(&o.energy_tolerance),
-      "of fits, relative to what they leave; that of the package by default");
-  add("threads", po::value(&o.threads)->default_value(o.threads), "at most");
-  try {
-    po::variables_map map;
-    po::store(po::parse_command_line(argc, argv, options), map);
-    po::notify(map);
-    if(map.count("help") > 0) {
-      std::cout << options;
+  return run_benchmark("iterations_everywhere", [&] {
+    Options o;
+    Command_line line("usage: iterations_everywhere [OPTION]...");
+    line.add("mesh", o.meshes, "files, or names of shared meshes");
+    line.add("depth", o.depths, "4 to 8 by default");
+    line.add("problem", o.problems, "all by default");
+    line.add("cycle", o.cycles, "v, w, or both, the default");
+    line.add("limit", o.limit, "iterations at most");
+    line.add("tolerance", o.tolerance, "relative residual");
+    line.add("stabilization", o.stabilization, "that of the package by default");
+    line.add("energy-tolerance", o.energy_tolerance,
+             "of fits, relative to what they leave; that of the package by default");
+    line.add("threads", o.threads, "at most");
+    if(!line.read(argc, argv))
       return 0;
-    }
-  } catch(const po::error& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 1;
-  }
-  if(o.problems.empty())
-    o.problems = {"poisson_z", "poisson_random", "screened_1e-6", "screened_1", "screened_1e6",
-                  "fit_z",     "fit_wave",       "fit_normals",   "fit_random", "gradients"};
-  print_header(argc, argv);
-  std::printf("# %-18s %5s c %8s", "mesh", "depth", "unknowns");
-  for(const std::string& problem : o.problems)
-    std::printf(" %s", problem.c_str());
-  std::printf("\n");
-  const auto limit = limit_threads(o.threads);
-  int failures = 0;
-  for(const std::string& name : o.meshes)
-    try {
-      if(const auto mesh = find_mesh(name))
-        for(const int depth : o.depths) {
-          Case c(o, name.substr(name.rfind('/') + 1), *mesh, depth);
-          for(const std::string& cycle : o.cycles)
-            c.run(cycle);
-        }
-    } catch(const std::exception& e) {
-      std::printf("# %s: %s\n", name.c_str(), e.what());
-      ++failures;
-    }
-  return failures > 0;
+    if(o.problems.empty())
+      o.problems = {"poisson_z", "poisson_random", "screened_1e-6", "screened_1", "screened_1e6",
+                    "fit_z",     "fit_wave",       "fit_normals",   "fit_random", "gradients"};
+    print_header(argc, argv);
+    std::printf("# %-18s %5s c %8s", "mesh", "depth", "unknowns");
+    for(const std::string& problem : o.problems)
+      std::printf(" %s", problem.c_str());
+    std::printf("\n");
+    const auto limit = limit_threads(o.threads);
+    int failures = 0;
+    for(const std::string& name : o.meshes)
+      try {
+        if(const auto mesh = find_mesh(name))
+          for(const int depth : o.depths) {
+            Case c(o, name.substr(name.rfind('/') + 1), *mesh, depth);
+            for(const std::string& cycle : o.cycles)
+              c.run(cycle);
+          }
+      } catch(const std::exception& e) {
+        std::printf("# %s: %s\n", name.c_str(), e.what());
+        ++failures;
+      }
+    return failures > 0 ? 1 : 0;
+  });
 }

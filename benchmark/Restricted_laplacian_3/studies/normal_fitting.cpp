@@ -22,6 +22,7 @@
 // usage: normal_fitting [OPTION]... [MESH]...
 
 #include "../../programs/support/picture.h"
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/package.h"
 #include "support/vertex_normals.h"
@@ -32,22 +33,17 @@
 
 #include <Eigen/Core>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
 using namespace benchmarks;
 
@@ -226,31 +222,22 @@ void run(const Options& o, const std::string& mesh) {
 }
 
 bool read_options(int argc, char* argv[], Options& o) {
-  po::options_description all("usage: normal_fitting [OPTION]... [MESH]...");
-  auto add = all.add_options();
+  Command_line line("usage: normal_fitting [OPTION]... [MESH]...");
   bool is_quick = false;
-  const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
-  add("help,h", "show this");
-  add("mesh", list(o.meshes), "files, or names in the folder of shared meshes");
-  add("depth", list(o.depths), "6 7 8");
-  add("space", list(o.spaces), "unsplit split; also: paper");
-  add("alpha", list(o.alphas), "in units of 1 / L^2; 0 0.05");
-  add("cell-alpha", list(o.cell_alphas), "in units of 1 / h^2; 0.05");
-  add("tolerance", po::value(&o.tolerance)->default_value(o.tolerance));
-  add("iterations", po::value(&o.iterations)->default_value(o.iterations));
-  add("stabilization", po::value(&o.stabilization)->default_value(o.stabilization));
-  add("threads", po::value(&o.threads)->default_value(o.threads));
-  add("pictures", po::value(&o.pictures), "folder for pictures, which has to exist");
-  add("quick", po::bool_switch(&is_quick), "depths 5 and 6");
-  po::positional_options_description positional;
-  positional.add("mesh", -1);
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
-  po::notify(given);
-  if(given.count("help")) {
-    std::cout << all;
+  line.add("mesh", o.meshes, "files, or names in the folder of shared meshes");
+  line.add("depth", o.depths, "6 7 8");
+  line.add("space", o.spaces, "unsplit split; also: paper");
+  line.add("alpha", o.alphas, "in units of 1 / L^2; 0 0.05");
+  line.add("cell-alpha", o.cell_alphas, "in units of 1 / h^2; 0.05");
+  line.add("tolerance", o.tolerance);
+  line.add("iterations", o.iterations);
+  line.add("stabilization", o.stabilization);
+  line.add("threads", o.threads);
+  line.add("pictures", o.pictures, "folder for pictures, which has to exist");
+  line.add("quick", is_quick, "depths 5 and 6");
+  line.add_positional("mesh");
+  if(!line.read(argc, argv))
     return false;
-  }
   if(is_quick)
     o.depths = {5, 6};
   return true;
@@ -259,10 +246,10 @@ bool read_options(int argc, char* argv[], Options& o) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("normal_fitting", [&] {
     Options o;
     if(!read_options(argc, argv, o))
-      return 0;
+      return;
     [[maybe_unused]] const auto limited = limit_threads(o.threads);
     print_header(argc, argv);
     std::printf("# stabilization %g, residual %g, %d threads; seconds of one run\n",
@@ -274,8 +261,5 @@ int main(int argc, char* argv[]) {
       run(o, mesh);
       std::printf("\n\n");
     }
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "normal_fitting: %s\n", e.what());
-    return 1;
-  }
+  });
 }

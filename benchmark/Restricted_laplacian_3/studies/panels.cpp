@@ -14,6 +14,7 @@
 // usage: panels [--threads N] [--pairs K] [--processor-time] ROWS...
 // default: one thread, 50 pairs, 9093 and 35708 rows (a bunny at depths 5 and 6)
 
+#include "support/driver.h"
 #include "support/measure.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
@@ -30,7 +31,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -190,7 +190,7 @@ void compare(Eigen::Index rows, int pairs, int threads) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("panels", [&] {
     int threads = 1, pairs = 50;
     std::vector<Eigen::Index> rows;
     for(int i = 1; i < argc; ++i)
@@ -217,9 +217,5 @@ int main(int argc, char* argv[]) {
     for(Eigen::Index n : rows)
       compare(n, pairs, threads);
     std::fprintf(stderr, "checksum %g\n", checksum);
-    return 0;
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "panels: %s\n", e.what());
-    return 1;
-  }
+  });
 }

@@ -29,6 +29,7 @@
 // network is assumed: its latency and bandwidth are not those of this machine.
 // (distributed_comparison counts the messages of a cycle where it runs.)
 
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/refined_mesh.h"
@@ -40,15 +41,12 @@
 #include <CGAL/Restricted_laplacian_3/octree/shared/Octree_builder.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
-#include <boost/program_options.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
@@ -57,7 +55,6 @@
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 using namespace benchmarks;
 
 namespace {
@@ -484,28 +481,27 @@ void study(const Cells& cells, std::size_t number_of_ranks, const Model& model) 
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("partition_study", [&] {
     std::vector<std::size_t> ranks = {16, 64, 256, 1024, 4096};
     int depth = 12, threads = 2;
     std::uint32_t n = 1;
     Model model;
     std::string mesh;
-    po::options_description options;
-    auto add = options.add_options();
-    add("depth", po::value(&depth));
-    add("ranks", po::value(&ranks)->multitoken());
-    add("threads", po::value(&threads));
-    add("rate", po::value(&model.rate));
-    add("latency", po::value(&model.latency));
-    add("bandwidth", po::value(&model.bandwidth));
-    add("mesh", po::value(&mesh)->required());
-    add("n", po::value(&n)->required());
-    po::positional_options_description positional;
-    positional.add("mesh", 1).add("n", 1);
-    po::variables_map given;
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positional).run(),
-              given);
-    po::notify(given);
+    Command_line line("usage: partition_study [OPTION]... MESH N");
+    line.add("depth", depth);
+    line.add("ranks", ranks);
+    line.add("threads", threads);
+    line.add("rate", model.rate);
+    line.add("latency", model.latency);
+    line.add("bandwidth", model.bandwidth);
+    line.add("mesh", mesh);
+    line.add("n", n);
+    line.add_positional("mesh", 1);
+    line.add_positional("n", 1);
+    if(!line.read(argc, argv))
+      return 0;
+    line.require("mesh");
+    line.require("n");
 
     const auto flat = find_mesh(mesh);
     if(!flat)
@@ -528,8 +524,5 @@ int main(int argc, char* argv[]) {
     for(std::size_t number : ranks)
       study(cells, number, model);
     return 0;
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "partition_study: %s\n", e.what());
-    return 1;
-  }
+  });
 }

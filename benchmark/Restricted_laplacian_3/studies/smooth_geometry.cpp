@@ -28,6 +28,7 @@
 // relative error at its vertices, in percent.
 
 #include "support/curved_shapes.h"
+#include "support/driver.h"
 #include "support/held_out.h"
 #include "support/measure.h"
 #include "support/meshes.h"
@@ -48,7 +49,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <string>
 #include <utility>
@@ -270,7 +270,7 @@ void run_curvature() {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("smooth_geometry", [&] {
     print_header(argc, argv);
     if(argc > 1 && std::string(argv[1]) == "--simplified") {
       std::printf("# %-16s %7s %9s %10s %10s %7s %10s %10s\n", "mesh", "percent", "triangles",
@@ -278,7 +278,7 @@ int main(int argc, char* argv[]) {
       for(int i = 2; i < argc; ++i)
         if(const auto mesh = find_mesh_file(argv[i]))
           run_simplified(argv[i], *mesh);
-      return 0;
+      return;
     }
     if(argc > 1 && std::string(argv[1]) == "--held-out") {
       std::printf("# %-16s %9s %8s %8s %10s %10s %10s %10s %10s %10s\n", "mesh", "triangles",
@@ -287,18 +287,14 @@ int main(int argc, char* argv[]) {
       for(int i = 2; i < argc; ++i)
         if(const auto mesh = find_mesh_file(argv[i]))
           run_held_out(argv[i], *mesh);
-      return 0;
+      return;
     }
     if(argc > 1 && std::string(argv[1]) == "--curvature") {
       std::printf("# %-8s %9s %-10s %5s %9s %9s\n", "shape", "triangles", "geometry", "depth",
                   "median_%", "95th_%");
       run_curvature();
-      return 0;
+      return;
     }
     run_shapes();
-    return 0;
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "smooth_geometry: %s\n", e.what());
-    return 1;
-  }
+  });
 }

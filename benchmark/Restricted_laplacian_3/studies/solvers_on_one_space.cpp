@@ -13,6 +13,7 @@
 // usage: solvers_on_one_space [MESH DEPTH]...
 // default: cow_5k8 6 bunny_closed_70k 6 armadillo 7 of the shared meshes
 
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/package.h"
 
@@ -22,7 +23,6 @@
 
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,7 +101,7 @@ void compare(const std::string& name, int depth) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("solvers_on_one_space", [&] {
     std::vector<std::pair<std::string, int>> cases;
     for(int i = 1; i + 1 < argc; i += 2)
       cases.emplace_back(argv[i], std::stoi(argv[i + 1]));
@@ -112,8 +112,5 @@ int main(int argc, char* argv[]) {
     std::printf("# %-16s %-13s %9s %11s\n", "mesh", "what", "seconds", "iterations");
     for(const auto& [name, depth] : cases)
       compare(name, depth);
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "solvers_on_one_space: %s\n", e.what());
-    return 1;
-  }
+  });
 }

@@ -13,6 +13,7 @@
 // usage: sorts_and_inverses [--threads N]
 // default: one thread
 
+#include "support/driver.h"
 #include "support/measure.h"
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/stable_sort_by_key.h>
@@ -41,7 +42,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <functional>
 #include <random>
 #include <stdexcept>
@@ -305,7 +305,7 @@ void compare_inverses(int size) {
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("sorts_and_inverses", [&] {
     int threads = 1;
     for(int i = 1; i < argc; ++i)
       if(std::strcmp(argv[i], "--threads") == 0 && i + 1 < argc)
@@ -325,9 +325,5 @@ int main(int argc, char* argv[]) {
     if(threads == 1)
       for(int size : {27, 49, 64})
         compare_inverses(size);
-    return 0;
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "sorts_and_inverses: %s\n", e.what());
-    return 1;
-  }
+  });
 }

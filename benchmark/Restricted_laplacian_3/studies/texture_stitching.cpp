@@ -26,6 +26,7 @@
 #include "../../programs/support/mesh_output.h"
 #include "../../programs/support/vertex_data.h"
 #include "../../programs/support/virtual_scanner.h"
+#include "support/driver.h"
 #include "support/measure.h"
 #include "support/meshes.h"
 #include "support/package.h"
@@ -35,20 +36,15 @@
 
 #include <CGAL/Real_timer.h>
 
-#include <boost/program_options.hpp>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace po = boost::program_options;
 namespace RL = CGAL::Restricted_laplacian_3;
 using namespace benchmarks;
 using programs::Color;
@@ -186,39 +182,30 @@ void run(const Mesh& mesh, const Options& o, double lamp, int depth) {
 }
 
 bool read_options(int argc, char* argv[], Options& o) {
-  po::options_description all("usage: texture_stitching [OPTION]... [MESH]...");
-  auto add = all.add_options();
-  const auto list = [](auto& values) { return po::value(&values)->multitoken(); };
-  add("help,h", "show this");
-  add("mesh", list(o.meshes),
-      "files, or names in the folder of shared meshes; those without colors get a pattern");
-  add("depth", list(o.depths), "8");
-  add("lamp", list(o.lamps), "parts of the light; 0 0.5");
-  add("method", list(o.methods), "paper paper+exp bp bp+exp bp+exp+det");
-  add("alpha", list(o.alphas), "in units of 1 / area; the default of the package");
-  add("views", po::value(&o.views)->default_value(o.views));
-  add("resolution", po::value(&o.resolution)->default_value(o.resolution));
-  add("range", po::value(&o.range)->default_value(o.range), "of exposures");
-  add("tint", po::value(&o.tint)->default_value(o.tint), "of white balance");
-  add("threads", po::value(&o.threads)->default_value(o.threads));
-  add("write", po::value(&o.meshes_folder), "folder for colored meshes, which has to exist");
-  po::positional_options_description positional;
-  positional.add("mesh", -1);
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
-  po::notify(given);
-  if(given.count("help"))
-    std::cout << all;
-  return given.count("help") == 0;
+  Command_line line("usage: texture_stitching [OPTION]... [MESH]...");
+  line.add("mesh", o.meshes,
+           "files, or names in the folder of shared meshes; those without colors get a pattern");
+  line.add("depth", o.depths, "8");
+  line.add("lamp", o.lamps, "parts of the light; 0 0.5");
+  line.add("method", o.methods, "paper paper+exp bp bp+exp bp+exp+det");
+  line.add("alpha", o.alphas, "in units of 1 / area; the default of the package");
+  line.add("views", o.views);
+  line.add("resolution", o.resolution);
+  line.add("range", o.range, "of exposures");
+  line.add("tint", o.tint, "of white balance");
+  line.add("threads", o.threads);
+  line.add("write", o.meshes_folder, "folder for colored meshes, which has to exist");
+  line.add_positional("mesh");
+  return line.read(argc, argv);
 }
 
 } // namespace
 
 int main(int argc, char* argv[]) {
-  try {
+  return run_benchmark("texture_stitching", [&] {
     Options o;
     if(!read_options(argc, argv, o))
-      return 0;
+      return;
     [[maybe_unused]] const auto limited = limit_threads(o.threads);
     print_header(argc, argv);
     std::printf("# exposures differ by the factor %g, white balance by %g; pictures of %d x %d; %d "
@@ -237,8 +224,5 @@ int main(int argc, char* argv[]) {
           run(mesh, o, lamp, depth);
       std::printf("\n\n");
     }
-  } catch(const std::exception& e) {
-    std::fprintf(stderr, "texture_stitching: %s\n", e.what());
-    return 1;
-  }
+  });
 }
