@@ -73,7 +73,11 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       .add(space_options(o))
       .add(integration_options(o))
       .add(point_options(o, o))
-      .add(spline_output_options(o, "index, eigenvalue", "the property value, the eigenfunction"))
+      .add(spline_output_options(
+          o,
+          "index, eigenvalue, and, for restricted splines, the estimated relative "
+          "error and the extrapolated eigenvalue",
+          "the property value, the eigenfunction"))
       .add(general_options(o));
 
   if(!parse_command_line(argc, argv, help, all, o, given))
@@ -108,12 +112,20 @@ void show_eigenfunctions(const Eigen::VectorXd& eigenvalues, Eigen::MatrixXd at_
   result.page.first = static_cast<std::size_t>(o.eigenfunction);
 }
 
+// What is known of the eigenvalues that were found.
+struct Found {
+  RL::Eigenpairs pairs;
+  std::vector<std::string> names = {"eigenvalue"}; // of columns
+  Eigen::MatrixXd table;
+};
+
 // Each of these two returns the eigenvalues that were found, and sets `result` to the eigenfunction
 // that the options ask for.
-RL::Eigenpairs solve_restricted(Job& job, const Options& o, Outcome& result) {
+Found solve_restricted(Job& job, const Options& o, Outcome& result) {
   const RL::Spline_space_3 space = make_spectral_space(job);
   const bool eigenvalues_only = o.output.empty() && o.html.empty();
-  RL::Eigenpairs pairs = solve_spectrum(space, o.count, eigenvalues_only, o, job).pairs;
+  RL::Laplace_spectrum spectrum = solve_spectrum(space, o.count, eigenvalues_only, o, job);
+  const RL::Eigenpairs& pairs = spectrum.pairs;
   if(o.eigenfunction < pairs.values.size()) {
     const Eigen::VectorXd u = pairs.vectors.col(o.eigenfunction);
     result = outcome(RL::Spline_function_3(space, u).values_at_vertices());
@@ -126,10 +138,18 @@ RL::Eigenpairs solve_restricted(Job& job, const Options& o, Outcome& result) {
       return functions.values_at_locations(locations);
     };
   }
-  return pairs;
+  Found found;
+  found.table = pairs.values;
+  if(spectrum.estimated_errors.size() > 0) {
+    found.names.insert(found.names.end(), {"estimated_relative_error", "extrapolated"});
+    found.table.conservativeResize(Eigen::NoChange, 3);
+    found.table.rightCols(2) << spectrum.estimated_errors, spectrum.extrapolated_eigenvalues;
+  }
+  found.pairs = std::move(spectrum.pairs);
+  return found;
 }
 
-RL::Eigenpairs solve_cotangent(Job& job, const Options& o, Outcome& result) {
+Found solve_cotangent(Job& job, const Options& o, Outcome& result) {
   const RL::Triangulated_surface_3& surface = job.surface;
   require(!surface.is_point_set(), "--operator cotangent needs a mesh with triangles, not points");
   job.summary.add("dimension", surface.number_of_vertices());
@@ -162,20 +182,25 @@ RL::Eigenpairs solve_cotangent(Job& job, const Options& o, Outcome& result) {
   }
   if(!o.html.empty())
     show_eigenfunctions(pairs.values, pairs.vectors, o, result);
-  return pairs;
+  Found found;
+  found.table = pairs.values;
+  found.pairs = std::move(pairs);
+  return found;
 }
 
 Outcome solve(Job& job, const Options& o) {
   // no eigenfunction, unless it is found
   Outcome result = outcome(std::vector<double>(job.surface.number_of_vertices(), std::nan("")));
-  const RL::Eigenpairs pairs = o.operator_name == "restricted" ? solve_restricted(job, o, result)
-                                                               : solve_cotangent(job, o, result);
-  const Eigen::VectorXd eigenvalues = pairs.values;
-  result.write_table = [=](const std::string& file, const Summary& lines) {
-    write_csv(file, lines, "index", {"eigenvalue"}, eigenvalues);
+  const Found found = o.operator_name == "restricted" ? solve_restricted(job, o, result)
+                                                      : solve_cotangent(job, o, result);
+  result.write_table = [names = found.names, table = found.table](const std::string& file,
+                                                                  const Summary& lines) {
+    write_csv(file, lines, "index", names, table);
   };
-  result.print = [=](std::ostream& out) { print_eigenvalues(out, eigenvalues); };
-  check_number(job, pairs, o.count);
+  result.print = [values = found.pairs.values](std::ostream& out) {
+    print_eigenvalues(out, values);
+  };
+  check_number(job, found.pairs, o.count);
   return result;
 }
 

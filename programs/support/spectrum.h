@@ -90,6 +90,7 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
                                             : "shift-invert");
   job.summary.add_detail("iterations", spectrum.report.iterations);
   job.summary.add_detail("relative_residual", spectrum.report.relative_residual);
+  job.add_estimate(spectrum.report);
   return spectrum;
 }
 

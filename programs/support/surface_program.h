@@ -33,6 +33,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -156,12 +157,22 @@ public:
     summary.add_detail("solve_seconds", report.solve_seconds);
     summary.add_detail("iterations", report.iterations);
     summary.add_detail("relative_residual", report.relative_residual);
+    add_estimate(report);
     if(report.converged)
       return;
     std::ostringstream text;
     text << "the iteration " << to_string(report.status) << ", with a relative residual of "
          << report.relative_residual << " after " << report.iterations << " iterations";
     fail(text.str());
+  }
+
+  // how large the error of the finite elements is, if that is known
+  template <typename Report> void add_estimate(const Report& report) {
+    if(!std::isnan(report.estimated_error))
+      summary.add_explained("estimated_relative_error", report.estimated_error,
+                            report.is_estimate_trusted
+                                ? ""
+                                : "  (not to be relied on: cells do not resolve the surface)");
   }
 
   // says in what the solver failed

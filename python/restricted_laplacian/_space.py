@@ -22,8 +22,8 @@ class Report(dict):
     """What a solver did, a dictionary whose entries are attributes, too.
 
     ``converged``, ``status``, ``iterations``, ``relative_residual``, ``relative_energy_error`` (an
-    estimate), ``assembly_seconds``, ``setup_seconds``, ``solve_seconds``, and what the function
-    adds.
+    estimate), ``assembly_seconds``, ``setup_seconds``, ``solve_seconds``, ``estimated_error`` (of the finite
+    elements, relative; NaN where it is not known) and ``is_estimate_trusted``, and what the function adds.
     """
 
     def __getattr__(self, name: str) -> Any:

@@ -36,6 +36,13 @@ class Spectrum(Viewable):
     coefficients : numpy.ndarray, (dimension, k)
         The same as splines.
     area : float
+    estimated_errors : numpy.ndarray, (k,)
+        How large the relative errors of the eigenvalues are that the finite elements make, by what changed
+        from level to level; empty where it is not known. ``report.estimated_error`` is the largest, and
+        ``report.is_estimate_trusted`` whether cells resolve the surface.
+    extrapolated_eigenvalues : numpy.ndarray, (k,)
+        Without the error that falls fourfold from level to level: mostly nearer than `eigenvalues`, which
+        are upper bounds up to the stabilization; empty where it is not known.
     space : Space
     report : Report
     """
@@ -44,6 +51,8 @@ class Spectrum(Viewable):
     vertex_values: np.ndarray
     coefficients: np.ndarray
     area: float
+    estimated_errors: np.ndarray
+    extrapolated_eigenvalues: np.ndarray
     space: Space
     report: Report
 
@@ -149,13 +158,13 @@ def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str
         raise argument_error("orthonormal", f"must be surface or vertices, and is {orthonormal!r}")
     space = space_of(V, F, threads, normals=normals, depth=depth,
                      joining_tolerance=joining_tolerance, geometry=geometry)
-    values, at_vertices, vectors, area, report = _core.eigenpairs(
+    values, at_vertices, vectors, area, errors, extrapolated, report = _core.eigenpairs(
         space._space, int(count), eigensolver, True, bool(eigenvalues_only),
         solver_options(tolerance, None, stabilization, maximum_iterations=maximum_iterations),
         number_of_threads(threads), listener(progress))
     if orthonormal == "vertices" and not eigenvalues_only:
         at_vertices, vectors = _orthonormal_at_vertices(space, at_vertices, vectors)
-    spectrum = Spectrum(values, at_vertices, vectors, area, space, Report(report))
+    spectrum = Spectrum(values, at_vertices, vectors, area, errors, extrapolated, space, Report(report))
     advice = {"multigrid": '; eigensolver="shift-invert" may find all of them, or a larger '
                            "tolerance or maximum_iterations",
               "shift-invert": "; a smaller count, or another depth, may help"}

@@ -73,6 +73,8 @@ nb::dict report_of(const RL::Solve_report& r) {
   result["relative_residual"] = r.relative_residual;
   result["relative_energy_error"] = r.relative_energy_error;
   result["constraint_error"] = r.constraint_error;
+  result["estimated_error"] = r.estimated_error;
+  result["is_estimate_trusted"] = r.is_estimate_trusted;
   result["assembly_seconds"] = r.assembly_seconds;
   result["setup_seconds"] = r.setup_seconds;
   result["solve_seconds"] = r.solve_seconds;

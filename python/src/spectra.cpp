@@ -45,7 +45,9 @@ nb::tuple eigenpairs(const RL::Spline_space_3& space, int k, const std::string& 
       s.eigensolver == RL::Eigensolver::multigrid ? "multigrid" : "shift-invert";
   return nb::make_tuple(array_of_matrix(std::move(s.eigenvalues)),
                         array_of_matrix(std::move(s.vertex_values)),
-                        array_of_matrix(std::move(s.pairs.vectors)), s.area, report);
+                        array_of_matrix(std::move(s.pairs.vectors)), s.area,
+                        array_of_matrix(std::move(s.estimated_errors)),
+                        array_of_matrix(std::move(s.extrapolated_eigenvalues)), report);
 }
 
 Vector vector_of(const Numbers& a) {

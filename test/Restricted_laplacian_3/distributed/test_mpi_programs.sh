@@ -67,7 +67,7 @@ make_torus() {
 
 # largest_difference FILE OTHER: of the values of two tables, over the largest value
 largest_difference() {
-  paste -d, <(grep -v '^#' "$1") <(grep -v '^#' "$2") | awk -F, '
+  paste -d, <(grep -v '^#' "$1" | cut -d, -f1,2) <(grep -v '^#' "$2") | awk -F, '
     NR > 1 {
       d = $2 - $4; d = d < 0 ? -d : d; m = d > m ? d : m
       a = $2 < 0 ? -$2 : $2; b = a > b ? a : b

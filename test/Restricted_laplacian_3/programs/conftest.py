@@ -99,7 +99,7 @@ class Table:
                 break
             assert re.match(r"# [a-z_]+: .", line), line
         for i, row in enumerate(self.rows):
-            assert re.fullmatch(rf"{i},-?\d+(\.\d*)?(e[-+]\d+)?", row), row
+            assert re.fullmatch(rf"{i}(,-?\d+(\.\d*)?(e[-+]\d+)?){{{len(self.columns) - 1}}}", row), row
 
     def check_numbers(self, names):
         for name in names.split():

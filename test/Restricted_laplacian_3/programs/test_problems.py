@@ -182,8 +182,11 @@ def test_spectrum():
     spectrum = "laplace_spectrum sphere.off --depth 4 --count 16"
     result = succeeds(f"{spectrum} --csv s.csv --output s.ply")
     table = Table("s.csv")
-    table.check("index,eigenvalue")
+    table.check("index,eigenvalue,estimated_relative_error,extrapolated")
     assert len(table.rows) == 16 and has_sphere_spectrum(table[1], 1e-2)
+    assert table.comment("estimated_relative_error") == pytest.approx(table[2].max()) and table[2].min() == 0
+    assert 0 < table[2].max() < 1e-2 and re.search(r"estimated_relative_error *\d", result.out)
+    assert has_sphere_spectrum(np.sort(table[3]), 1e-2) and (table[3][1:] != table[1][1:]).any()
     table.check_numbers("vertices faces depth dimension cells sheets split_elements components area assembly_seconds "
                         "solve_seconds")
     assert re.search(r"[^0-9]2\.0", result.out), "prints the eigenvalues"
@@ -204,6 +207,7 @@ def test_spectrum():
         succeeds(f"laplace_spectrum sphere.off --operator cotangent {mass} --count 16 --csv c{mass}.csv")
         assert has_sphere_spectrum(Table(f"c{mass}.csv")[1], 3e-2), mass
         assert Table(f"c{mass}.csv").comment("dimension") == 1026
+        assert Table(f"c{mass}.csv").columns == ["index", "eigenvalue"]
     assert (Table("c.csv")[1] != Table("c--lumped-mass.csv")[1]).any()
 
     # Eigenfunction 0 is constant. Eigenfunction 1 has mean square 1 / area, and the inverse Laplacian divides it by

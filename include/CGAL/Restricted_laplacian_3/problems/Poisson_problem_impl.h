@@ -13,6 +13,7 @@
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/Prescribed_iteration.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
@@ -20,6 +21,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -158,7 +160,10 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
   } else {
     Solve_options options;
     options.progress = of_solve.callback();
+    std::array<Eigen::MatrixXd, 2> coarser;
+    options.coarser_solutions = &coarser;
     report = solver.solve(load, solution.coefficients, options);
+    internal::estimate_error(space, solution.coefficients, coarser, solution);
   }
   solution.assembly_seconds = assembly_seconds;
   solution.kernel_dimension = solver.kernel_dimension();

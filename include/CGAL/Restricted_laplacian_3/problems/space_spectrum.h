@@ -42,6 +42,15 @@ struct Laplace_spectrum {
   /// so, the finer the mesh the more. \f$\Phi L^{-T}\f$ with
   /// \f$L L^T = \Phi^T M \Phi\f$ is, exactly.
   Eigen::MatrixXd vertex_values;
+  /// An estimate of the relative error of each eigenvalue that the finite elements make, by what
+  /// changed from level to level; see the section on errors in the User Manual. 0 for those that
+  /// are 0; empty where it is not known. The largest one is in `report`.
+  Eigen::VectorXd estimated_errors;
+  /// Eigenvalues without the error that falls fourfold from level to level,
+  /// \f$(4 \lambda_d - \lambda_{d-1}) / 3\f$, by those of the two finest levels: mostly nearer,
+  /// but no upper bounds, as `eigenvalues` are up to the stabilization. Empty where the coarser
+  /// level is not known.
+  Eigen::VectorXd extrapolated_eigenvalues;
   /// of the surface
   double area = 0;
   /// the algebraic problem: vectors of coefficients, residuals, shift and regularization

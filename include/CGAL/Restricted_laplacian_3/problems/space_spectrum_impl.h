@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 
@@ -14,6 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
+#include <CGAL/Restricted_laplacian_3/spectra/shared/nested_iteration.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
@@ -49,6 +51,60 @@ inline void take_pairs(Eigenpairs&& pairs, Eigensolver eigensolver, Laplace_spec
     spectrum.report.relative_residuals.push_back(residual);
     spectrum.report.relative_residual = (std::max)(spectrum.report.relative_residual, residual);
   }
+}
+
+/// Sets estimated errors and extrapolated eigenvalues, if all pairs were found.
+/// \param coarser_values of coarser levels, coarsest first
+inline void estimate_errors(const Spline_space_3& space,
+                            const std::vector<Eigen::VectorXd>& coarser_values,
+                            Laplace_spectrum& spectrum) {
+  const Eigen::VectorXd& values = spectrum.eigenvalues;
+  const std::size_t number = coarser_values.size();
+  if(number == 0 || !spectrum.report.converged || coarser_values.back().size() != values.size())
+    return;
+  const Eigen::VectorXd& last = coarser_values.back();
+  // what is smaller is 0
+  constexpr double part_of_natural_distance = 1e-6;
+  const double smallest = -part_of_natural_distance * natural_shift(space.surface().area());
+  const auto changes = [&](const Eigen::VectorXd& coarse, const Eigen::VectorXd& fine) {
+    const Eigen::ArrayXd scale = values.array().max(smallest);
+    return Eigen::VectorXd(
+        (values.array() > smallest).select(((coarse - fine).array() / scale).abs(), 0.).matrix());
+  };
+  const Eigen::VectorXd errors = changes(last, values);
+  const double largest = errors.maxCoeff(),
+               before = number > 1 ? changes(coarser_values[number - 2], last).maxCoeff()
+                                   : std::numeric_limits<double>::quiet_NaN();
+  spectrum.report.estimated_error = error_of_changes(largest, before);
+  spectrum.report.is_estimate_trusted = is_resolved(space);
+  spectrum.estimated_errors =
+      largest > 0 ? Eigen::VectorXd(errors * (spectrum.report.estimated_error / largest)) : errors;
+  spectrum.extrapolated_eigenvalues = (4 * values - last) / 3;
+}
+
+/// The coarsest level whose eigenvalues are compared with those of the finest, by factorizations.
+inline int coarsest_level_of_estimate(const Spline_space_3& space, int k) {
+  constexpr int most_levels = 2;
+  const auto least_dimension =
+      static_cast<std::size_t>(unknowns_of_a_start_vector) * static_cast<std::size_t>(k);
+  int level = space.depth();
+  while(!space.is_paper_space() && level > 0 && level > space.depth() - most_levels &&
+        space.dimension(level - 1) >= least_dimension)
+    --level;
+  return level;
+}
+
+/// the eigenvalues of levels, as far as they are found
+inline std::vector<Eigen::VectorXd> eigenvalues_of_levels(const std::vector<Operators>& levels,
+                                                          int k) {
+  std::vector<Eigen::VectorXd> result;
+  for(const auto& [stiffness, mass] : levels)
+    try {
+      result.push_back(smallest_eigenpairs(stiffness, mass, k).values);
+    } catch(const Numerical_error&) { // nothing is known of this level
+      result.clear();
+    }
+  return result;
 }
 
 /// Whether a space has more parts than a number, which no sheet has in common.
@@ -198,7 +254,9 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
   constexpr double part_of_assembly = 0.15;
   const internal::Progress progress(options.multigrid.progress);
   const internal::Progress of_solver = progress.part(part_of_assembly, 1);
-  const int coarsest = is_multigrid ? internal::coarsest_multigrid_level(space) : space.depth();
+  const int coarsest = is_multigrid ? internal::coarsest_multigrid_level(space)
+                                    : internal::coarsest_level_of_estimate(space, k);
+  std::vector<Eigen::VectorXd> coarser_values;
   std::vector<Operators> operators = assemble_operators_of_levels(
       space, coarsest, space.depth(), stabilization, Stabilized::stiffness,
       progress.part(0, part_of_assembly).callback());
@@ -215,15 +273,19 @@ laplace_eigenpairs(const Spline_space_3& space, int k, const Laplace_spectrum_op
           internal::multigrid_eigenpairs_of(space, coarsest, std::move(operators), k, of_multigrid),
           Eigensolver::multigrid, spectrum);
     });
+    coarser_values.swap(spectrum.pairs.coarser_values);
     if(internal::tries_factorization(space, k, spectrum.pairs, options))
       internal::factorize(space, k, stabilization, of_multigrid, spectrum);
   } else {
     Eigenpairs_options of_factorization;
     of_factorization.progress = of_solver.callback();
     internal::take_pairs(
-        smallest_eigenpairs(operators[0].stiffness, operators[0].mass, k, of_factorization),
+        smallest_eigenpairs(operators.back().stiffness, operators.back().mass, k, of_factorization),
         Eigensolver::shift_invert, spectrum);
+    operators.pop_back();
+    coarser_values = internal::eigenvalues_of_levels(operators, k);
   }
+  internal::estimate_errors(space, coarser_values, spectrum);
   progress(1);
   spectrum.report.solve_seconds = timer.time() - spectrum.report.assembly_seconds;
   spectrum.area = space.surface().area();

@@ -42,7 +42,7 @@ namespace Restricted_laplacian_3 {
       Multigrid<Smoother>::Workspace<K>&) const;                                                   \
   prefix template void Multigrid<Smoother>::nested_iteration<K>(                                   \
       const internal::Block_vector<K>&, internal::Block_vector<K>&, Cycle, int,                    \
-      Multigrid<Smoother>::Workspace<K>&) const;
+      Multigrid<Smoother>::Workspace<K>&, internal::Block_vector<K>*) const;
 #define CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_OF(prefix, Smoother)                                 \
   prefix template class Multigrid<Smoother>;                                                       \
   CGAL_RESTRICTED_LAPLACIAN_3_MULTIGRID_OF_BLOCK(prefix, Smoother, 1)                              \
@@ -186,11 +186,16 @@ public:
   /// A first guess by nested iteration: the coarsest problem is solved, then the solution of each
   /// level is prolongated to the next and improved by one cycle there, except on the finest. Takes
   /// about a third of the time of a cycle.
+  /// \param x the solution of the level below the finest, so to speak
+  /// \param coarser receives that of the level below that one; empty if there is none
   template <int K>
   void nested_iteration(const internal::Block_vector<K>& b, internal::Block_vector<K>& x,
-                        Cycle cycle, int steps, Workspace<K>& workspace) const {
+                        Cycle cycle, int steps, Workspace<K>& workspace,
+                        internal::Block_vector<K>* coarser = nullptr) const {
     CGAL_precondition(!m_levels.empty() && b.rows() == m_size);
     const std::size_t finest = m_levels.size() - 1;
+    if(coarser)
+      coarser->resize(0, K);
     if(finest == 0) {
       m_coarse_inverse.apply<K>(b, x);
       return;
@@ -207,6 +212,10 @@ public:
       solution.swap(fine);
       if(level == finest)
         break;
+      if(coarser && level + 1 == finest) {
+        m_levels[finest].prolongation.template multiply<K, false>(m_is_parallel, solution, fine);
+        export_solution<K>(finest, fine, scale, *coarser);
+      }
       auto& residual = workspace.levels[level].residual;
       level_smoother(level).template residual<K>(loads[level], solution, residual);
       run<K>(level, residual, correction, cycle, steps, workspace);

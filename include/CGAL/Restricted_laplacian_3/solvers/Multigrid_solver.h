@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -94,6 +95,12 @@ struct Solve_options {
   bool has_first_guess = false;
   /// if the problem is one of least squares
   Least_squares_criterion least_squares;
+  /// \cond
+  /// Receives, if there is no first guess, the solutions of the level below the finest and of the
+  /// one below that, to the accuracy of a cycle, as functions of the finest level. NaN where they
+  /// are not known.
+  std::array<Eigen::MatrixXd, 2>* coarser_solutions = nullptr;
+  /// \endcond
 
   /// the defaults
   Solve_options() = default;

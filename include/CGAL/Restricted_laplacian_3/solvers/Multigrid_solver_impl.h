@@ -19,7 +19,9 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <string>
@@ -79,6 +81,9 @@ struct Multigrid_solver::Impl {
     bool has_first_guess;
     Least_squares_criterion least_squares;
     internal::Progress progress;
+    /// as in `Solve_options`, and the column of the first right-hand side in them
+    std::array<Eigen::MatrixXd, 2>* coarser_solutions = nullptr;
+    Eigen::Index first = 0;
   };
 
   /// \param a is compressed
@@ -138,6 +143,11 @@ struct Multigrid_solver::Impl {
     of_block.tolerance = given.tolerance.value_or(*options.tolerance);
     of_block.has_first_guess = given.has_first_guess;
     of_block.least_squares = given.least_squares;
+    if(given.coarser_solutions)
+      for(Eigen::MatrixXd& coarser : *given.coarser_solutions)
+        coarser.setConstant(b.rows(), b.cols(), std::numeric_limits<double>::quiet_NaN());
+    if(!given.has_first_guess)
+      of_block.coarser_solutions = given.coarser_solutions;
     const internal::Progress progress(given.progress);
     check(b, of_block.tolerance);
     check_least_squares(b, given.least_squares);
@@ -161,6 +171,7 @@ struct Multigrid_solver::Impl {
       of_block.least_squares.squares =
           squares.tail((std::max)(squares.size() - first, Eigen::Index(0)));
       of_block.progress = progress.part(part(first), part(first + internal::vectors_of_a_block));
+      of_block.first = first;
       if(remaining == 1)
         solve_block<1>(of_block, b.rightCols(remaining), x.rightCols(remaining), report);
       else
@@ -182,12 +193,15 @@ struct Multigrid_solver::Impl {
           using Block = internal::Block_vector<K>;
           Cycle cycle = options.cycle;
           Iteration<K> iteration(*this, given, b, cycle);
+          Block coarser;
           iteration.start(
               [&](const Block& p, Block& q) {
-                hierarchy.template nested_iteration<K>(p, q, cycle, options.smoothing_steps,
-                                                       workspace);
+                hierarchy.template nested_iteration<K>(
+                    p, q, cycle, options.smoothing_steps, workspace,
+                    given.coarser_solutions ? &coarser : nullptr);
               },
               x);
+          iteration.keep_coarser(std::move(coarser));
           iteration.run([&](const Block& p, Block& q) {
             hierarchy.template apply<K>(p, q, cycle, options.smoothing_steps, workspace);
           });
@@ -247,6 +261,18 @@ public:
       m_cycle = Cycle::V;
   }
 
+  /// Keeps what nested iteration has found on coarser levels, if that is asked for.
+  /// \param coarser one level below the first guess
+  void keep_coarser(Block&& coarser) {
+    if(!m_given.coarser_solutions)
+      return;
+    m_coarser = {m_x, std::move(coarser)};
+    // where the first guess was of no use
+    for(int k = 0; k < K; ++k)
+      if(m_norm[k] > 0 && m_x.col(k).isZero(0))
+        m_coarser[0].col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+
   /// \param precondition one cycle
   void run(internal::Block_operator<K> precondition) {
     const auto multiply = [&](const Block& p, Block& q) {
@@ -280,6 +306,8 @@ public:
     m_solver.means.template shift_solution<K>(m_load, m_x);
     m_x = m_x * m_scale.matrix().asDiagonal();
     x.leftCols(m_count) = m_x.leftCols(m_count);
+    if(m_given.coarser_solutions)
+      export_coarser(*m_given.coarser_solutions);
     report.iterations = (std::max)(report.iterations, m_iterations);
     for(int k = 0; k < m_count; ++k) {
       const double relative = m_norm[k] > 0 ? m_residual[k] / m_norm[k] : 0;
@@ -303,6 +331,16 @@ private:
   static constexpr double restart_gain = 0.9;
   /// a right-hand side that the projection reduces to this fraction is a constant
   static constexpr double projection_tolerance = 1e-13;
+
+  void export_coarser(std::array<Eigen::MatrixXd, 2>& solutions) {
+    for(std::size_t i = 0; i < 2; ++i) {
+      if(m_coarser[i].rows() != m_x.rows())
+        continue;
+      m_solver.means.template shift_solution<K>(m_load, m_coarser[i]);
+      m_coarser[i] = m_coarser[i] * m_scale.matrix().asDiagonal();
+      solutions[i].middleCols(m_given.first, m_count) = m_coarser[i].leftCols(m_count);
+    }
+  }
 
   void compare_with_least_squares() {
     Block constants = Block::Zero(m_load.rows(), K);
@@ -384,6 +422,7 @@ private:
   Cycle& m_cycle;
   int m_count; ///< of columns that are not empty
   Block m_load, m_b, m_x, m_r;
+  std::array<Block, 2> m_coarser; ///< if they are asked for
   Row m_scale, m_norm, m_target, m_residual;
   internal::Conjugate_gradient_record<K> m_record;
   int m_iterations = 0;

@@ -67,6 +67,15 @@ struct [[nodiscard]] Solve_report {
   /// of those values, or of the root of the energy, if the space has functions that meet them. One
   /// that is more than 1e-3 does not count as converged. 0 if there are none.
   double constraint_error = 0;
+  /// An estimate of the error of the result, relative to its size, that the finite elements make,
+  /// by what changed from level to level; see the section on errors in the User Manual. Of
+  /// solutions the root mean square over the surface, relative to that of what is left of the
+  /// solution without its mean, the largest one if there are several; of eigenvalues the largest
+  /// relative one. NaN where it is not known.
+  double estimated_error = std::numeric_limits<double>::quiet_NaN();
+  /// whether the cells resolve the surface, so that the estimate can be relied on: the number of
+  /// unknowns grows about fourfold from level to level
+  bool is_estimate_trusted = false;
   /// wall-clock seconds: reading the surface, octree and numbering
   double space_seconds = 0;
   /// wall-clock seconds: matrices and right-hand sides

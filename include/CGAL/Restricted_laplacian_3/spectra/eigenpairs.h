@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -36,6 +37,11 @@ struct Eigenpairs {
   double shift = 0;
   /// \f$\tau\f$, see `smallest_eigenpairs()`; 0 for `multigrid_eigenpairs()`
   double regularization = 0;
+  /// \cond
+  /// Of `multigrid_eigenpairs()`: the values of the same pairs on coarser levels, to the accuracy
+  /// with which they are computed there, coarsest first.
+  std::vector<Eigen::VectorXd> coarser_values;
+  /// \endcond
 
   /// sets the status, and whether that is `Solve_status::converged`
   void set_status(Solve_status s) {

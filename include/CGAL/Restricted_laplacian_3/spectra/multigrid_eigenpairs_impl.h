@@ -164,6 +164,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
 
   Eigenpairs pairs;
   pairs.shift = internal::natural_shift(mass[finest].coeffs().sum());
+  pairs.coarser_values.emplace_back(at_start.values.head(k));
   const double alpha = internal::reaction_of_hierarchy(at_start.values, pairs.shift);
   internal::Lobpcg_levels levels = internal::make_levels(
       start, alpha, stiffness, mass, prolongations, patches, options.is_parallel);
@@ -181,6 +182,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
     solver.improve(
         is_finest ? k : carried, is_finest ? tolerance : internal::tolerance_of_coarse_levels,
         is_finest && !options.eigenvalues_only, [&of_level](double part) { of_level(part); });
+    if(!is_finest)
+      pairs.coarser_values.push_back(solver.values(k));
   }
   pairs.iterations = solver.iterations();
   solver.take_pairs(k, pairs);

@@ -169,6 +169,13 @@ public:
     }
   }
 
+  /// the smallest values that were found on the last level, ascending
+  Eigen::VectorXd values(Eigen::Index count) const {
+    Eigen::VectorXd result = m_values;
+    std::sort(result.begin(), result.end());
+    return result.head(count);
+  }
+
   /// of the last level
   int iterations() const { return m_iterations; }
   /// how the iteration on the last level ended

@@ -1,0 +1,174 @@
+// Copyright (c) 2026 The Restricted_laplacian_3 developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Errors that are estimated from levels, against those that there are.
+
+#include "catch.h"
+#include "shapes.h"
+
+#include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
+#include <CGAL/Restricted_laplacian_3/solve_poisson.h>
+#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace {
+
+namespace RL = CGAL::Restricted_laplacian_3;
+namespace params = RL::parameters;
+
+/// an ellipsoid of few triangles, so that cells are smaller than facets, or of many
+RL::Triangulated_surface_3 ellipsoid(int subdivisions, double scale = 1) {
+  shapes::Triangles t = shapes::sphere(subdivisions);
+  for(RL::Point_3& p : t.points)
+    p = RL::Point_3(scale * p.x(), scale * 0.8 * p.y(), scale * 0.55 * p.z());
+  return RL::read_surface(RL::soup(t.points, t.faces));
+}
+
+double largest_difference(const Eigen::VectorXd& values, const Eigen::VectorXd& exact) {
+  const Eigen::Index n = exact.size() - 1;
+  return ((values.tail(n) - exact.tail(n)).array() / exact.tail(n).array()).abs().maxCoeff();
+}
+
+/// of solutions in two spaces on one surface
+double root_mean_square_difference(const RL::Spline_space_3& space, const Eigen::VectorXd& u,
+                                   const RL::Spline_space_3& finer, const Eigen::VectorXd& exact) {
+  const Eigen::MatrixXd e = RL::internal::values_over_surface(finer, exact);
+  const auto places = RL::sample_surface(space.surface(), static_cast<std::size_t>(e.rows()), 1,
+                                         RL::Sampling::stratified);
+  const Eigen::MatrixXd v = RL::Spline_functions_3(space, u).values_at_locations(places);
+  return (v - e).norm() / e.norm();
+}
+
+/// \param noise that comes from the eigenvalues of the coarser level, which are not exact
+bool is_near(double estimate, double error, double most, double noise) {
+  // where splines are smooth on the facets, the next error is smaller than a fourth
+  return estimate >= error / 2 && estimate <= most * error + noise;
+}
+
+} // namespace
+
+TEST_CASE("changes_are_continued_by_a_factor_from_two_to_four", "[estimates]") {
+  using RL::internal::error_of_changes;
+  CHECK(error_of_changes(3, 9) == Approx(1.5));
+  CHECK(error_of_changes(3, 48) == Approx(1));
+  CHECK(error_of_changes(3, 3) == Approx(3));
+  CHECK(error_of_changes(3, 0) == Approx(3));
+  CHECK(error_of_changes(3, std::numeric_limits<double>::quiet_NaN()) == Approx(3));
+  CHECK(error_of_changes(0, 1) == 0);
+  CHECK(error_of_changes(0, 0) == 0);
+}
+
+TEST_CASE("errors_of_eigenvalues_are_estimated", "[estimates]") {
+  for(const int subdivisions : {0, 2, 5}) {
+    const RL::Triangulated_surface_3 surface = ellipsoid(subdivisions);
+    const RL::Spline_space_3 finest(surface, params::depth(6));
+    const Eigen::VectorXd exact =
+        RL::laplace_spectrum(finest, 16, params::eigenvalues_only(true).tolerance(1e-4))
+            .extrapolated_eigenvalues;
+    for(int depth = 4; depth <= 5; ++depth) {
+      const RL::Spline_space_3 space(surface, params::depth(depth));
+      const RL::Laplace_spectrum found = RL::laplace_spectrum(space, 16);
+      const double error = largest_difference(found.eigenvalues, exact), most = depth == 4 ? 16 : 4;
+      INFO(subdivisions << " subdivisions, depth " << depth << ": error " << error << ", estimate "
+                        << found.report.estimated_error << ", of extrapolated "
+                        << largest_difference(found.extrapolated_eigenvalues, exact));
+      CHECK(found.report.is_estimate_trusted);
+      REQUIRE(found.estimated_errors.size() == 16);
+      CHECK(found.estimated_errors[0] == 0);
+      CHECK(found.estimated_errors.maxCoeff() == Approx(found.report.estimated_error));
+      CHECK(found.estimated_errors.minCoeff() >= 0);
+      CHECK(is_near(found.report.estimated_error, error, most, 3e-4));
+      // by a factorization on each level, too
+      const RL::Laplace_spectrum factorized =
+          RL::laplace_spectrum(space, 16, params::eigensolver(RL::Eigensolver::shift_invert));
+      CHECK(is_near(factorized.report.estimated_error, error, most, 0));
+    }
+  }
+}
+
+TEST_CASE("errors_of_solutions_are_estimated", "[estimates]") {
+  const RL::Triangulated_surface_3 surface = ellipsoid(3);
+  const auto smooth = [](const RL::Surface_point& p) { return p.point.z() + p.point.x(); };
+  const auto kink = [](const RL::Surface_point& p) { return std::abs(p.point.x() - 0.3); };
+  const RL::Spline_space_3 finest(surface, params::depth(6));
+  for(const RL::Surface_function_view f :
+      {RL::Surface_function_view(smooth), RL::Surface_function_view(kink)})
+    for(const bool is_screened : {false, true}) {
+      const auto solve = [&](const RL::Spline_space_3& space, double tolerance) {
+        return is_screened ? RL::solve_screened_poisson(space, f, 5., params::tolerance(tolerance))
+                           : RL::solve_poisson(space, f, params::tolerance(tolerance));
+      };
+      const Eigen::VectorXd exact = solve(finest, 1e-6).coefficients;
+      for(int depth = 4; depth <= 5; ++depth) {
+        const RL::Spline_space_3 space(surface, params::depth(depth));
+        const RL::Poisson_solution found = solve(space, 1e-4);
+        double error = root_mean_square_difference(space, found.coefficients, finest, exact);
+        INFO("screened: " << is_screened << ", depth " << depth << ": error " << error
+                          << ", estimate " << found.estimated_error);
+        CHECK(found.is_estimate_trusted);
+        CHECK(found.estimated_error >= error / 2);
+        CHECK(found.estimated_error <= 6 * error);
+      }
+    }
+}
+
+TEST_CASE("estimates_do_not_depend_on_units_or_threads", "[estimates]") {
+  const auto f = [](double scale, double factor) {
+    return [=](const RL::Surface_point& p) { return factor * (p.point.z() / scale + 0.2); };
+  };
+  const auto spectrum_of = [](const RL::Spline_space_3& space) {
+    return RL::laplace_spectrum(space, 10).report.estimated_error;
+  };
+  const RL::Spline_space_3 space(ellipsoid(3), params::depth(4));
+  const double of_spectrum = spectrum_of(space),
+               of_solution = RL::solve_poisson(space, f(1, 1)).estimated_error;
+  CHECK(of_solution > 0);
+  for(const double scale : {1e-6, 1e6}) {
+    const RL::Spline_space_3 scaled(ellipsoid(3, scale), params::depth(4));
+    CHECK(spectrum_of(scaled) == Approx(of_spectrum).epsilon(1e-2));
+    for(const double factor : {1e-6, 1e6})
+      CHECK(RL::solve_poisson(scaled, f(scale, factor)).estimated_error ==
+            Approx(of_solution).epsilon(1e-2));
+  }
+  const RL::Spline_space_3 parallel(
+      ellipsoid(3), params::depth(4).concurrency_tag(CGAL::Parallel_if_available_tag()));
+  CHECK(spectrum_of(parallel) == of_spectrum);
+  CHECK(RL::solve_poisson(parallel, f(1, 1),
+                          params::concurrency_tag(CGAL::Parallel_if_available_tag()))
+            .estimated_error == of_solution);
+}
+
+TEST_CASE("what_is_not_known_is_not_estimated", "[estimates]") {
+  const RL::Triangulated_surface_3 surface = ellipsoid(3);
+  const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
+  const auto one = [](const RL::Surface_point&) { return 1.; };
+  // a constant is exact
+  const RL::Spline_space_3 space(surface, params::depth(4));
+  CHECK(RL::solve_screened_poisson(space, one, 2.).estimated_error <= 1e-6);
+  CHECK(RL::solve_poisson(space, one).estimated_error == 0);
+  // no nested levels
+  const RL::Spline_space_3 paper(surface, params::depth(4).paper(true));
+  CHECK_FALSE(RL::laplace_spectrum(paper, 5).report.is_estimate_trusted);
+  CHECK(RL::laplace_spectrum(paper, 5).estimated_errors.size() == 0);
+  CHECK_FALSE(RL::solve_poisson(paper, f).is_estimate_trusted);
+  // pieces that are smaller than cells: the number of unknowns grows slowly
+  shapes::Triangles pieces;
+  const shapes::Triangles sphere = shapes::sphere(2);
+  for(const auto& t : sphere.faces)
+    for(int i = 0; i < 3; ++i) {
+      const auto first = static_cast<std::uint32_t>(pieces.points.size());
+      if(i == 0)
+        pieces.faces.push_back({first, first + 1, first + 2});
+      const RL::Point_3 a = sphere.points[t[0]];
+      pieces.points.push_back(a + 0.3 * (sphere.points[t[i]] - a));
+    }
+  const RL::Spline_space_3 crowded(RL::soup(pieces.points, pieces.faces), params::depth(4));
+  CHECK_FALSE(RL::solve_poisson(crowded, f).is_estimate_trusted);
+}
