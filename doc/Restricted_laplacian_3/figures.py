@@ -523,6 +523,26 @@ def table_mesh_spectra():
 TABLES["mesh_spectra"] = table_mesh_spectra
 
 
+def table_estimates():
+    """How estimates compare with errors, by problem and depth, apart for those that count as trusted."""
+    found = rows("estimate_study", "problem", "estimate", "ratio")
+    lines = []
+    for problem in ["coordinate", "wave", "spectrum"]:
+        for depth in sorted({r["depth"] for r in found}):
+            for trusted, word in (("yes", "trusted"), ("no", "not trusted")):
+                ratios = sorted(r["ratio"] for r in found if r["problem"] == problem and r["depth"] == depth
+                                and r["trusted"] == trusted and not math.isnan(r["ratio"]))
+                if ratios:
+                    lines.append([problem, whole(depth), word, whole(len(ratios)), short(ratios[0]),
+                                  short(ratios[len(ratios) // 2]), short(ratios[-1]),
+                                  whole(sum(0.4 <= r <= 3 for r in ratios))])
+    return table(["Problem", "Depth", "Estimate", "Meshes", "least estimate / error", "median", "largest",
+                  "from 0.4 to 3"], lines, 3)
+
+
+TABLES["estimates"] = table_estimates
+
+
 # ---- thin features and tessellations
 
 

@@ -11,11 +11,14 @@
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 
+#include <CGAL/property_map.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -171,4 +174,125 @@ TEST_CASE("what_is_not_known_is_not_estimated", "[estimates]") {
     }
   const RL::Spline_space_3 crowded(RL::soup(pieces.points, pieces.faces), params::depth(4));
   CHECK_FALSE(RL::solve_poisson(crowded, f).is_estimate_trusted);
+}
+
+TEST_CASE("spectra_have_the_accuracy_that_is_asked_for", "[estimates]") {
+  shapes::Triangles t = shapes::sphere(3);
+  for(RL::Point_3& p : t.points)
+    p = RL::Point_3(p.x(), 0.8 * p.y(), 0.55 * p.z());
+  const auto surface = RL::soup(t.points, t.faces);
+  const Eigen::VectorXd exact =
+      RL::laplace_spectrum(surface, 30, params::depth(6)).extrapolated_eigenvalues;
+  std::vector<Eigen::Index> unknowns;
+  for(const double accuracy : {0.1, 1e-2, 1e-3}) {
+    const RL::Laplace_spectrum found =
+        RL::laplace_spectrum(surface, 30, params::accuracy(accuracy));
+    INFO("accuracy " << accuracy << ", estimate " << found.report.estimated_error << ", error "
+                     << largest_difference(found.eigenvalues, exact));
+    CHECK(found.report.converged);
+    CHECK(found.report.estimated_error <= accuracy);
+    CHECK(largest_difference(found.eigenvalues, exact) <= accuracy);
+    CHECK(found.vertex_values.rows() == static_cast<Eigen::Index>(t.points.size()));
+    CHECK(found.vertex_values.cols() == 30);
+    unknowns.push_back(found.pairs.vectors.rows());
+  }
+  CHECK(unknowns[0] < unknowns[2]);
+  // many pairs need many unknowns
+  const RL::Laplace_spectrum many =
+      RL::laplace_spectrum(surface, 110, params::accuracy(0.2).eigenvalues_only(true));
+  CHECK(many.pairs.vectors.rows() >= 2200);
+  CHECK(many.report.estimated_error <= 0.2);
+  CHECK(many.vertex_values.size() == 0);
+}
+
+TEST_CASE("solutions_have_the_accuracy_that_is_asked_for", "[estimates]") {
+  shapes::Triangles t = shapes::sphere(4);
+  const auto surface = RL::soup(t.points, t.faces);
+  // a harmonic of degree 10 (its zonal one), for which the coarsest space is too coarse
+  const auto harmonic = [](const RL::Surface_point& p) {
+    const double z = p.point.z() / std::sqrt((p.point - CGAL::ORIGIN).squared_length()), x = z * z;
+    return ((((46189 * x - 109395) * x + 90090) * x - 30030) * x + 3465) * x / 256 - 63. / 256;
+  };
+  const auto solve = [&](const auto& f, const auto& np) {
+    std::vector<double> u(t.points.size());
+    const RL::Solve_report report = RL::solve_poisson(surface, f, CGAL::make_property_map(u), np);
+    return std::make_pair(u, report);
+  };
+  const auto difference = [](const std::vector<double>& u, const std::vector<double>& exact) {
+    double sum = 0, all = 0;
+    for(std::size_t v = 0; v < u.size(); ++v) {
+      sum += (u[v] - exact[v]) * (u[v] - exact[v]);
+      all += exact[v] * exact[v];
+    }
+    return std::sqrt(sum / all);
+  };
+  const auto exact = solve(harmonic, params::depth(6).tolerance(1e-6)).first;
+  for(const double accuracy : {1e-1, 1e-2, 1e-3}) {
+    const auto [u, report] = solve(harmonic, params::accuracy(accuracy));
+    INFO("accuracy " << accuracy << ", estimate " << report.estimated_error << ", error "
+                     << difference(u, exact));
+    CHECK(report.converged);
+    CHECK(report.estimated_error <= accuracy);
+    CHECK(difference(u, exact) <= 1.5 * accuracy);
+  }
+}
+
+TEST_CASE("problems_with_prescribed_values_have_the_accuracy_that_is_asked_for", "[estimates]") {
+  // spaces are compared with each other
+  const shapes::Triangles t = shapes::bumpy_square(12, 0.3, 2, 1);
+  const auto surface = RL::soup(t.points, t.faces);
+  const auto f = [](const RL::Surface_point& p) { return p.point.x(); };
+  const auto on_boundary = [](const RL::Surface_point& p) { return p.point.x() * p.point.y(); };
+  const auto solve = [&](const auto& np) {
+    std::vector<double> u(t.points.size());
+    const RL::Solve_report report =
+        RL::solve_poisson(surface, f, CGAL::make_property_map(u), np.boundary_values(on_boundary));
+    return std::make_pair(u, report);
+  };
+  const auto exact = solve(params::depth(7)).first;
+  for(const double accuracy : {2e-2, 2e-3}) {
+    const auto [u, report] = solve(params::accuracy(accuracy));
+    double sum = 0, all = 0;
+    for(std::size_t v = 0; v < u.size(); ++v) {
+      sum += (u[v] - exact[v]) * (u[v] - exact[v]);
+      all += exact[v] * exact[v];
+    }
+    INFO("accuracy " << accuracy << ", estimate " << report.estimated_error << ", error "
+                     << std::sqrt(sum / all));
+    CHECK(report.converged);
+    CHECK(report.estimated_error <= accuracy);
+    CHECK(std::sqrt(sum / all) <= 2 * accuracy);
+  }
+}
+
+TEST_CASE("accuracy_that_cannot_be_reached_is_said", "[estimates]") {
+  const shapes::Triangles t = shapes::sphere(2);
+  const auto surface = RL::soup(t.points, t.faces);
+  // less than depth 6 takes
+  const auto few = params::maximum_memory(2e7).accuracy(1e-7);
+  const RL::Laplace_spectrum found = RL::laplace_spectrum(surface, 10, few);
+  CHECK(found.report.status == RL::Solve_status::inaccurate);
+  CHECK_FALSE(found.report.converged);
+  CHECK(found.report.estimated_error > 1e-7);
+  CHECK(found.report.estimated_error < 1e-2);
+  CHECK(found.eigenvalues.size() == 10);
+  const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
+  std::vector<double> u(t.points.size());
+  const RL::Solve_report report = RL::solve_poisson(surface, f, CGAL::make_property_map(u), few);
+  CHECK(report.status == RL::Solve_status::inaccurate);
+  CHECK(report.space_seconds > 0);
+  // values at points hold less and less of the solution, which has no limit
+  std::vector<double> prescribed(t.points.size(), std::numeric_limits<double>::quiet_NaN());
+  prescribed[4] = 10;
+  prescribed[5] = -10;
+  CHECK(RL::solve_poisson(surface, f, CGAL::make_property_map(u),
+                          params::maximum_memory(2e8).accuracy(1e-3).constraints(
+                              CGAL::make_property_map(prescribed)))
+            .status == RL::Solve_status::inaccurate);
+  // the first depth
+  CHECK(RL::laplace_spectrum(surface, 10, params::depth(3).accuracy(0.5)).pairs.vectors.rows() <
+        1000);
+  for(const double accuracy : {0., -1., 1., std::numeric_limits<double>::quiet_NaN()})
+    CHECK_THROWS_AS(RL::laplace_spectrum(surface, 10, params::accuracy(accuracy)),
+                    RL::Parameter_error);
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
@@ -27,6 +28,7 @@ namespace Restricted_laplacian_3 {
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
+///   \named_accuracy
 ///   \named_of_surface
 ///   \named_of_spectrum
 /// \cgalNamedParamsEnd
@@ -39,10 +41,15 @@ Laplace_spectrum laplace_spectrum(const Surface& surface, int count,
                                   const NamedParameters& np = parameters::default_values()) {
   CGAL::Real_timer timer;
   timer.start();
-  const Spline_space_3 space(surface, np);
+  Spline_space_3 space = internal::first_space_of(surface, np);
   const double space_seconds = timer.time();
-  Laplace_spectrum spectrum = laplace_spectrum(space, count, np);
-  spectrum.report.space_seconds = space_seconds;
+  Laplace_spectrum spectrum;
+  if constexpr(internal::is_given_v<NamedParameters, internal_np::accuracy_t>)
+    spectrum = internal::laplace_spectrum_to_accuracy(
+        space, count, np, parameters::get_parameter(np, internal_np::accuracy));
+  else
+    spectrum = laplace_spectrum(space, count, np);
+  spectrum.report.space_seconds += space_seconds;
   return spectrum;
 }
 

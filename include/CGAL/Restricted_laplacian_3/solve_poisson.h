@@ -141,10 +141,11 @@ Solve_report solve_poisson_on_surface(const Surface& surface, const Function& f,
   timer.start();
   progress(0);
   const auto source = surface_source(surface);
-  const Spline_space_3 space = space_of(surface, np);
+  const Spline_space_3 first = first_space_of(surface, np);
   const double space_seconds = timer.time();
+  Spline_space_3 space = first;
 
-  const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
+  const Vertex_interpolation interpolation = vertex_interpolation(source, first.surface(), np);
   const auto right_hand_side = numbers_on_surface(source, f, interpolation);
   const auto weight = numbers_on_surface(source, alpha, interpolation);
   const auto values_on_boundary =
@@ -153,11 +154,16 @@ Solve_report solve_poisson_on_surface(const Surface& surface, const Function& f,
       numbers_on_surface(source, on_boundary(np, internal_np::boundary_flux), interpolation);
   Poisson_problem problem = poisson_problem(right_hand_side, weight, values_on_boundary, flux, np,
                                             progress.part(space_share, 1));
-  problem.has_boundary_value = has_boundary_value(source, space.surface(), np);
+  problem.has_boundary_value = has_boundary_value(source, first.surface(), np);
   if constexpr(is_given_v<NamedParameters, internal_np::constraints_t>)
     problem.vertex_values = vertex_values(source, space, np);
-  Poisson_solution solution = solve_poisson_problem(space, problem);
-  solution.space_seconds = space_seconds;
+  Poisson_solution solution;
+  if constexpr(is_given_v<NamedParameters, internal_np::accuracy_t>)
+    solution = solve_poisson_to_accuracy(space, problem,
+                                         parameters::get_parameter(np, internal_np::accuracy));
+  else
+    solution = solve_poisson_problem(space, problem);
+  solution.space_seconds += space_seconds;
   const std::vector<double> values =
       Spline_function_3(space, std::move(solution.coefficients)).values_at_vertices();
   source.for_each_vertex(
@@ -211,6 +217,7 @@ template <class Alpha> void check_weight(const Alpha& alpha) {
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
+///   \named_accuracy
 ///   \named_of_surface
 ///   \named_vertex_data
 ///   \named_of_poisson
@@ -269,6 +276,7 @@ Poisson_solution solve_poisson(const Spline_space_3& space, const Surface_functi
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
+///   \named_accuracy
 ///   \named_of_surface
 ///   \named_vertex_data
 ///   \named_of_poisson

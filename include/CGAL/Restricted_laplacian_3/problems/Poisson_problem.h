@@ -81,6 +81,12 @@ Poisson_solution solve_poisson_problem(const Spline_space_3& space, const Poisso
 
 namespace internal {
 
+/// Solves a problem in deeper and deeper spaces.
+/// \param space the first one, and then that of the solution
+/// \param accuracy the estimated error that ends the search, or the memory of the spaces does
+Poisson_solution solve_poisson_to_accuracy(Spline_space_3& space, const Poisson_problem& problem,
+                                           double accuracy);
+
 /// the tolerance of problems with prescribed values
 constexpr double tolerance_with_constraints = 1e-8;
 

@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/Depth_search.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/Prescribed_iteration.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
@@ -21,6 +22,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -171,6 +173,26 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
 }
 
 namespace internal {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solution
+solve_poisson_to_accuracy(Spline_space_3& space, const Poisson_problem& given, double accuracy) {
+  if(given.constraints)
+    throw Parameter_error("accuracy", "needs other spaces than that of the constraints at points");
+  Poisson_problem problem = given;
+  if(!problem.solver.tolerance && problem.vertex_values.empty() && !problem.boundary_values)
+    problem.solver.tolerance = (std::min)(Poisson_solver_options::default_tolerance, accuracy);
+  Depth_search search(space, accuracy, Progress(given.progress));
+  Space_changes changes;
+  const bool compares_spaces = !problem.vertex_values.empty() || problem.boundary_values;
+  for(;;) {
+    problem.progress = search.progress().callback();
+    Poisson_solution solution = solve_poisson_problem(space, problem);
+    if(compares_spaces)
+      changes.estimate_error(space, solution.coefficients, solution);
+    if(!search.goes_on(solution, compares_spaces ? 1 : 2))
+      return solution;
+  }
+}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_location>
 locations_of_vertices(const Triangulated_surface_3& surface) {

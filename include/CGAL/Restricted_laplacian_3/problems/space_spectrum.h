@@ -131,6 +131,17 @@ Eigenpairs multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest,
                                    std::vector<Operators> operators, int count,
                                    const Multigrid_eigenpairs_options& options);
 
+/// Computes eigenpairs in deeper and deeper spaces.
+/// \param space the first one, and then that of the pairs
+/// \param accuracy the estimated error that ends the search, or the memory of the spaces does
+Laplace_spectrum laplace_eigenpairs_to_accuracy(Spline_space_3& space, int count,
+                                                const Laplace_spectrum_options& options,
+                                                double accuracy);
+/// with values at the vertices, if eigenfunctions are of use
+Laplace_spectrum laplace_spectrum_to_accuracy(Spline_space_3& space, int count,
+                                              const Laplace_spectrum_options& options,
+                                              double accuracy);
+
 /// `cotangent_spectrum()` of a surface
 Laplace_spectrum cotangent_eigenpairs(const Triangulated_surface_3& surface, int count,
                                       bool lumped_mass);

@@ -5,6 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/Depth_search.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
@@ -302,6 +303,32 @@ laplace_spectrum(const Spline_space_3& space, int k, const Laplace_spectrum_opti
 }
 
 namespace internal {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum laplace_eigenpairs_to_accuracy(
+    Spline_space_3& space, int count, const Laplace_spectrum_options& given, double accuracy) {
+  // with fewer unknowns for each pair the last ones are not even similar
+  constexpr std::size_t unknowns_of_a_pair = 20;
+  Laplace_spectrum_options options = given;
+  Depth_search search(space, accuracy, Progress(given.multigrid.progress));
+  Solve_report nothing;
+  while(space.dimension() < unknowns_of_a_pair * static_cast<std::size_t>((std::max)(count, 1)) &&
+        search.goes_on(nothing, 1)) {
+  }
+  for(;;) {
+    options.multigrid.progress = search.progress().callback();
+    Laplace_spectrum spectrum = laplace_eigenpairs(space, count, options);
+    if(!search.goes_on(spectrum.report))
+      return spectrum;
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum laplace_spectrum_to_accuracy(
+    Spline_space_3& space, int count, const Laplace_spectrum_options& options, double accuracy) {
+  Laplace_spectrum result = laplace_eigenpairs_to_accuracy(space, count, options, accuracy);
+  if(!options.eigenvalues_only)
+    result.vertex_values = Spline_functions_3(space, result.pairs.vectors).values_at_vertices();
+  return result;
+}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum
 cotangent_eigenpairs(const Triangulated_surface_3& surface, int k, bool lumped_mass) {

@@ -186,8 +186,8 @@ public:
   /// A first guess by nested iteration: the coarsest problem is solved, then the solution of each
   /// level is prolongated to the next and improved by one cycle there, except on the finest. Takes
   /// about a third of the time of a cycle.
-  /// \param x the solution of the level below the finest, so to speak
-  /// \param coarser receives that of the level below that one; empty if there is none
+  /// \param b,x,cycle,steps,workspace as of `apply()`; `x` is that of the level below
+  /// \param coarser receives the solution of the level below that one; empty if there is none
   template <int K>
   void nested_iteration(const internal::Block_vector<K>& b, internal::Block_vector<K>& x,
                         Cycle cycle, int steps, Workspace<K>& workspace,

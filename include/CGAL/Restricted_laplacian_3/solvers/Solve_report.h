@@ -18,6 +18,9 @@ namespace Restricted_laplacian_3 {
 enum class Solve_status {
   /// the tolerance is reached
   converged,
+  /// the tolerance is reached, but not the `accuracy` that was asked for: the largest memory or
+  /// depth does not suffice, or deeper levels do not help
+  inaccurate,
   /// after the largest number of iterations that was permitted; more would go on
   iteration_limit,
   /// more iterations do not help: what is left is rounding, or what the multigrid method does not
@@ -32,6 +35,7 @@ enum class Solve_status {
 inline std::string to_string(Solve_status status) {
   switch(status) {
   case Solve_status::converged: return "converged";
+  case Solve_status::inaccurate: return "did not reach the accuracy";
   case Solve_status::iteration_limit: return "reached the largest number of iterations";
   case Solve_status::stalled: return "stalled";
   default: return "diverged";

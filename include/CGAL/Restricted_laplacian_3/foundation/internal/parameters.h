@@ -25,6 +25,7 @@
 // The list of this package's own. A new one is a line here, and its description in the manual.
 #define CGAL_RESTRICTED_LAPLACIAN_3_OWN_PARAMETERS(PARAMETER)                                      \
   PARAMETER(depth)                                                                                 \
+  PARAMETER(accuracy)                                                                              \
   PARAMETER(cube_scale)                                                                            \
   PARAMETER(paper)                                                                                 \
   PARAMETER(split)                                                                                 \

@@ -46,17 +46,27 @@ inline bool is_resolved(const Spline_space_3& space) {
   return growth >= smallest_growth && growth <= largest_growth;
 }
 
+constexpr std::size_t largest_number_of_places = 20000;
+
 /// Values of functions at places that are spread over the surface by area: a row for each place, a
-/// column for each function.
+/// column for each function. The same places for the same surface and number.
 inline Eigen::MatrixXd values_over_surface(const Spline_space_3& space,
-                                           const Eigen::MatrixXd& coefficients) {
-  constexpr std::size_t least = 2000, most = 20000;
+                                           const Eigen::MatrixXd& coefficients,
+                                           std::size_t number = largest_number_of_places) {
   const Spline_functions_3 functions(space, coefficients);
   if(space.surface().is_point_set())
     return functions.values_at_vertices();
-  const std::size_t number = (std::min)((std::max)(space.dimension(), least), most);
   return functions.values_at_locations(
       sample_surface(space.surface(), number, 1, Sampling::stratified));
+}
+
+/// the root mean square of a part of a function, relative to that of the function without its mean
+template <class Values, class Part> double relative_size(const Values& values, const Part& part) {
+  // of a constant only rounding errors are left
+  constexpr double smallest_deviation = 1e-9;
+  const double deviation = (values.array() - values.mean()).matrix().norm(),
+               size = (std::max)(deviation, smallest_deviation * values.norm());
+  return size > 0 ? part.norm() / size : 0;
 }
 
 /// Sets the estimated error of solutions.
@@ -65,8 +75,7 @@ inline Eigen::MatrixXd values_over_surface(const Spline_space_3& space,
 /// functions of the finest level; NaN where they are not known
 inline void estimate_error(const Spline_space_3& space, const Eigen::MatrixXd& x,
                            const std::array<Eigen::MatrixXd, 2>& coarser, Solve_report& report) {
-  // a constant of which only rounding errors are left
-  constexpr double smallest_deviation = 1e-9;
+  constexpr std::size_t least_number_of_places = 2000;
   const Eigen::Index number = x.cols();
   report.estimated_error = std::numeric_limits<double>::quiet_NaN();
   report.is_estimate_trusted = false;
@@ -74,23 +83,39 @@ inline void estimate_error(const Spline_space_3& space, const Eigen::MatrixXd& x
     return;
   Eigen::MatrixXd functions(x.rows(), 3 * number);
   functions << x, x - coarser[0], coarser[0] - coarser[1];
-  const Eigen::MatrixXd values = values_over_surface(space, functions);
-  const auto root_mean_square = [](const auto& v) {
-    return std::sqrt(v.squaredNorm() / static_cast<double>(v.size()));
-  };
+  const Eigen::MatrixXd values = values_over_surface(
+      space, functions,
+      (std::min)((std::max)(space.dimension(), least_number_of_places), largest_number_of_places));
   double largest = 0;
-  for(Eigen::Index i = 0; i < number; ++i) {
-    const auto u = values.col(i);
-    const double size = root_mean_square(u),
-                 deviation = root_mean_square((u.array() - u.mean()).matrix());
-    if(size > 0)
-      largest = (std::max)(largest, error_of_changes(root_mean_square(values.col(number + i)),
-                                                     root_mean_square(values.col(2 * number + i))) /
-                                        (std::max)(deviation, smallest_deviation * size));
-  }
+  for(Eigen::Index i = 0; i < number; ++i)
+    largest = (std::max)(
+        largest, error_of_changes(relative_size(values.col(i), values.col(number + i)),
+                                  relative_size(values.col(i), values.col(2 * number + i))));
   report.estimated_error = largest;
   report.is_estimate_trusted = is_resolved(space);
 }
+
+/// The errors of solutions in spaces of one surface, each a level deeper than the one before, by
+/// what changes from one to the next: for problems whose solver tells nothing of coarser levels.
+class Space_changes {
+public:
+  /// sets the estimated error of a solution
+  void estimate_error(const Spline_space_3& space, const Eigen::VectorXd& coefficients,
+                      Solve_report& report) {
+    const Eigen::MatrixXd values = values_over_surface(space, coefficients);
+    report.is_estimate_trusted = is_resolved(space);
+    if(m_values.size() > 0) {
+      const double change = relative_size(values, values - m_values);
+      report.estimated_error = error_of_changes(change, m_change);
+      m_change = change;
+    }
+    m_values = values;
+  }
+
+private:
+  Eigen::MatrixXd m_values; // of the solution before
+  double m_change = std::numeric_limits<double>::quiet_NaN();
+};
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

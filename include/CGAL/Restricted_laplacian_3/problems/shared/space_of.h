@@ -7,6 +7,10 @@
 #include <CGAL/Restricted_laplacian_3/input/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
@@ -22,11 +26,36 @@ inline Triangulated_source surface_source(const Spline_space_3& space) {
 /// the space of a surface of the caller, made as named parameters say
 template <class Surface, class NamedParameters>
 Spline_space_3 space_of(const Surface& surface, const NamedParameters& np) {
+  static_assert(!is_given_v<NamedParameters, internal_np::accuracy_t>,
+                "accuracy is for Poisson problems and spectra");
   return Spline_space_3(surface, np);
 }
 template <class NamedParameters>
 Spline_space_3 space_of(const Spline_space_3& space, const NamedParameters&) {
+  static_assert(!is_given_v<NamedParameters, internal_np::accuracy_t>,
+                "accuracy chooses the depth: it needs a surface, not a space");
   return space;
+}
+
+/// the depth at which a search for an accuracy begins, unless `depth` says it
+constexpr int first_depth_of_search = 4;
+
+/// The same, or with an `accuracy` the first space of the search for it.
+template <class Surface, class NamedParameters>
+Spline_space_3 first_space_of(const Surface& surface, const NamedParameters& np) {
+  if constexpr(std::is_same_v<Surface, Spline_space_3> ||
+               !is_given_v<NamedParameters, internal_np::accuracy_t>)
+    return space_of(surface, np);
+  else {
+    Triangulated_surface_3 triangles = read_surface(surface, np);
+    Spline_space_options options(np);
+    if(!options.depth)
+      options.depth = first_depth_of_search;
+    if(triangles.is_point_set()) // sums over few points do not determine functions on small cells
+      options.depth =
+          (std::min)(*options.depth, default_depth(triangles, options.cube_scale.value_or(1.1)));
+    return Spline_space_3(std::move(triangles), options);
+  }
 }
 
 } // namespace internal
