@@ -543,6 +543,23 @@ def table_estimates():
 TABLES["estimates"] = table_estimates
 
 
+def table_accuracy_search():
+    lines = []
+    for problem in ["poisson", "spectrum"]:
+        for accuracy in (1e-2, 1e-3):
+            found = [r for r in rows("accuracy_search", "whole_s", "last_s") if r["problem"] == problem
+                     and r["accuracy"] == accuracy]
+            ratios = sorted(r["ratio"] for r in found)
+            errors = [r["error"] / accuracy for r in found if not math.isnan(r["error"])]
+            lines.append([problem.capitalize(), short(100 * accuracy) + " %", whole(len(found)), short(max(errors)), short(ratios[0]),
+                          short(ratios[len(ratios) // 2]), short(ratios[-1])])
+    return table(["Problem", "Accuracy", "Meshes", "largest error / accuracy", "least time / last space", "median",
+                  "largest"], lines, 2)
+
+
+TABLES["accuracy_search"] = table_accuracy_search
+
+
 # ---- thin features and tessellations
 
 

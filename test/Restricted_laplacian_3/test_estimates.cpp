@@ -276,6 +276,11 @@ TEST_CASE("accuracy_that_cannot_be_reached_is_said", "[estimates]") {
   CHECK(found.report.estimated_error > 1e-7);
   CHECK(found.report.estimated_error < 1e-2);
   CHECK(found.eigenvalues.size() == 10);
+  // depth 5 would do for a Poisson problem, and not for so many pairs
+  const RL::Laplace_spectrum many = RL::laplace_spectrum(
+      surface, 200, params::maximum_memory(5e7).accuracy(1e-7).eigenvalues_only(true));
+  CHECK(many.report.status == RL::Solve_status::inaccurate);
+  CHECK(many.eigenvalues.size() == 200);
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
   std::vector<double> u(t.points.size());
   const RL::Solve_report report = RL::solve_poisson(surface, f, CGAL::make_property_map(u), few);

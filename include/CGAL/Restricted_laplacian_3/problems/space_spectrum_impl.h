@@ -157,14 +157,19 @@ multigrid_eigenpairs_of(const Spline_space_3& space, int coarsest, std::vector<O
                               options);
 }
 
+/// bytes that `k` pairs take for each unknown, without values at the vertices
+inline double bytes_of_unknown(int k) {
+  // measured: matrices when they are made; what an iteration needs of them; each of its vectors,
+  // for a pair
+  constexpr double of_matrices = 6000, of_levels = 1500, of_pair = 40;
+  return (std::max)(of_matrices, of_levels + of_pair * k);
+}
+
 /// bytes that `k` pairs take with their space, at most at one time
 inline double memory_of_pairs(const Spline_space_3& space, int k, bool with_vertex_values) {
-  // of an unknown, measured: matrices when they are made; what an iteration needs of them; each of
-  // its vectors, for a pair
-  constexpr double of_matrices = 6000, of_levels = 1500, of_pair = 40;
   const auto dimension = static_cast<double>(space.dimension()),
              vertices = static_cast<double>(space.surface().number_of_vertices());
-  const double solver = dimension * (std::max)(of_matrices, of_levels + of_pair * k),
+  const double solver = dimension * bytes_of_unknown(k),
                // the vectors are there twice
       values = with_vertex_values ? sizeof(double) * k * (vertices + 2 * dimension) : 0;
   return memory_of_space(space.surface(), 0).total() + (std::max)(solver, values);
@@ -309,9 +314,10 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum laplace_eigenpairs_to_accura
   // with fewer unknowns for each pair the last ones are not even similar
   constexpr std::size_t unknowns_of_a_pair = 20;
   Laplace_spectrum_options options = given;
-  Depth_search search(space, accuracy, Progress(given.multigrid.progress));
+  check_number_of_pairs(space, count, false);
+  Depth_search search(space, accuracy, Progress(given.multigrid.progress), bytes_of_unknown(count));
   Solve_report nothing;
-  while(space.dimension() < unknowns_of_a_pair * static_cast<std::size_t>((std::max)(count, 1)) &&
+  while(space.dimension() < unknowns_of_a_pair * static_cast<std::size_t>(count) &&
         search.goes_on(nothing, 1)) {
   }
   for(;;) {
@@ -324,6 +330,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum laplace_eigenpairs_to_accura
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum laplace_spectrum_to_accuracy(
     Spline_space_3& space, int count, const Laplace_spectrum_options& options, double accuracy) {
+  check_number_of_pairs(space, count, !options.eigenvalues_only);
   Laplace_spectrum result = laplace_eigenpairs_to_accuracy(space, count, options, accuracy);
   if(!options.eigenvalues_only)
     result.vertex_values = Spline_functions_3(space, result.pairs.vectors).values_at_vertices();

@@ -28,9 +28,12 @@ namespace internal {
 class Depth_search {
 public:
   /// \param space the first one, and then that of the last result
+  /// \param bytes_of_unknown what the results take, if that is more than a Poisson problem does
   /// \throws Parameter_error if the accuracy is not between 0 and 1
-  Depth_search(Spline_space_3& space, double accuracy, const Progress& progress)
-    : m_space(space), m_accuracy(accuracy), m_progress(progress) {
+  Depth_search(Spline_space_3& space, double accuracy, const Progress& progress,
+               double bytes_of_unknown = 0)
+    : m_space(space), m_accuracy(accuracy), m_progress(progress),
+      m_bytes_of_unknown(bytes_of_unknown) {
     if(!(accuracy > 0 && accuracy < 1))
       throw Parameter_error("accuracy",
                             "is " + std::to_string(accuracy) + ", but must be between 0 and 1");
@@ -99,8 +102,11 @@ private:
     // the sums over points do not determine functions on smaller cells
     if(m_space.surface().is_point_set() && depth > default_depth(m_space.surface(), *o.cube_scale))
       return false;
-    return depth <= largest_depth &&
-           estimate_memory(m_space.surface(), depth, *o.cube_scale).total() <= *o.maximum_memory;
+    if(depth > largest_depth)
+      return false;
+    const Memory_estimate needed = estimate_memory(m_space.surface(), depth, *o.cube_scale);
+    return (std::max)(needed.total(), needed.surface + needed.dimension * m_bytes_of_unknown) <=
+           *o.maximum_memory;
   }
 
   void add_times(Solve_report& report) {
@@ -116,6 +122,7 @@ private:
   Spline_space_3& m_space;
   double m_accuracy;
   Progress m_progress;
+  double m_bytes_of_unknown;
   double m_left = 1;
   double m_estimate = std::numeric_limits<double>::infinity(); // the last one
   int m_levels_without_gain = 0;
