@@ -36,7 +36,8 @@ solver_comparison_loads  solver_comparison --mesh bunny00 cow_5k8 --depth 7 --so
 solver_comparison_iterations solver_comparison --mesh bunny_closed_70k armadillo fandisk_32k pulley_28k cow_5k8 --solver ours --threads 1 --tolerance 5e-3 1e-8 --repetitions 1
 depth_study              depth_study
 depth_study              depth_study --mesh armadillo_mc1m --threads 2
-accuracy_search          accuracy_search --repetitions 1
+accuracy_search          accuracy_search --repetitions 1 --mesh anchor_8k bimba_46k bunny_closed_70k armadillo itokawa_197k fandisk_32k
+accuracy_search          accuracy_search --repetitions 1 --mesh cow_5k8 --accuracy 1e-2
 accuracy_per_second      accuracy_per_second --part poisson
 accuracy_per_second      accuracy_per_second --part spectrum --meshes 4 --spectrum-depth 3 4 5
 eigensolver_comparison   eigensolver_comparison --mesh-to-pairs --reference 8 bimba_46k 5 6

@@ -536,6 +536,9 @@ def table_estimates():
                     lines.append([problem, whole(depth), word, whole(len(ratios)), short(ratios[0]),
                                   short(ratios[len(ratios) // 2]), short(ratios[-1]),
                                   whole(sum(0.4 <= r <= 3 for r in ratios))])
+            none = sum(math.isnan(r["estimate"]) for r in found if r["problem"] == problem and r["depth"] == depth)
+            if none:
+                lines.append([problem, whole(depth), "none", whole(none), "-", "-", "-", "-"])
     return table(["Problem", "Depth", "Estimate", "Meshes", "least estimate / error", "median", "largest",
                   "from 0.4 to 3"], lines, 3)
 
@@ -543,21 +546,20 @@ def table_estimates():
 TABLES["estimates"] = table_estimates
 
 
-def table_accuracy_search():
+def table_accuracy(title, value):
+    """a line for each problem and accuracy: how many, least, median and largest of what is known"""
     lines = []
     for problem in ["poisson", "spectrum"]:
         for accuracy in (1e-2, 1e-3):
-            found = [r for r in rows("accuracy_search", "whole_s", "last_s") if r["problem"] == problem
-                     and r["accuracy"] == accuracy]
-            ratios = sorted(r["ratio"] for r in found)
-            errors = [r["error"] / accuracy for r in found if not math.isnan(r["error"])]
-            lines.append([problem.capitalize(), short(100 * accuracy) + " %", whole(len(found)), short(max(errors)), short(ratios[0]),
-                          short(ratios[len(ratios) // 2]), short(ratios[-1])])
-    return table(["Problem", "Accuracy", "Meshes", "largest error / accuracy", "least time / last space", "median",
-                  "largest"], lines, 2)
+            found = sorted(value(r) for r in rows("accuracy_search", "whole_s", "last_s")
+                           if r["problem"] == problem and r["accuracy"] == accuracy and not math.isnan(value(r)))
+            lines.append([problem.capitalize(), short(100 * accuracy) + " %", whole(len(found)), short(found[0]),
+                          short(found[len(found) // 2]), short(found[-1])])
+    return table(["Problem", "Accuracy", "Meshes", f"least {title}", "median", "largest"], lines, 2)
 
 
-TABLES["accuracy_search"] = table_accuracy_search
+TABLES["accuracy_time"] = lambda: table_accuracy("time / last space", lambda r: r["ratio"])
+TABLES["accuracy_error"] = lambda: table_accuracy("error / accuracy", lambda r: r["error"] / r["accuracy"])
 
 
 # ---- thin features and tessellations

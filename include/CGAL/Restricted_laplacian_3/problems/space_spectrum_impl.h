@@ -95,16 +95,22 @@ inline int coarsest_level_of_estimate(const Spline_space_3& space, int k) {
   return level;
 }
 
-/// the eigenvalues of levels, as far as they are found
+/// the eigenvalues of levels, coarsest first: of those after the last one on which they are not all
+/// found
 inline std::vector<Eigen::VectorXd> eigenvalues_of_levels(const std::vector<Operators>& levels,
                                                           int k) {
   std::vector<Eigen::VectorXd> result;
-  for(const auto& [stiffness, mass] : levels)
+  for(const auto& [stiffness, mass] : levels) {
+    Eigenpairs pairs;
     try {
-      result.push_back(smallest_eigenpairs(stiffness, mass, k).values);
-    } catch(const Numerical_error&) { // nothing is known of this level
-      result.clear();
+      pairs = smallest_eigenpairs(stiffness, mass, k);
+    } catch(const Numerical_error&) { // as if there were none
     }
+    if(pairs.values.size() == k)
+      result.push_back(std::move(pairs.values));
+    else
+      result.clear();
+  }
   return result;
 }
 
