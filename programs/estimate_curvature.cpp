@@ -55,6 +55,11 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("smoothing", po::value(&o.smoothing)->value_name("W"),
       "weight of the squared gradient of the normals, in units of the squared width of a cell; by "
       "default 1, and 0 on surfaces with a boundary and on points");
+  add_accuracy_option(
+      problem,
+      "the estimated error of the mean curvature, relative to its deviation from its "
+      "mean,",
+      o);
   po::options_description colors("Colors", help_width);
   add = colors.add_options();
   add("show", po::value(&o.show)->value_name("mean|gaussian")->default_value(o.show),
@@ -81,6 +86,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require_effect(given, {"show", "clip"}, !o.output.empty() || !o.html.empty(),
                  "--output or --html");
   require_not_negative(given, "smoothing");
+  check_accuracy_option(o);
+  require(!o.space.accuracy || o.smoothing < 0, "--accuracy excludes --smoothing");
   check_solver_options(o, given);
   return true;
 }
@@ -101,13 +108,17 @@ Eigen::MatrixXd table(const std::vector<RL::Surface_curvature>& curvatures) {
 }
 
 Outcome estimate(Job& job, const Options& o) {
-  const RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
+  RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
   const double h = space.octree().cell_width(space.depth());
   const auto np = solver_parameters(o).method(method(o)).progress(job.step("fitting by", space));
   const RL::Curvature_field field =
-      o.smoothing < 0 ? RL::estimate_curvature(space, np)
-                      : RL::estimate_curvature(space, np.smoothing(o.smoothing * h * h));
+      o.space.accuracy
+          ? RL::internal::estimate_curvature_to_accuracy(space, nullptr, np, *o.space.accuracy)
+      : o.smoothing < 0 ? RL::estimate_curvature(space, np)
+                        : RL::estimate_curvature(space, np.smoothing(o.smoothing * h * h));
   const RL::Fit_report& report = field.report();
+  if(o.space.accuracy)
+    job.add_space_of_search(space, report);
   job.add_solve(report);
   if(!report.root_mean_square_errors.empty())
     job.summary.add_detail("rms_error_of_normals", report.root_mean_square_error());
@@ -134,7 +145,7 @@ Outcome estimate(Job& job, const Options& o) {
   result.paint = [scale, shown](const Eigen::MatrixXd& values) {
     return scale.colors(values.col(shown));
   };
-  result.cell_width = h;
+  result.cell_width = space.octree().cell_width(space.depth());
   result.values_at = [field](const std::vector<RL::Surface_location>& locations) {
     return table(field.at_locations(locations));
   };

@@ -67,6 +67,10 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "weight of the squared gradient, in units of the squared width of a cell");
   add("refinements", po::value(&o.refinements)->value_name("N")->default_value(o.refinements),
       "how often what the fit leaves is fitted and added");
+  add_accuracy_option(problem,
+                      "the root mean square error of each fit, relative to the deviation of the "
+                      "function from its mean (with --smoothing the estimated one),",
+                      o);
   add_vertex_data_option(problem, o);
   po::options_description all(help_width);
   all.add(problem)
@@ -83,6 +87,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(o.normals || given.count("property") == 1, "give --property or --normals");
   require(!o.normals || given.count("property") == 0, "give --property or --normals, not both");
   require_not_negative(given, "smoothing");
+  check_accuracy_option(o);
   check_solver_options(o, given);
   require(o.refinements >= 0, "the argument of --refinements must not be negative");
   return true;
@@ -130,6 +135,9 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
   all.worsen_status(fit.status);
   all.iterations = std::max(all.iterations, fit.iterations);
   all.relative_residual = std::max(all.relative_residual, fit.relative_residual);
+  all.estimated_error =
+      columns == 0 ? fit.estimated_error : std::max(all.estimated_error, fit.estimated_error);
+  all.is_estimate_trusted = fit.is_estimate_trusted;
   all.setup_seconds = fit.setup_seconds;
   all.assembly_seconds = fit.assembly_seconds;
   all.solve_seconds += fit.solve_seconds;
@@ -139,10 +147,11 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 }
 
 // Three functions take hardly longer together than one of them; others are fitted one by one.
-template <class NamedParameters>
-RL::Function_fit fit_all(const RL::Spline_space_3& space, const NamedParameters& np,
-                         const Functions& functions, const Job& job, const Options& o) {
-  RL::Function_fitter fitter(space, np);
+RL::Function_fit fit_all(const RL::Spline_space_3& space, const Functions& functions,
+                         const Job& job, const Options& o) {
+  const double h = space.octree().cell_width(space.depth());
+  RL::Function_fitter fitter(
+      space, solver_parameters(o).smoothing(o.smoothing * h * h).refinements(o.refinements));
   const auto& values = functions.values;
   if(values.size() == 3) {
     std::vector<Eigen::Vector3d> vectors;
@@ -175,10 +184,15 @@ std::vector<Color> colors(const Options& o, const Eigen::MatrixXd& u) {
 
 Outcome fit(Job& job, const Options& o) {
   const Functions functions = o.normals ? normals(job.surface) : properties(job.surface, o);
-  const RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
-  const double h = space.octree().cell_width(space.depth());
-  const auto np = solver_parameters(o).smoothing(o.smoothing * h * h).refinements(o.refinements);
-  const RL::Function_fit fit = fit_all(space, np, functions, job, o);
+  RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
+  RL::Function_fit fit;
+  const bool smooths = o.smoothing > 0;
+  job.search_depth(space, [&] {
+    fit = fit_all(space, functions, job, o);
+    return RL::internal::Found_in_space{
+        &fit,
+        smooths ? RL::internal::values_over_surface(space, fit.coefficients) : Eigen::MatrixXd()};
+  });
 
   job.add_solve(fit);
   job.summary.add_detail("stabilization", fit.stabilization);

@@ -67,6 +67,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
       "index, from 0, of the eigenfunction for --output; --html has all of them, and shows this "
       "one first");
+  add_accuracy_option(problem, "the largest estimated relative error of the eigenvalues", o);
   po::options_description all(help_width);
   all.add(problem)
       .add(eigensolver_options(o))
@@ -87,11 +88,12 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(o.refine == 0 || o.operator_name == "restricted", "--refine needs --operator restricted");
   require_effect(given, {"lumped-mass"}, o.operator_name == "cotangent", "--operator cotangent");
   require_effect(given,
-                 {"eigensolver", "tolerance", "stabilization", "depth", "cube-scale", "no-split",
-                  "joining-tolerance", "maximum-memory", "paper", "assembly", "split"},
+                 {"accuracy", "eigensolver", "tolerance", "stabilization", "depth", "cube-scale",
+                  "no-split", "joining-tolerance", "maximum-memory", "paper", "assembly", "split"},
                  o.operator_name == "restricted", "--operator restricted");
   require_effect(given, {"eigenfunction"}, !o.output.empty() || !o.html.empty(),
                  "--output or --html");
+  check_accuracy_option(o);
   check_eigensolver_options(o, given, o.space.paper);
   if(given["eigenfunction"].defaulted())
     o.eigenfunction = std::min(o.eigenfunction, o.count - 1);
@@ -122,9 +124,9 @@ struct Found {
 // Each of these two returns the eigenvalues that were found, and sets `result` to the eigenfunction
 // that the options ask for.
 Found solve_restricted(Job& job, const Options& o, Outcome& result) {
-  const RL::Spline_space_3 space = make_spectral_space(job);
   const bool eigenvalues_only = o.output.empty() && o.html.empty();
-  RL::Laplace_spectrum spectrum = solve_spectrum(space, o.count, eigenvalues_only, o, job);
+  Spectrum spectrum = solve_spectrum(o.count, eigenvalues_only, o, job);
+  const RL::Spline_space_3& space = spectrum.space;
   const RL::Eigenpairs& pairs = spectrum.pairs;
   if(o.eigenfunction < pairs.values.size()) {
     const Eigen::VectorXd u = pairs.vectors.col(o.eigenfunction);

@@ -16,6 +16,7 @@
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -68,6 +69,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   po::options_description problem("Problem", help_width);
   add_poisson_options(problem, o);
   add_condition_options(problem, o);
+  add_accuracy_option(problem, "the estimated error of u, relative to its deviation from its mean,",
+                      o);
   add_vertex_data_option(problem, o);
   po::options_description solver = solver_options(o, "default 0.001, or 0 with --paper");
   auto add = solver.add_options();
@@ -86,9 +89,12 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   if(!parse_command_line(argc, argv, help, all, o, given))
     return false;
   check_poisson_options(o, given);
+  check_accuracy_option(o);
   check_solver_options(o, given);
   if(given["tolerance"].defaulted() && !o.boundary_property.empty())
     o.tolerance = RL::internal::tolerance_with_constraints;
+  else if(given["tolerance"].defaulted() && o.space.accuracy)
+    o.tolerance = std::min(o.tolerance, *o.space.accuracy);
   require_choice("cycle", o.cycle, {"v", "w"});
   require_choice("smoother", o.smoother, {"point", "patch"});
   return true;
@@ -138,7 +144,7 @@ Outcome solve(Job& job, const Options& o) {
   const RL::Triangulated_surface_3& surface = job.surface;
   std::vector<double> f = right_hand_side(surface, o);
   check_right_hand_side(surface, f);
-  const RL::Spline_space_3 space =
+  RL::Spline_space_3 space =
       job.make_space(o.alpha == 0 ? "on each component f and u have mean 0"
                                   : "components do not influence each other");
 
@@ -171,13 +177,18 @@ Outcome solve(Job& job, const Options& o) {
     flux = vertex_function(surface, property(surface, o, o.flux_property), o);
     problem.boundary_flux = *flux;
   }
-  const RL::Poisson_solution solution = RL::solve_poisson_problem(space, problem);
+  RL::internal::Poisson_solutions solution;
+  if(o.space.accuracy) {
+    solution = RL::internal::solve_poisson_to_accuracy(space, problem, *o.space.accuracy);
+    job.add_space_of_search(space, solution);
+  } else
+    solution = RL::internal::solve_poisson_problems(space, problem);
 
   if(o.alpha == 0 && !space.is_paper_space())
     job.summary.add_detail("kernel_dimension", solution.kernel_dimension);
   job.add_solve(solution);
   const std::vector<double> u =
-      RL::Spline_function_3(space, solution.coefficients).values_at_vertices();
+      RL::Spline_function_3(space, solution.coefficients.col(0)).values_at_vertices();
   const Value_range range(u);
   job.summary.add("minimum", range.low);
   job.summary.add("maximum", range.high);

@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <iostream>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -109,6 +108,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "index, from 0, of the column for --output (default: the middle one of hks and wks, the "
       "first "
       "of others)");
+  add_accuracy_option(problem, "the largest estimated relative error of the eigenvalues", o);
   po::options_description all(help_width);
   all.add(problem)
       .add(eigensolver_options(o))
@@ -123,6 +123,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require_choice("descriptor", o.descriptor,
                  {"hks", "wks", "gps", "biharmonic", "diffusion", "shape-dna"});
   require(o.count > 0, "the argument of --count must be positive");
+  check_accuracy_option(o);
   check_eigensolver_options(o, given, o.space.paper);
   require(o.columns > 1, "the argument of --columns must be at least 2");
   require_descriptor(given, o, "columns", {"hks", "wks"});
@@ -146,22 +147,15 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   return true;
 }
 
-struct Spectrum : RL::Laplace_spectrum {
-  std::shared_ptr<const RL::Spline_space_3> space;
-};
-
 // The spectrum of a surface, with eigenfunctions at the vertices if the descriptor needs them.
 Spectrum spectrum_of(Job& job, const Options& o) {
-  Spectrum spectrum;
-  spectrum.space = std::make_shared<const RL::Spline_space_3>(make_spectral_space(job));
-  static_cast<RL::Laplace_spectrum&>(spectrum) =
-      solve_spectrum(*spectrum.space, o.count, !o.is_of_vertices(), o, job);
+  Spectrum spectrum = solve_spectrum(o.count, !o.is_of_vertices(), o, job);
   check_number(job, spectrum.pairs, o.count);
 
   job.progress.show("evaluating eigenfunctions");
   if(o.is_of_vertices())
     spectrum.vertex_values =
-        RL::Spline_functions_3(*spectrum.space, spectrum.pairs.vectors).values_at_vertices();
+        RL::Spline_functions_3(spectrum.space, spectrum.pairs.vectors).values_at_vertices();
 
   job.summary.add("zero_eigenvalues", RL::number_of_zero_eigenvalues(spectrum));
   return spectrum;
@@ -229,7 +223,7 @@ Descriptor descriptor_of(const RL::Laplace_spectrum& spectrum, const Options& o)
 Eigen::MatrixXd columns_at(Spectrum spectrum, const std::vector<RL::Surface_location>& locations,
                            const Options& o, Eigen::Index first_column, Eigen::Index columns) {
   constexpr std::size_t block = 4096;
-  const RL::Spline_functions_3 functions(*spectrum.space, spectrum.pairs.vectors);
+  const RL::Spline_functions_3 functions(spectrum.space, spectrum.pairs.vectors);
   Eigen::MatrixXd values(static_cast<Eigen::Index>(locations.size()), columns);
   for(std::size_t first = 0; first < locations.size(); first += block) {
     const std::size_t number = std::min(block, locations.size() - first);
@@ -260,7 +254,7 @@ Outcome describe_vertices(const Spectrum& spectrum, const Options& o, Job& job) 
   job.summary.add("largest_value", range.high);
 
   Outcome result = outcome(values);
-  result.cell_width = spectrum.space->octree().cell_width(spectrum.space->depth());
+  result.cell_width = spectrum.space.octree().cell_width(spectrum.space.depth());
   result.values_at = [spectrum, &o, column](const std::vector<RL::Surface_location>& locations) {
     return columns_at(spectrum, locations, o, column, 1);
   };

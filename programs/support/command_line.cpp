@@ -57,6 +57,25 @@ po::options_description space_options(Common_options& o) {
   return description;
 }
 
+void add_accuracy_option(po::options_description& description, const std::string& what,
+                         Common_options& o) {
+  auto* accuracy = po::value<double>()->value_name("E");
+  accuracy->notifier([&o](double value) { o.space.accuracy = value; });
+  description.add_options()("accuracy", accuracy,
+                            ("deeper and deeper octrees are tried until " + what +
+                             " is not larger than E; --depth is the first one then, 4 by default")
+                                .c_str());
+}
+
+void check_accuracy_option(const Common_options& o) {
+  if(!o.space.accuracy)
+    return;
+  require(*o.space.accuracy > 0 && *o.space.accuracy < 1,
+          "the argument of --accuracy must be in (0, 1)");
+  require(!o.space.paper, "--accuracy excludes --paper");
+  require(o.assembly == "cubature", "--accuracy needs --assembly cubature");
+}
+
 void add_vertex_data_option(po::options_description& description, Common_options& o) {
   description.add_options()(
       "vertex-data", po::value(&o.vertex_data)->value_name("KIND")->default_value(o.vertex_data),

@@ -25,7 +25,8 @@ constexpr unsigned int help_width = 92;
 
 // Of the spline space, see make_space().
 struct Space_options {
-  std::optional<int> depth;      // that of the surface, see RL::default_depth()
+  std::optional<int> depth; // that of the surface, see RL::default_depth()
+  std::optional<double> accuracy;
   double cube_scale = 0;         // the default
   double joining_tolerance = -1; // not joined
   double maximum_gigabytes = 0;  // those of the machine
@@ -63,6 +64,9 @@ struct Help {
 };
 
 po::options_description space_options(Common_options& o);
+// For programs that search a depth for an accuracy of `what`.
+void add_accuracy_option(po::options_description& description, const std::string& what,
+                         Common_options& o);
 // For programs that take values at vertices.
 void add_vertex_data_option(po::options_description& description, Common_options& o);
 
@@ -121,6 +125,8 @@ bool parse_arguments(int argc, char* argv[], const Help& help,
                      const po::options_description& arguments,
                      const po::positional_options_description& positional,
                      po::variables_map& given);
+
+void check_accuracy_option(const Common_options& o);
 
 void check_integration_options(const Common_options& o, const po::variables_map& given);
 

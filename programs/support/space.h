@@ -15,6 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/patches/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
 
@@ -49,7 +50,7 @@ RL::Cubic_surface_function<T> vertex_function(const RL::Triangulated_surface_3& 
   return RL::Cubic_surface_function<T>(surface, std::move(values), geometry);
 }
 
-// The space that the options ask for, with their way to integrate.
+// The space that the options ask for, with their way to integrate; the first one of a search.
 inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
                                      const Common_options& o) {
   std::optional<double> cube_scale, joining_tolerance, maximum_memory;
@@ -59,8 +60,12 @@ inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
     joining_tolerance = o.space.joining_tolerance;
   if(o.space.maximum_gigabytes > 0)
     maximum_memory = 1e9 * o.space.maximum_gigabytes;
+  std::optional<int> depth = o.space.depth;
+  if(o.space.accuracy)
+    depth = RL::internal::first_depth_of_search(
+        surface, RL::parameters::depth(depth).cube_scale(cube_scale));
   const RL::Spline_space_3 space(
-      surface, RL::parameters::depth(o.space.depth)
+      surface, RL::parameters::depth(depth)
                    .cube_scale(cube_scale)
                    .joining_tolerance(joining_tolerance)
                    .maximum_memory(maximum_memory)

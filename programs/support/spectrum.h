@@ -13,6 +13,7 @@
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace programs {
@@ -53,13 +54,6 @@ inline void check_eigensolver_options(const Eigensolver_options& o, const po::va
   require_not_negative(given, "stabilization");
 }
 
-// A space for eigenfunctions. It counts as setup.
-inline RL::Spline_space_3 make_spectral_space(Job& job) {
-  RL::Spline_space_3 space = job.make_space("each has the eigenvalue 0");
-  job.summary.add_detail("setup_seconds", job.space_seconds());
-  return space;
-}
-
 // says how many of the eigenvalues were found, if not all
 inline void check_number(Job& job, const RL::Eigenpairs& pairs, int count) {
   if(!pairs.converged)
@@ -68,10 +62,15 @@ inline void check_number(Job& job, const RL::Eigenpairs& pairs, int count) {
              "; --eigensolver shift-invert, or another depth or count, may find them");
 }
 
-// The smallest eigenpairs on a space, without values at the vertices.
-inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int count,
-                                           bool eigenvalues_only, const Eigensolver_options& o,
-                                           Job& job) {
+struct Spectrum : RL::Laplace_spectrum {
+  explicit Spectrum(const RL::Spline_space_3& space) : space(space) {}
+
+  RL::Spline_space_3 space;
+};
+
+// The smallest eigenpairs of the surface, without values at the vertices.
+inline Spectrum solve_spectrum(int count, bool eigenvalues_only, const Eigensolver_options& o,
+                               Job& job) {
   RL::Laplace_spectrum_options options;
   options.eigensolver = o.eigensolver == "multigrid"      ? RL::Eigensolver::multigrid
                         : o.eigensolver == "shift-invert" ? RL::Eigensolver::shift_invert
@@ -81,8 +80,17 @@ inline RL::Laplace_spectrum solve_spectrum(const RL::Spline_space_3& space, int 
     options.stabilization = o.stabilization;
   if(o.tolerance > 0)
     options.multigrid.tolerance = o.tolerance;
-  options.multigrid.progress = job.step("computing eigenvalues of", space);
-  const RL::Laplace_spectrum spectrum = RL::laplace_eigenpairs(space, count, options);
+  Spectrum spectrum(job.make_space("each has the eigenvalue 0"));
+  options.multigrid.progress = job.step("computing eigenvalues of", spectrum.space);
+  RL::Laplace_spectrum& found = spectrum;
+  if(const std::optional<double> accuracy = job.accuracy()) {
+    found = RL::internal::laplace_eigenpairs_to_accuracy(spectrum.space, count, options, *accuracy);
+    job.add_space_of_search(spectrum.space, found.report);
+    if(!found.report.converged)
+      job.fail(found.report);
+  } else
+    found = RL::laplace_eigenpairs(spectrum.space, count, options);
+  job.summary.add_detail("setup_seconds", job.space_seconds()); // the space counts as setup
   job.summary.add_detail("assembly_seconds", spectrum.report.assembly_seconds);
   job.summary.add_detail("solve_seconds", spectrum.report.solve_seconds);
   job.summary.add_detail("eigensolver", spectrum.eigensolver == RL::Eigensolver::multigrid

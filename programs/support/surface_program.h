@@ -18,6 +18,8 @@
 #include "table.h"
 #include "viewer_page.h"
 
+#include <CGAL/Restricted_laplacian_3/problems/shared/search_depth.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/values_over_surface.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
@@ -134,21 +136,50 @@ public:
     m_timer.start();
   }
 
-  // Makes the space that the options ask for. `meaning` is what the number of connected components,
-  // if it is not 1, means for the result.
+  // Makes the space that the options ask for, or the first one of a search, which replaces it.
+  // `meaning` is what the number of connected components, if it is not 1, means for the result.
   RL::Spline_space_3 make_space(const std::string& meaning) {
     progress.show("building the spline space");
     const double start = seconds();
     RL::Spline_space_3 space = programs::make_space(surface, m_options);
     m_space_seconds = seconds() - start;
-    add_space(summary, space, meaning);
+    m_meaning = meaning;
+    if(!accuracy())
+      add_space(summary, space, meaning);
     return space;
+  }
+
+  // Solves in a space, or, with an accuracy, in deeper and deeper ones.
+  // \param solve does that in `space`, and shows its progress
+  void search_depth(RL::Spline_space_3& space,
+                    const std::function<RL::internal::Found_in_space()>& solve) {
+    if(!accuracy()) {
+      solve();
+      return;
+    }
+    const RL::Solve_report* report = nullptr;
+    RL::internal::search_depth(space, *accuracy(), {}, {}, [&](const auto&) {
+      const RL::internal::Found_in_space found = solve();
+      report = found.report;
+      return found;
+    });
+    add_space_of_search(space, *report);
+  }
+
+  // Adds the last space of a search to the summary.
+  void add_space_of_search(const RL::Spline_space_3& space, const RL::Solve_report& report) {
+    m_space_seconds += report.space_seconds;
+    add_space(summary, space, m_meaning);
   }
 
   // `text`, which ends with a preposition, and the number of unknowns, while a callback is called
   std::function<bool(double)> step(const std::string& text, const RL::Spline_space_3& space) const {
-    return progress.step(text + ' ' + std::to_string(space.dimension()) + " unknowns");
+    return progress.step(text + ' ' + std::to_string(space.dimension()) +
+                         (accuracy() ? " unknowns or more" : " unknowns"));
   }
+
+  // that is searched for, if there is one
+  std::optional<double> accuracy() const { return m_options.space.accuracy; }
 
   // Adds times and iterations of a solver to the summary. The space counts as setup.
   template <typename Report> void add_solve(const Report& report) {
@@ -158,11 +189,19 @@ public:
     summary.add_detail("iterations", report.iterations);
     summary.add_detail("relative_residual", report.relative_residual);
     add_estimate(report);
-    if(report.converged)
-      return;
+    if(!report.converged)
+      fail(report);
+  }
+
+  // says how a solver failed
+  void fail(const RL::Solve_report& report) {
     std::ostringstream text;
-    text << "the iteration " << to_string(report.status) << ", with a relative residual of "
-         << report.relative_residual << " after " << report.iterations << " iterations";
+    text << "the iteration " << to_string(report.status) << ", with ";
+    if(report.status == RL::Solve_status::inaccurate)
+      text << "an estimated error of " << report.estimated_error;
+    else
+      text << "a relative residual of " << report.relative_residual << " after "
+           << report.iterations << " iterations";
     fail(text.str());
   }
 
@@ -192,7 +231,7 @@ private:
   const Common_options& m_options;
   CGAL::Real_timer m_timer;
   double m_space_seconds = 0;
-  std::string m_failure;
+  std::string m_meaning, m_failure;
 };
 
 // Writes the page of --html. `refined` is the surface to show in place of the other, if there is

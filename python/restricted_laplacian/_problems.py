@@ -55,11 +55,10 @@ def _constraints(constraints: Any, number_of_vertices: int) -> Optional[np.ndarr
 
 
 def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, boundary_flux: Any,
-           constraints: Any, constraint_weight: Optional[float], options: dict, space_options: dict,
-           threads: Optional[int], progress: Progress, check: bool, return_report: bool,
-           as_spline: bool) -> Any:
-    space = space_of(V, F, threads, **space_options)
-    n = number_of_threads(threads)
+           constraints: Any, constraint_weight: Optional[float], accuracy: Optional[float], options: dict,
+           space_options: dict, threads: Optional[int], progress: Progress, check: bool,
+           return_report: bool, as_spline: bool) -> Any:
+    space = space_of(V, F, threads, accuracy, **space_options)
     right = space._function(f, "f")
     weight, weight_function = 0.0, None
     if np.ndim(alpha) == 0 and not callable(alpha):
@@ -69,31 +68,22 @@ def _solve(V: Any, F: Any, f: Any, alpha: Any, boundary_values: Any, boundary_fl
     boundary, flux = (None if g is None else space._function(g, name, everywhere=False) for g, name in
                       ((boundary_values, "boundary_values"), (boundary_flux, "boundary_flux")))
     constrained = _constraints(constraints, space.number_of_vertices)
-    is_vector = callable(f) and right.components == 1 or np.ndim(f) < 2
-    if right.components == 1:
-        x, report = _core.solve_poisson(space._space, right, weight, weight_function, boundary,
-                                        flux, constrained, constraint_weight, options, n,
-                                        listener(progress))
-        if not is_vector:
-            x = x[:, np.newaxis]
-    elif all(x is None for x in (weight_function, boundary, flux, constrained)):
-        # one setup for all columns
-        loads = space._space.loads(right, n)
-        solver = _core.make_solver(space._space, weight, options, n, None)
-        x, report = solver.solve(np.ascontiguousarray(loads if weight > 0 else -loads), None,
-                                 options["tolerance"], n, listener(progress))
-    else:
-        raise argument_error("f", "has several columns, which is possible only with a number as "
-                             "alpha and with nothing prescribed")
-    u = SplineFunction(space, x)
+    if right.components > 1 and (boundary is not None or constrained is not None):
+        raise argument_error("f", "has several columns, which is possible only where no values are prescribed")
+    last, x, report = _core.solve_poisson(
+        space._space, right, weight, weight_function, boundary, flux, constrained, constraint_weight,
+        accuracy, options, number_of_threads(threads), listener(progress))
+    if right.components == 1 and (callable(f) or np.ndim(f) < 2):
+        x = x[:, 0]
+    u = SplineFunction(space._with(last), x)
     return checked(u if as_spline else u.at_vertices(), report, check, return_report)
 
 
 @takes_surface
 def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any = None,
                   boundary_flux: Any = None, constraints: Any = None,
-                  constraint_weight: Optional[float] = None, tolerance: Optional[float] = None,
-                  energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+                  constraint_weight: Optional[float] = None, accuracy: Optional[float] = None,
+                  tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
                   cycle: str = "v", smoother: str = "patch", maximum_iterations: Optional[int] = None,
                   normals: Any = None, depth: Optional[int] = None,
                   joining_tolerance: Optional[float] = None, geometry: Any = None,
@@ -113,7 +103,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
         `Space` as `V` alone.
     f : array_like or callable
         (n,) at vertices, (m,) on faces, a number, `Corners`, or a callable on points (N, 3). (n, K)
-        gives K solutions.
+        gives K solutions, where no values are prescribed.
     boundary_values : array_like, callable or float, optional
         What u is on the boundary, given as f is; NaN where u is free. For each edge of the boundary
         its middle decides, so at vertices both ends need a value.
@@ -127,6 +117,9 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
     constraint_weight : float, optional
         Values at vertices only pull: u minimizes the energy plus the weight times the squares of
         what is missed. By default they are met exactly.
+    accuracy : float, optional
+        Deeper and deeper spaces are tried until the estimated error of u, relative to its deviation from its
+        mean in the root mean square, is not larger. `depth` says where that begins then, at 4 by default.
     tolerance : float, optional
         Residual over right-hand side: 1e-3, or 1e-8 with prescribed values.
     energy_tolerance, stabilization, cycle, smoother, maximum_iterations : as for PoissonSolver
@@ -173,7 +166,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
                              maximum_iterations)
     return _solve(V, F, f, 0, boundary_values, boundary_flux, constraints, constraint_weight,
-                  options,
+                  accuracy, options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
                        geometry=geometry, vertex_data=vertex_data),
                   threads, progress, check, return_report, as_spline)
@@ -183,7 +176,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
 def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = None, *, boundary_values: Any = None,
                            boundary_flux: Any = None, constraints: Any = None,
                            constraint_weight: Optional[float] = None,
-                           tolerance: Optional[float] = None,
+                           accuracy: Optional[float] = None, tolerance: Optional[float] = None,
                            energy_tolerance: Optional[float] = None,
                            stabilization: Optional[float] = None, cycle: str = "v",
                            smoother: str = "patch", maximum_iterations: Optional[int] = None,
@@ -205,6 +198,8 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
         A positive number in units of 1 / area; or weights that are not negative, given as f is.
     boundary_values, boundary_flux, constraints, constraint_weight : as for solve_poisson
         What is prescribed.
+    accuracy : as for solve_poisson
+        The estimated error to be reached.
     tolerance, energy_tolerance, stabilization, cycle, smoother, maximum_iterations : as for PoissonSolver
         When the iteration ends, and what it is.
     threads, progress, check, return_report, as_spline : as for solve_poisson
@@ -241,7 +236,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
     options = solver_options(tolerance, energy_tolerance, stabilization, cycle, smoother,
                              maximum_iterations)
     return _solve(V, F, f, alpha, boundary_values, boundary_flux, constraints, constraint_weight,
-                  options,
+                  accuracy, options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
                        geometry=geometry, vertex_data=vertex_data),
                   threads, progress, check, return_report, as_spline)
@@ -249,7 +244,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
 
 @takes_surface
 def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, refinements: int = 0,
-                 tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
+                 accuracy: Optional[float] = None, tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
                  stabilization: Optional[float] = None, maximum_iterations: Optional[int] = None,
                  normals: Any = None, depth: Optional[int] = None,
                  joining_tolerance: Optional[float] = None, geometry: Any = None,
@@ -269,6 +264,10 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
         Weight of the squared gradient, in units of squared length.
     refinements : int, default 0
         How often what the fit leaves is fitted and added.
+    accuracy : float, optional
+        Deeper and deeper spaces are tried until the root mean square error of the fit, relative to the
+        deviation of f from its mean, is not larger; with smoothing, the estimated one. `depth` says where that
+        begins then, at 4 by default.
     tolerance, energy_tolerance, stabilization, maximum_iterations : as for PoissonSolver
         When the iteration ends, and how much is stabilized; by default what does not show.
     threads, progress, check, return_report, as_spline : as for solve_poisson
@@ -298,18 +297,18 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
     >>> bool(abs(x - V).max() < 5e-3)
     True
     """
-    space = space_of(V, F, threads, normals=normals, depth=depth,
+    space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
                      joining_tolerance=joining_tolerance, geometry=geometry,
                      vertex_data=vertex_data)
     own = space._function(f, "f")
     options = solver_options(tolerance, energy_tolerance, stabilization,
                              maximum_iterations=maximum_iterations, smoothing=smoothing,
                              refinements=refinements)
-    x, report = _core.fit_function(space._space, own, options, number_of_threads(threads),
-                                   listener(progress))
+    last, x, report = _core.fit_function(space._space, own, accuracy, options, number_of_threads(threads),
+                                         listener(progress))
     if x.shape[1] == 1 and (callable(f) or np.ndim(f) < 2):
         x = x[:, 0]
-    u = SplineFunction(space, x)
+    u = SplineFunction(space._with(last), x)
     return checked(u if as_spline else u.at_vertices(), report, check, return_report)
 
 
@@ -340,8 +339,8 @@ class Curvature(NamedTuple):
 
 @takes_surface
 def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Optional[float] = None,
-              refinements: Optional[int] = None, tolerance: Optional[float] = None,
-              energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+              refinements: Optional[int] = None, accuracy: Optional[float] = None,
+              tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
               maximum_iterations: Optional[int] = None, normals: Any = None,
               depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
               geometry: Any = None, threads: Optional[int] = None, progress: Progress = None,
@@ -361,6 +360,10 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
         squared width of a cell, and 0 on surfaces with a boundary and on points.
     refinements : int, optional
         How often what the smoothed fit leaves is fitted and added; by default once.
+    accuracy : float, optional
+        Deeper and deeper spaces are tried until the estimated error of the mean curvature, relative to its
+        deviation from its mean in the root mean square, is not larger. `depth` says where that begins then, at
+        4 by default. The curvature of edges and of noise grows with the depth, and has no limit.
     tolerance, energy_tolerance, stabilization, maximum_iterations : as for PoissonSolver
         Of the fit.
     threads, progress, check, return_report : as for solve_poisson
@@ -393,12 +396,12 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
     if method not in ("normals", "face_normals", "coordinates"):
         raise argument_error("method", f"must be normals, face_normals or coordinates, and is "
                              f"{method!r}")
-    space = space_of(V, F, threads, normals=normals, depth=depth,
+    space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
                      joining_tolerance=joining_tolerance, geometry=geometry)
     options = solver_options(tolerance, energy_tolerance, stabilization,
                              maximum_iterations=maximum_iterations, smoothing=smoothing,
                              refinements=refinements)
-    table, report = _core.curvature(space._space, method, options, number_of_threads(threads),
+    table, report = _core.curvature(space._space, method, accuracy, options, number_of_threads(threads),
                                     listener(progress))
     result = Curvature(table[:, 0], table[:, 1], table[:, 2:4], table[:, 4:10].reshape(-1, 2, 3),
                        table[:, 10:13])
@@ -407,8 +410,8 @@ def curvature(V: Any, F: Any = None, *, method: str = "normals", smoothing: Opti
 
 @takes_surface
 def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = None, alpha: Any = None,
-                       mean: Any = None, details: bool = False, tolerance: Optional[float] = None,
-                       energy_tolerance: Optional[float] = None,
+                       mean: Any = None, details: bool = False, accuracy: Optional[float] = None,
+                       tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
                        stabilization: Optional[float] = None, maximum_iterations: Optional[int] = None,
                        normals: Any = None, depth: Optional[int] = None,
                        joining_tolerance: Optional[float] = None, geometry: Any = None,
@@ -433,6 +436,10 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
         Of the result, 0 by default; for K fields (K,).
     details : bool, default False
         Whether to correct the values at the vertices by what splines do not resolve.
+    accuracy : float, optional
+        Deeper and deeper spaces are tried until the estimated error of the result, relative to its deviation
+        from its mean in the root mean square, is not larger. `depth` says where that begins then, at 4 by
+        default.
     tolerance, energy_tolerance, stabilization, maximum_iterations : as for PoissonSolver
         When the iteration ends, and what it is; the tolerance is 1e-5 by default.
     threads, progress, check, return_report : as for solve_poisson
@@ -462,7 +469,7 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
     >>> bool(abs(u - V[:, 2]).max() < 5e-3)
     True
     """
-    space = space_of(V, F, threads, normals=normals, depth=depth,
+    space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
                      joining_tolerance=joining_tolerance, geometry=geometry,
                      vertex_data=vertex_data)
     field = space._function(v, "v", True)
@@ -478,7 +485,7 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
     options = solver_options(tolerance, energy_tolerance, stabilization,
                              maximum_iterations=maximum_iterations)
     values, _, report = _core.integrate_gradient(
-        space._space, field, own_target, number, function, means, bool(details), options,
+        space._space, field, own_target, number, function, means, bool(details), accuracy, options,
         number_of_threads(threads), listener(progress))
     if values.shape[1] == 1:
         values = values[:, 0]

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import copy
 from typing import Any, NamedTuple, Optional
 
 import numpy as np
@@ -40,9 +41,10 @@ def checked(result: Any, report: dict, check: bool, return_report: bool, advice:
     """The result of a solver, if it converged or that does not matter."""
     own = Report(report)
     if check and not own.converged:
-        error = ConvergenceError(
-            f"the solver did not converge: the iteration {own.status}, with a relative residual of "
-            f"{own.relative_residual:.3g} after {own.iterations} iterations{advice}")
+        what = f"a relative residual of {own.relative_residual:.3g} after {own.iterations} iterations{advice}"
+        if own.status == "did not reach the accuracy":
+            what = f"an estimated error of {own.estimated_error:.3g}"
+        error = ConvergenceError(f"the solver did not converge: the iteration {own.status}, with {what}")
         error.result, error.report = result, own
         raise error
     return (result, own) if return_report else result
@@ -279,10 +281,9 @@ class Space:
         self._sectors: Optional[tuple[float, Any]] = None
         if vertex_data == "smooth" and not self._surface.is_point_set:
             self._sectors = sectors
-        if depth is not None:
-            if isinstance(depth, bool) or not isinstance(depth, (int, np.integer)):
-                raise argument_error("depth", f"must be a whole number, and is {depth!r}")
-            depth = int(np.clip(depth, -1, 1000))
+        if callable(depth):  # `space_of` says it of the surface
+            depth = depth(self._surface)
+        depth = _checked_depth(depth)
         self._space = _core.Space.make(self._surface, depth, cube_scale, joining_tolerance, split,
                                        bool(paper), maximum_memory, self._threads)
         self._options = dict(
@@ -294,6 +295,15 @@ class Space:
         points, faces, normals, areas = surface_state(self._flat or self._surface)
         of_points = dict(normals=normals, areas=areas) if faces is None else {}
         return _made_again, (Space, (points, faces), dict(of_points, **self._options))
+
+    def _with(self, space: Any) -> "Space":
+        """The same of another depth."""
+        if space.depth == self.depth:
+            return self
+        result = copy.copy(self)
+        result._space = space
+        result._options = dict(self._options, depth=space.depth)
+        return result
 
     @property
     def depth(self) -> int:
@@ -536,6 +546,14 @@ class Space:
         return SplineFunction(self, coefficients)
 
 
+def _checked_depth(depth: Any) -> Optional[int]:
+    if depth is None:
+        return None
+    if isinstance(depth, bool) or not isinstance(depth, (int, np.integer)):
+        raise argument_error("depth", f"must be a whole number, and is {depth!r}")
+    return int(np.clip(depth, -1, 1000))
+
+
 def _made_again(cls: type, arguments: tuple, options: dict) -> Any:
     """What pickle calls."""
     return cls(*arguments, **options)
@@ -764,10 +782,16 @@ def solver_options(tolerance: Any, energy_tolerance: Any, stabilization: Any, cy
     return dict(options, cycle=cycle, smoother=smoother)
 
 
-def space_of(V: Any, F: Any, threads: Optional[int], **options: Any) -> Space:
-    """A space, or the one that is given."""
+def space_of(V: Any, F: Any, threads: Optional[int], accuracy: Optional[float] = None, **options: Any
+             ) -> Space:
+    """A space, or the one that is given; with an accuracy the first one of the search for it."""
     if not isinstance(V, Space):
+        if accuracy is not None:
+            given = options.get("depth")
+            options["depth"] = lambda surface: _core.first_depth_of_search(surface, _checked_depth(given))
         return Space(V, F, threads=threads, **options)  # type: ignore[no-any-return,unused-ignore]
     if F is not None or any(v is not None and v is not False for v in options.values()):
         raise InputError("a space needs neither F nor options of spaces")
+    if accuracy is not None:
+        raise argument_error("accuracy", "chooses the depth: it needs a surface, not a space")
     return V

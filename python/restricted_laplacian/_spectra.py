@@ -89,7 +89,8 @@ class Spectrum(Viewable):
 
 @takes_surface
 def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto",
-                     eigenvalues_only: bool = False, orthonormal: str = "surface", tolerance: Optional[float] = None,
+                     eigenvalues_only: bool = False, orthonormal: str = "surface",
+                     accuracy: Optional[float] = None, tolerance: Optional[float] = None,
                      maximum_iterations: Optional[int] = None,
                      stabilization: Optional[float] = None, normals: Any = None,
                      depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
@@ -115,6 +116,9 @@ def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str
         mass matrix of `cotangent_operators` for the values at the vertices (for points, their areas),
         which other libraries check. By default the surface; at the vertices of a coarse mesh the two
         differ by some percent.
+    accuracy : float, optional
+        Deeper and deeper spaces are tried until the largest estimated relative error of the eigenvalues is
+        not larger. `depth` says where that begins then, at 4 by default.
     tolerance : float, optional
         Residual, 1e-3 by default, or 2.5e-3 with `eigenvalues_only`; errors of eigenvalues are
         about its square.
@@ -156,12 +160,13 @@ def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str
         raise argument_error("count", f"must be a whole number, and is {count!r}")
     if orthonormal not in ("surface", "vertices"):
         raise argument_error("orthonormal", f"must be surface or vertices, and is {orthonormal!r}")
-    space = space_of(V, F, threads, normals=normals, depth=depth,
+    space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
                      joining_tolerance=joining_tolerance, geometry=geometry)
-    values, at_vertices, vectors, area, errors, extrapolated, report = _core.eigenpairs(
-        space._space, int(count), eigensolver, True, bool(eigenvalues_only),
+    last, values, at_vertices, vectors, area, errors, extrapolated, report = _core.eigenpairs(
+        space._space, int(count), eigensolver, bool(eigenvalues_only), accuracy,
         solver_options(tolerance, None, stabilization, maximum_iterations=maximum_iterations),
         number_of_threads(threads), listener(progress))
+    space = space._with(last)
     if orthonormal == "vertices" and not eigenvalues_only:
         at_vertices, vectors = _orthonormal_at_vertices(space, at_vertices, vectors)
     spectrum = Spectrum(values, at_vertices, vectors, area, errors, extrapolated, space, Report(report))
@@ -192,7 +197,7 @@ def _orthonormal_at_vertices(space: Space, functions: np.ndarray, coefficients: 
 
 @takes_surface
 def eigs(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto", orthonormal: str = "surface",
-         tolerance: Optional[float] = None, maximum_iterations: Optional[int] = None,
+         accuracy: Optional[float] = None, tolerance: Optional[float] = None, maximum_iterations: Optional[int] = None,
          stabilization: Optional[float] = None, normals: Any = None, depth: Optional[int] = None,
          joining_tolerance: Optional[float] = None, geometry: Any = None,
          threads: Optional[int] = None, progress: Progress = None,
@@ -206,7 +211,7 @@ def eigs(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto", o
         `Space` as `V` alone.
     count : int, default 50
         Number of eigenvalues, with multiplicities and zeros.
-    eigensolver, orthonormal, tolerance, maximum_iterations, stabilization : as for laplace_spectrum
+    eigensolver, orthonormal, accuracy, tolerance, maximum_iterations, stabilization : as for laplace_spectrum
         How they are computed.
     threads, progress, check, return_report : as for solve_poisson
         How the work is done, and what is returned.
@@ -236,9 +241,9 @@ def eigs(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto", o
     >>> l.round(1) + 0.
     array([0., 2., 2., 2., 6., 6., 6., 6., 6.])
     """
-    s = laplace_spectrum(V, F, count, eigensolver=eigensolver, orthonormal=orthonormal, tolerance=tolerance,
-                         maximum_iterations=maximum_iterations, stabilization=stabilization, normals=normals,
-                         depth=depth, joining_tolerance=joining_tolerance, geometry=geometry,
+    s = laplace_spectrum(V, F, count, eigensolver=eigensolver, orthonormal=orthonormal, accuracy=accuracy,
+                         tolerance=tolerance, maximum_iterations=maximum_iterations,
+                         stabilization=stabilization, normals=normals, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry,
                          threads=threads, progress=progress, check=check)
     pairs = s.eigenvalues, s.vertex_values
     return (pairs, s.report) if return_report else pairs

@@ -29,13 +29,14 @@ namespace {
 using namespace nb::literals;
 using Space = RL::Spline_space_3;
 
-nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
+// (space, coefficients, report)
+nb::tuple solve_poisson(const Space& given, const Function& f, double alpha,
                         const Function* alpha_function, const Function* boundary_values,
                         const Function* boundary_flux, const std::optional<Numbers>& constrained,
-                        std::optional<double> constraint_weight, const nb::dict& options,
-                        int threads, const nb::object& progress) {
-  const RL::Triangulated_surface_3& surface = space.surface();
-  check_function(f, surface, "f", 1);
+                        std::optional<double> constraint_weight, std::optional<double> accuracy,
+                        const nb::dict& options, int threads, const nb::object& progress) {
+  const RL::Triangulated_surface_3& surface = given.surface();
+  check_function(f, surface, "f");
   if(alpha_function)
     check_function(*alpha_function, surface, "alpha", 1);
   if(boundary_values)
@@ -77,12 +78,17 @@ nb::tuple solve_poisson(const Space& space, const Function& f, double alpha,
     }
     problem.vertex_weight = constraint_weight;
   }
-  RL::Poisson_solution solution = run(threads, progress, [&](const auto& callback) {
+  Space space = given;
+  const auto integrated = [&](const Space& s) {
+    return recorded(s, {&f, alpha_function, boundary_values});
+  };
+  RL::internal::Poisson_solutions solution = run(threads, progress, [&](const auto& callback) {
     problem.progress = callback;
-    return RL::solve_poisson_problem(recorded(space, {&f, alpha_function, boundary_values}),
-                                     problem);
+    return accuracy ? RL::internal::solve_poisson_to_accuracy(space, problem, *accuracy, integrated)
+                    : RL::internal::solve_poisson_problems(integrated(space), problem);
   });
-  return nb::make_tuple(array_of_matrix(std::move(solution.coefficients)), report_of(solution));
+  return nb::make_tuple(space, array_of_matrix(std::move(solution.coefficients)),
+                        report_of(solution));
 }
 
 nb::dict fit_report_of(const RL::Fit_report& report) {
@@ -104,19 +110,24 @@ RL::Function_fit_options fit_options(const nb::dict& options, int threads) {
   return o;
 }
 
-nb::tuple fit_function(const Space& space, const Function& f, const nb::dict& options, int threads,
-                       const nb::object& progress) {
-  check_function(f, space.surface(), "f");
+// (space, coefficients, report)
+nb::tuple fit_function(const Space& given, const Function& f, std::optional<double> accuracy,
+                       const nb::dict& options, int threads, const nb::object& progress) {
+  check_function(f, given.surface(), "f");
   const RL::Function_fit_options o = fit_options(options, threads);
+  Space space = given;
+  const auto integrated = [&](const Space& s) { return recorded(s, {&f}); };
   RL::Function_fit fit = run(threads, progress, [&](const auto& callback) {
-    return RL::Function_fitter(recorded(space, {&f}), o).fit(f, callback);
+    return accuracy ? RL::internal::fit_function_to_accuracy(
+                          space, f, o, *accuracy, RL::internal::Progress(callback), integrated)
+                    : RL::Function_fitter(integrated(space), o).fit(f, callback);
   });
   const nb::dict report = fit_report_of(fit);
-  return nb::make_tuple(array_of_matrix(std::move(fit.coefficients)), report);
+  return nb::make_tuple(space, array_of_matrix(std::move(fit.coefficients)), report);
 }
 
-nb::tuple curvature(const Space& space, const std::string& method, const nb::dict& options,
-                    int threads, const nb::object& progress) {
+nb::tuple curvature(const Space& given, const std::string& method, std::optional<double> accuracy,
+                    const nb::dict& options, int threads, const nb::object& progress) {
   RL::Curvature_options o;
   o.method = method == "normals"        ? RL::Curvature_method::normals
              : method == "face_normals" ? RL::Curvature_method::face_normals
@@ -132,7 +143,10 @@ nb::tuple curvature(const Space& space, const std::string& method, const nb::dic
   constexpr std::size_t width = 13;
   std::vector<double> rows = run(threads, progress, [&](const auto& callback) {
     o.progress = callback;
-    const RL::Curvature_field field = RL::estimate_curvature(space, o);
+    Space space = given;
+    const RL::Curvature_field field =
+        accuracy ? RL::internal::estimate_curvature_to_accuracy(space, nullptr, o, *accuracy)
+                 : RL::estimate_curvature(space, o);
     report = field.report();
     std::vector<double> result;
     for(const RL::Surface_curvature& c : field.at_vertices()) {
@@ -147,11 +161,12 @@ nb::tuple curvature(const Space& space, const std::string& method, const nb::dic
   return nb::make_tuple(array_of_rows(std::move(rows), width), fit_report_of(report));
 }
 
-nb::tuple integrate_gradient(const Space& space, const Function& v, const Function* target,
+nb::tuple integrate_gradient(const Space& given, const Function& v, const Function* target,
                              std::optional<double> weight, const Function* weight_function,
                              const std::optional<Numbers>& mean, bool details,
-                             const nb::dict& options, int threads, const nb::object& progress) {
-  const RL::Triangulated_surface_3& surface = space.surface();
+                             std::optional<double> accuracy, const nb::dict& options, int threads,
+                             const nb::object& progress) {
+  const RL::Triangulated_surface_3& surface = given.surface();
   check_function(v, surface, "v");
   if(v.components() % 3 != 0)
     throw RL::Parameter_error("v", "has " + std::to_string(v.components()) +
@@ -174,15 +189,21 @@ nb::tuple integrate_gradient(const Space& space, const Function& v, const Functi
   o.solver = solver_options(options, threads);
   Eigen::MatrixXd values;
   RL::internal::Gradient_solution solution = run(threads, progress, [&](const auto& callback) {
-    const Space numbered = recorded(space, {&v, target, weight_function});
+    Space space = given;
+    const auto integrated = [&](const Space& s) {
+      return recorded(s, {&v, target, weight_function});
+    };
     const RL::Vector_field_view field(v);
-    const RL::internal::Progress whole(callback);
+    const RL::internal::Progress part = RL::internal::Progress(callback).part(0, details ? 0.8 : 1);
     RL::internal::Gradient_solution result =
-        RL::internal::integrate_gradients(numbered, field, o, whole.part(0, details ? 0.8 : 1));
+        accuracy ? RL::internal::integrate_gradients_to_accuracy(space, field, o, *accuracy, part,
+                                                                 integrated)
+                 : RL::internal::integrate_gradients(integrated(space), field, o, part);
     values = RL::Spline_functions_3(space, result.fit.coefficients).values_at_vertices();
     if(details)
-      RL::internal::add_details(numbered, field, o.screening, RL::internal::tolerance_of(o.solver),
-                                o.solver.maximum_iterations, result, values);
+      RL::internal::add_details(integrated(space), field, o.screening,
+                                RL::internal::tolerance_of(o.solver), o.solver.maximum_iterations,
+                                result, values);
     return result;
   });
   nb::dict report = report_of(solution.fit);
@@ -230,14 +251,15 @@ nb::tuple solve(const RL::Poisson_solver& solver, const Rows& b, const std::opti
 void add_problems(nb::module_& m) {
   m.def("solve_poisson", &solve_poisson, "space"_a, "f"_a, "alpha"_a, "alpha_function"_a.none(),
         "boundary_values"_a.none(), "boundary_flux"_a.none(), "constrained"_a.none(),
-        "constraint_weight"_a.none(), "options"_a, "threads"_a, "progress"_a.none());
-  m.def("fit_function", &fit_function, "space"_a, "f"_a, "options"_a, "threads"_a,
+        "constraint_weight"_a.none(), "accuracy"_a.none(), "options"_a, "threads"_a,
         "progress"_a.none());
-  m.def("curvature", &curvature, "space"_a, "method"_a, "options"_a, "threads"_a,
-        "progress"_a.none());
-  m.def("integrate_gradient", &integrate_gradient, "space"_a, "v"_a, "target"_a.none(),
-        "weight"_a.none(), "weight_function"_a.none(), "mean"_a.none(), "details"_a, "options"_a,
+  m.def("fit_function", &fit_function, "space"_a, "f"_a, "accuracy"_a.none(), "options"_a,
         "threads"_a, "progress"_a.none());
+  m.def("curvature", &curvature, "space"_a, "method"_a, "accuracy"_a.none(), "options"_a,
+        "threads"_a, "progress"_a.none());
+  m.def("integrate_gradient", &integrate_gradient, "space"_a, "v"_a, "target"_a.none(),
+        "weight"_a.none(), "weight_function"_a.none(), "mean"_a.none(), "details"_a,
+        "accuracy"_a.none(), "options"_a, "threads"_a, "progress"_a.none());
   nb::class_<RL::Poisson_solver>(m, "PoissonSolver")
       .def_prop_ro("kernel_dimension", &RL::Poisson_solver::kernel_dimension)
       .def("solve", &solve, "b"_a, "guess"_a.none(), "tolerance"_a.none(), "threads"_a,

@@ -23,9 +23,9 @@ using Vector = Eigen::VectorXd;
 // of NumPy, in either order
 using Values = Eigen::Ref<const Eigen::MatrixXd>;
 
-nb::tuple eigenpairs(const RL::Spline_space_3& space, int k, const std::string& eigensolver,
-                     bool with_values, bool eigenvalues_only, const nb::dict& options, int threads,
-                     const nb::object& progress) {
+nb::tuple eigenpairs(const RL::Spline_space_3& given, int k, const std::string& eigensolver,
+                     bool eigenvalues_only, std::optional<double> accuracy, const nb::dict& options,
+                     int threads, const nb::object& progress) {
   RL::Laplace_spectrum_options o;
   o.eigensolver = eigensolver == "multigrid"      ? RL::Eigensolver::multigrid
                   : eigensolver == "shift-invert" ? RL::Eigensolver::shift_invert
@@ -36,14 +36,17 @@ nb::tuple eigenpairs(const RL::Spline_space_3& space, int k, const std::string& 
     o.multigrid.tolerance = *tolerance;
   if(const auto limit = whole_number_of(options, "maximum_iterations"))
     o.multigrid.maximum_iterations = *limit;
+  RL::Spline_space_3 space = given;
   RL::Laplace_spectrum s = run(threads, progress, [&](const auto& callback) {
     o.multigrid.progress = callback;
-    return with_values ? RL::laplace_spectrum(space, k, o) : RL::laplace_eigenpairs(space, k, o);
+    if(accuracy)
+      return RL::internal::laplace_spectrum_to_accuracy(space, k, o, *accuracy);
+    return RL::laplace_spectrum(space, k, o);
   });
   nb::dict report = report_of(s.report);
   report["eigensolver"] =
       s.eigensolver == RL::Eigensolver::multigrid ? "multigrid" : "shift-invert";
-  return nb::make_tuple(array_of_matrix(std::move(s.eigenvalues)),
+  return nb::make_tuple(space, array_of_matrix(std::move(s.eigenvalues)),
                         array_of_matrix(std::move(s.vertex_values)),
                         array_of_matrix(std::move(s.pairs.vectors)), s.area,
                         array_of_matrix(std::move(s.estimated_errors)),
@@ -77,8 +80,8 @@ RL::Shape_dna_normalization normalization(const std::string& name) {
 } // namespace
 
 void add_spectra(nb::module_& m) {
-  m.def("eigenpairs", &eigenpairs, "space"_a, "k"_a, "eigensolver"_a, "with_values"_a,
-        "eigenvalues_only"_a, "options"_a, "threads"_a, "progress"_a.none());
+  m.def("eigenpairs", &eigenpairs, "space"_a, "k"_a, "eigensolver"_a, "eigenvalues_only"_a,
+        "accuracy"_a.none(), "options"_a, "threads"_a, "progress"_a.none());
   m.def("number_of_zeros",
         [](const Numbers& l) { return RL::number_of_zero_eigenvalues(vector_of(l)); });
   m.def("with_exact_zeros", [](const Numbers& l, double area) {

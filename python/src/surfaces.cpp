@@ -13,6 +13,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/input/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>
@@ -437,6 +438,14 @@ void add_surfaces(nb::module_& m) {
     const RL::Memory_estimate estimate = RL::estimate_memory(surface, depth, cube_scale);
     return nb::make_tuple(estimate.dimension, estimate.surface, estimate.solver);
   });
+  m.def(
+      "first_depth_of_search",
+      [](const Surface& surface, std::optional<int> depth) {
+        RL::Spline_space_options o;
+        o.depth = depth;
+        return RL::internal::first_depth_of_search(surface, o);
+      },
+      "surface"_a, "depth"_a.none());
   m.def("memory_of_machine", &RL::memory_of_machine);
 
   nb::class_<Locations>(m, "Locations");

@@ -374,3 +374,53 @@ def test_a_script_without_a_guard_is_told(tmp_path):
     assert run.returncode != 0
     assert 'call it from under `if __name__ == "__main__":`' in run.stderr
     assert "memory" not in run.stderr
+
+
+def test_an_accuracy_chooses_the_depth():
+    V, F = rl.icosphere(5)
+    x, _, z = V.T
+    zonal = (63 * z**5 - 70 * z**3 + 15 * z) / 8  # a harmonic of degree 5
+    exact = -zonal / 30
+    depths = []
+    for accuracy in (0.05, 1e-3):
+        u, report = rl.solve_poisson(V, F, zonal, accuracy=accuracy, return_report=True, as_spline=True)
+        assert report.estimated_error <= accuracy and report.is_estimate_trusted
+        error = np.linalg.norm(u.at_vertices() - exact) / np.linalg.norm(exact)
+        assert error <= max(accuracy, 5e-3)  # which is that of the facets
+        depths.append(u.space.depth)
+        assert pickle.loads(pickle.dumps(u)).space.depth == u.space.depth
+    assert depths[0] < depths[1]
+    # several columns have the depth that the worst of them needs; a callable is called in each space
+    assert rl.solve_poisson(V, F, z, accuracy=1e-3, as_spline=True).space.depth == depths[0]
+    both, report = rl.solve_poisson(V, F, np.stack([z, zonal], axis=1), accuracy=1e-3, return_report=True,
+                                    as_spline=True)
+    assert both.space.depth == depths[1] and report.estimated_error <= 1e-3
+    assert np.abs(both.at_vertices()[:, 0] + z / 2).max() < 1e-2
+    called = rl.solve_poisson(V, F, lambda p: (63 * p[:, 2]**5 - 70 * p[:, 2]**3 + 15 * p[:, 2]) / 8, accuracy=1e-3,
+                              as_spline=True)
+    assert called.space.depth == depths[1]
+    values, report = rl.laplace_spectrum(V, F, 49, accuracy=1e-3, eigenvalues_only=True, return_report=True)
+    assert report.estimated_error <= 1e-3 and np.abs(values.eigenvalues[1:4] - 2).max() < 4e-3
+    assert values.space.depth > rl.laplace_spectrum(V, F, 49, accuracy=0.5, eigenvalues_only=True).space.depth
+    assert rl.eigs(V, F, 16, accuracy=1e-3, return_report=True)[1].estimated_error <= 1e-3
+
+
+def test_an_accuracy_that_cannot_be_reached_is_told():
+    V, F = rl.icosphere(3)
+    with pytest.raises(rl.ConvergenceError, match="accura"):
+        rl.solve_poisson(V, F, V[:, 2], constraints={0: 1.0, 9: 2.0}, accuracy=1e-5)
+    space = rl.Space(V, F, depth=3)
+    for call in (lambda: rl.solve_poisson(space, None, V[:, 2], accuracy=0.1),
+                 lambda: rl.eigs(space, None, 5, accuracy=0.1)):
+        with pytest.raises(rl.InputError, match="accuracy.*surface"):
+            call()
+    for wrong in (0, -1, 1, float("nan")):
+        with pytest.raises(rl.InputError, match="accuracy"):
+            rl.solve_poisson(V, F, V[:, 2], accuracy=wrong)
+    rng = np.random.default_rng(0)
+    points = rng.normal(size=(400, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    # as deep as the points allow, and not deeper
+    u, report = rl.solve_poisson(points, None, np.sin(9 * points[:, 2]), normals=points, accuracy=1e-4, check=False,
+                                 return_report=True, as_spline=True)
+    assert not report.converged and u.space.depth == rl.Space(points, None, normals=points).depth

@@ -89,6 +89,15 @@ def test_spectra(programs, tmp_path, mesh):
         assert same(found, expected), name
 
 
+def test_accuracies(programs, tmp_path, mesh):
+    path, V, F = mesh
+    expected = run(programs, tmp_path, "solve_poisson", path, "--rhs", "x", "--accuracy", "0.1")
+    assert same(rl.solve_poisson(V, F, V[:, 0], accuracy=0.1, depth=5), expected)
+    expected = run(programs, tmp_path, "laplace_spectrum", path, "--count", "12", "--accuracy", "0.1")
+    values = rl.laplace_spectrum(V, F, 12, accuracy=0.1, depth=5, eigenvalues_only=True, check=False)
+    assert same(values.eigenvalues, expected[:, 0])
+
+
 def read_scan(path):
     """Points, triangles and colors of a file that `bake_scans` writes."""
     content = path.read_bytes()

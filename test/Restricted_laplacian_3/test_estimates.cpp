@@ -6,6 +6,9 @@
 #include "catch.h"
 #include "shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
+#include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/integrate_gradient_field.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
@@ -14,10 +17,12 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -174,6 +179,9 @@ TEST_CASE("what_is_not_known_is_not_estimated", "[estimates]") {
     }
   const RL::Spline_space_3 crowded(RL::soup(pieces.points, pieces.faces), params::depth(4));
   CHECK_FALSE(RL::solve_poisson(crowded, f).is_estimate_trusted);
+  // a space of so few unknowns that it is solved at once tells nothing
+  const RL::Spline_space_3 small(RL::soup(sphere.points, sphere.faces), params::depth(1));
+  CHECK(std::isnan(RL::solve_poisson(small, f).estimated_error));
 }
 
 TEST_CASE("spectra_have_the_accuracy_that_is_asked_for", "[estimates]") {
@@ -294,10 +302,142 @@ TEST_CASE("accuracy_that_cannot_be_reached_is_said", "[estimates]") {
                           params::maximum_memory(2e8).accuracy(1e-3).constraints(
                               CGAL::make_property_map(prescribed)))
             .status == RL::Solve_status::inaccurate);
-  // the first depth
+  // the first space
+  using Space_options = RL::Spline_space_options;
+  CHECK(RL::Spline_space_3(surface, params::depth(3)).octree().cell_width(0) ==
+        Approx(2 * Space_options::default_cube_scale).epsilon(0.06));
   CHECK(RL::laplace_spectrum(surface, 10, params::depth(3).accuracy(0.5)).pairs.vectors.rows() <
         1000);
   for(const double accuracy : {0., -1., 1., std::numeric_limits<double>::quiet_NaN()})
     CHECK_THROWS_AS(RL::laplace_spectrum(surface, 10, params::accuracy(accuracy)),
                     RL::Parameter_error);
+}
+
+TEST_CASE("fits_have_the_accuracy_that_is_asked_for", "[estimates]") {
+  const shapes::Triangles t = shapes::sphere(4);
+  const auto surface = RL::soup(t.points, t.faces);
+  const RL::Spline_space_3 fine(surface, params::depth(6));
+  const auto wave = [](const RL::Surface_point& p) { return 5 + std::sin(20 * p.point.x()); };
+  std::vector<double> u(t.points.size());
+  const auto map = CGAL::make_property_map(u);
+  // the error against the function itself, where nothing is smoothed
+  for(const double accuracy : {1e-1, 1e-2, 1e-3}) {
+    const RL::Fit_report report = RL::fit_function(surface, wave, map, params::accuracy(accuracy));
+    CHECK(report.converged);
+    CHECK(report.is_estimate_trusted);
+    CHECK(report.estimated_error <= accuracy);
+    // of a sine of many waves
+    CHECK(report.root_mean_square_error() ==
+          Approx(report.estimated_error * std::sqrt(0.5)).epsilon(0.05));
+  }
+  // against the function that smoothing makes of it; the estimate is not exact
+  const auto smoothing = params::smoothing(2e-3);
+  const Eigen::MatrixXd exact = RL::fit_function(fine, wave, smoothing).coefficients;
+  const Eigen::MatrixXd values = RL::Spline_functions_3(fine, exact).values_at_vertices();
+  const double deviation = (values.array() - values.mean()).matrix().norm();
+  for(const double accuracy : {3e-2, 3e-3}) {
+    const RL::Fit_report report =
+        RL::fit_function(surface, wave, map, smoothing.accuracy(accuracy));
+    const double error =
+        (Eigen::Map<const Eigen::VectorXd>(u.data(), values.rows()) - values).norm() / deviation;
+    INFO("accuracy " << accuracy << ", estimate " << report.estimated_error << ", error " << error);
+    CHECK(report.converged);
+    CHECK(report.estimated_error <= accuracy);
+    CHECK(error <= accuracy);
+  }
+  // the worst of several components counts, and a constant has no error
+  const auto both = [&](const RL::Surface_point& p) {
+    return std::array<double, 3>{p.point.z(), wave(p), 7};
+  };
+  std::vector<std::array<double, 3>> three(t.points.size());
+  const RL::Fit_report report =
+      RL::fit_function(surface, both, CGAL::make_property_map(three), params::accuracy(1e-2));
+  CHECK(report.estimated_error <= 1e-2);
+  CHECK(report.estimated_error ==
+        Approx(report.root_mean_square_errors[1] * std::sqrt(2)).epsilon(0.05));
+  // a step has no such fit: that is seen long before the memory ends
+  const shapes::Triangles bar = shapes::box(1, 0.1, 0.1, 3, 1);
+  std::vector<double> of_bar(bar.points.size());
+  const auto step = [](const RL::Surface_point& p) { return p.point.x() > 0.4 ? 1. : 0.; };
+  const RL::Fit_report of_step =
+      RL::fit_function(RL::soup(bar.points, bar.faces), step, CGAL::make_property_map(of_bar),
+                       params::accuracy(1e-4).maximum_memory(4e9));
+  CHECK(of_step.status == RL::Solve_status::inaccurate);
+  CHECK(of_step.estimated_error > 1e-2);
+}
+
+TEST_CASE("gradient_fields_have_the_accuracy_that_is_asked_for", "[estimates]") {
+  const shapes::Triangles t = shapes::sphere(4);
+  const auto surface = RL::soup(t.points, t.faces);
+  // the gradient of sin 6 x and a part that is orthogonal to all gradients
+  const auto field = [](const RL::Surface_point& p) {
+    const RL::Vector_3 along(6 * std::cos(6 * p.point.x()), 0, 0);
+    return along + CGAL::cross_product(RL::Vector_3(0, 0, 1), p.point - CGAL::ORIGIN);
+  };
+  std::vector<double> u(t.points.size());
+  const auto integrate = [&](const auto& np) {
+    const RL::Gradient_report report =
+        RL::integrate_gradient_field(surface, field, CGAL::make_property_map(u), np);
+    return std::make_pair(u, report);
+  };
+  const auto exact = integrate(params::depth(7)).first;
+  for(const double accuracy : {1e-1, 1e-2, 1e-3}) {
+    const auto [found, report] = integrate(params::accuracy(accuracy).mean(3.));
+    double sum = 0, all = 0;
+    for(std::size_t v = 0; v < u.size(); ++v) {
+      sum += (found[v] - 3 - exact[v]) * (found[v] - 3 - exact[v]);
+      all += exact[v] * exact[v];
+    }
+    INFO("accuracy " << accuracy << ", estimate " << report.estimated_error << ", error "
+                     << std::sqrt(sum / all));
+    CHECK(report.converged);
+    CHECK(report.estimated_error <= accuracy);
+    CHECK(std::sqrt(sum / all) <= 1.5 * accuracy);
+  }
+}
+
+TEST_CASE("curvature_has_the_accuracy_that_is_asked_for", "[estimates]") {
+  // with the normals of the ellipsoid, and its curvature: 2 H = div n
+  const double a = 1, b = 0.8, c = 0.55;
+  shapes::Triangles t = shapes::sphere(5);
+  std::vector<RL::Vector_3> normals;
+  std::vector<double> exact;
+  for(RL::Point_3& p : t.points) {
+    p = RL::Point_3(a * p.x(), b * p.y(), c * p.z());
+    const RL::Vector_3 g(p.x() / (a * a), p.y() / (b * b), p.z() / (c * c));
+    const double s = g.squared_length();
+    normals.push_back(g / std::sqrt(s));
+    const double square = p.x() * p.x() + p.y() * p.y() + p.z() * p.z();
+    exact.push_back((a * a + b * b + c * c - square) / (2 * a * a * b * b * c * c) /
+                    std::pow(s, 1.5));
+  }
+  const double mean = std::accumulate(exact.begin(), exact.end(), 0.) / exact.size();
+  std::vector<RL::Surface_curvature> curvatures(t.points.size());
+  const auto map = CGAL::make_property_map(curvatures);
+  for(const double accuracy : {1e-1, 2e-2}) {
+    const RL::Fit_report report = RL::estimate_curvature(
+        RL::soup(t.points, t.faces), map,
+        params::accuracy(accuracy).vertex_normal_map(CGAL::make_property_map(normals)));
+    double sum = 0, all = 0;
+    for(std::size_t v = 0; v < exact.size(); ++v) {
+      sum += (curvatures[v].mean - exact[v]) * (curvatures[v].mean - exact[v]);
+      all += (exact[v] - mean) * (exact[v] - mean);
+    }
+    INFO("accuracy " << accuracy << ", estimate " << report.estimated_error << ", error "
+                     << std::sqrt(sum / all));
+    CHECK(report.converged);
+    CHECK(report.estimated_error <= accuracy);
+    CHECK(std::sqrt(sum / all) <= 1.5 * accuracy);
+  }
+  // edges have no curvature that a finer space would come near
+  const shapes::Triangles cube = shapes::box(1, 1, 1, 3, 1);
+  std::vector<RL::Surface_curvature> of_cube(cube.points.size());
+  const RL::Fit_report report = RL::estimate_curvature(
+      RL::soup(cube.points, cube.faces), CGAL::make_property_map(of_cube),
+      params::accuracy(1e-2).method(RL::Curvature_method::face_normals).maximum_memory(1e9));
+  CHECK(report.status == RL::Solve_status::inaccurate);
+  CHECK(report.estimated_error > 0.1);
+  // a depth that is given has no estimate of the curvature
+  CHECK(std::isnan(
+      RL::estimate_curvature(RL::soup(t.points, t.faces), map, params::depth(4)).estimated_error));
 }

@@ -41,6 +41,7 @@ Fit_report estimate_curvature_on_surface(const Surface& surface, VertexMap curva
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
+///   \named_accuracy
 ///   \named_of_surface
 ///   \named_method
 ///   \named_of_curvature
@@ -66,9 +67,17 @@ Fit_report estimate_curvature_on_surface(const Surface& surface, VertexMap curva
   timer.start();
   progress_of(np)(0);
   const auto source = surface_source(surface);
-  const Spline_space_3 space = space_of(surface, np);
+  Spline_space_3 space = first_space_of(surface, np);
   const double space_seconds = timer.time();
-  const auto estimated = [&] {
+  const auto estimated = [&](const Surface_function_view* normals) {
+    if constexpr(is_given_v<NamedParameters, internal_np::accuracy_t>)
+      return estimate_curvature_to_accuracy(space, normals, np,
+                                            parameters::get_parameter(np, internal_np::accuracy));
+    else
+      return normals ? Restricted_laplacian_3::estimate_curvature(space, *normals, np)
+                     : Restricted_laplacian_3::estimate_curvature(space, np);
+  };
+  const auto estimated_by_normals = [&] {
     if constexpr(is_given_v<NamedParameters, internal_np::vertex_normal_map_t>) {
       const auto map = parameters::get_parameter(np, internal_np::vertex_normal_map);
       const auto traits = geom_traits_of(np);
@@ -79,17 +88,18 @@ Fit_report estimate_curvature_on_surface(const Surface& surface, VertexMap curva
           throw Invalid_vertex_error(i, "has a normal that is not finite");
         normals.push_back(unit_or_zero(normal));
       });
-      return Restricted_laplacian_3::estimate_curvature(
-          space, Interpolated_normals(std::move(normals)), np);
+      const Interpolated_normals interpolated(std::move(normals));
+      const Surface_function_view view(interpolated);
+      return estimated(&view);
     } else
-      return Restricted_laplacian_3::estimate_curvature(space, np);
+      return estimated(nullptr);
   };
-  const Curvature_field field = estimated();
+  const Curvature_field field = estimated_by_normals();
   const std::vector<Surface_curvature> values = field.at_vertices();
   source.for_each_vertex(
       [&](std::size_t i, const auto& v) { put_value_at(curvatures, v, values[i]); });
   Fit_report report = field.report();
-  report.space_seconds = space_seconds;
+  report.space_seconds += space_seconds;
   return report;
 }
 

@@ -47,6 +47,7 @@ Fit_report fit_function_on_surface(const Surface& surface, const Function& f, Ve
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
+///   \named_accuracy
 ///   \named_of_surface
 ///   \named_vertex_data
 ///   \named_of_fits
@@ -111,12 +112,18 @@ Fit_report fit_function_on_surface(const Surface& surface, const Function& f, Ve
   timer.start();
   progress_of(np)(0);
   const auto source = surface_source(surface);
-  const Spline_space_3 space = space_of(surface, np);
+  Spline_space_3 space = first_space_of(surface, np);
   const double space_seconds = timer.time();
   const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
-  Function_fit fit = fit_function(space, components_on_surface(source, f, interpolation), np);
+  const auto values = components_on_surface(source, f, interpolation);
+  Function_fit fit;
+  if constexpr(is_given_v<NamedParameters, internal_np::accuracy_t>)
+    fit = fit_function_to_accuracy(
+        space, values, np, parameters::get_parameter(np, internal_np::accuracy), progress_of(np));
+  else
+    fit = fit_function(space, values, np);
   put_at_vertices(source, space, fit.coefficients, u);
-  fit.space_seconds = space_seconds;
+  fit.space_seconds += space_seconds;
   return static_cast<const Fit_report&>(fit);
 }
 

@@ -69,7 +69,7 @@ Gradient_report integrate_gradients_on_surface(const Surface& surface, const Fie
   const Progress progress = progress_of(np);
   progress(0);
   const auto source = surface_source(surface);
-  const Spline_space_3 space = space_of(surface, np);
+  Spline_space_3 space = first_space_of(surface, np);
   const double space_seconds = timer.time();
   const Vertex_interpolation interpolation = vertex_interpolation(source, space.surface(), np);
   const auto field = vector_field_on_surface(source, v, interpolation);
@@ -87,8 +87,13 @@ Gradient_report integrate_gradients_on_surface(const Surface& surface, const Fie
   bool with_details = false;
   read_parameter(np, internal_np::details, with_details);
   const double end_of_splines = with_details ? 0.8 : 1;
-  Gradient_solution solution =
-      integrate_gradients(space, field, options, progress.part(space_share, end_of_splines));
+  const Progress of_splines = progress.part(space_share, end_of_splines);
+  Gradient_solution solution;
+  if constexpr(is_given_v<NamedParameters, internal_np::accuracy_t>)
+    solution = integrate_gradients_to_accuracy(
+        space, field, options, parameters::get_parameter(np, internal_np::accuracy), of_splines);
+  else
+    solution = integrate_gradients(space, field, options, of_splines);
   Eigen::MatrixXd values =
       Spline_functions_3(space, solution.fit.coefficients).values_at_vertices();
   if(with_details)
@@ -96,7 +101,7 @@ Gradient_report integrate_gradients_on_surface(const Surface& surface, const Fie
                 options.solver.maximum_iterations, solution, values);
   progress(1);
   put_rows(source, values, u);
-  solution.fit.space_seconds = space_seconds;
+  solution.fit.space_seconds += space_seconds;
   return static_cast<const Gradient_report&>(solution.fit);
 }
 
@@ -146,6 +151,7 @@ Gradient_report integrate_gradients_on_surface(const Surface& surface, const Fie
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_space
+///   \named_accuracy
 ///   \named_of_surface
 ///   \named_vertex_data
 ///   \named_of_gradients

@@ -157,15 +157,15 @@ Solve_report solve_poisson_on_surface(const Surface& surface, const Function& f,
   problem.has_boundary_value = has_boundary_value(source, first.surface(), np);
   if constexpr(is_given_v<NamedParameters, internal_np::constraints_t>)
     problem.vertex_values = vertex_values(source, space, np);
-  Poisson_solution solution;
+  Poisson_solutions solution;
   if constexpr(is_given_v<NamedParameters, internal_np::accuracy_t>)
     solution = solve_poisson_to_accuracy(space, problem,
                                          parameters::get_parameter(np, internal_np::accuracy));
   else
-    solution = solve_poisson_problem(space, problem);
+    solution = solve_poisson_problems(space, problem);
   solution.space_seconds += space_seconds;
   const std::vector<double> values =
-      Spline_function_3(space, std::move(solution.coefficients)).values_at_vertices();
+      Spline_function_3(space, solution.coefficients.col(0)).values_at_vertices();
   source.for_each_vertex(
       [&](std::size_t i, const auto& v) { put_value_at(u, v, static_cast<Value>(values[i])); });
   return static_cast<const Solve_report&>(solution);

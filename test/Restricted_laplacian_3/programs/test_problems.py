@@ -171,6 +171,38 @@ def test_refinement():
     fails("refine.*restricted", "laplace_spectrum small.off --operator cotangent --refine 2 --output fine.ply")
 
 
+def test_accuracy():
+    spectrum = "laplace_spectrum sphere.off --count 36 --accuracy"
+    depths, errors = [], []
+    for accuracy in ("0.1", "0.0003"):
+        result = succeeds(f"{spectrum} {accuracy} --csv s.csv")
+        table = Table("s.csv")
+        assert table.comment("estimated_relative_error") <= float(accuracy)
+        depths.append(table.comment("depth"))
+        errors.append(table[1][35])  # of degree 5, and not below 30 but for the facets
+        assert result.entry("depth") == depths[-1] and result.entry("dimension") == table.comment("dimension")
+    assert depths[0] < depths[1] and errors[0] > errors[1]
+    succeeds("solve_poisson sphere.off --accuracy 0.01 --csv u.csv --output u.ply --refine 2")
+    assert Table("u.csv").comment("estimated_relative_error") <= 0.01 and Table("u.csv").comment("depth") > 2
+    succeeds("spectral_descriptors sphere.off --count 36 --descriptor shape-dna --accuracy 0.0003 --csv d.csv")
+    assert Table("d.csv").comment("depth") == depths[1]
+    result = run("solve_poisson sphere.off --accuracy 1e-9 --maximum-memory 0.05 --csv u.csv")
+    assert result.status == 2 and re.search("accura", result.err), result
+    result = run(f"{spectrum} 1e-9 --maximum-memory 0.05")
+    assert result.status == 2 and re.search("estimated error of", result.err), result
+    for number, command in enumerate(("fit_function sphere.off --property x,y,z --accuracy 1e-3",
+                                      "fit_function sphere.off --property x --smoothing 1 --accuracy 1e-2",
+                                      "estimate_curvature sphere.off --accuracy 0.3 --method face-normals")):
+        found = run(f"{command} --csv f.csv")
+        assert Table("f.csv").comment("depth") >= 4, command
+        assert (found.status == 0) == (number < 2), command  # the sphere's curvature is that of its edges
+        assert found.status == 2 or Table("f.csv").comment("estimated_relative_error") <= 1e-2, command
+    fails("smoothing", "estimate_curvature sphere.off --accuracy 0.1 --smoothing 1")
+    for options in ("0.1 --paper", "0.1 --assembly monte-carlo", "0", "2"):
+        fails("accuracy", f"solve_poisson sphere.off --accuracy {options}")
+    fails("accuracy.*restricted", f"{spectrum} 0.1 --operator cotangent")
+
+
 def has_sphere_spectrum(values, tolerance):
     """l (l + 1), 2 l + 1 times, up to a relative error."""
     degrees = np.floor(np.sqrt(np.arange(len(values))))

@@ -173,6 +173,15 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 
 namespace internal {
 
+/// Estimates the curvature in deeper and deeper spaces.
+/// \param space the first one, and then that of the curvature
+/// \param normals in place of those of the surface; may be null
+/// \param accuracy the estimated error of the mean curvature that ends the search, or the memory of
+/// the spaces does
+Curvature_field estimate_curvature_to_accuracy(Spline_space_3& space,
+                                               const Surface_function_view* normals,
+                                               const Curvature_options& options, double accuracy);
+
 /// Vertex normals interpolated linearly and renormalized: where they cancel, that of the face.
 class Interpolated_normals {
 public:

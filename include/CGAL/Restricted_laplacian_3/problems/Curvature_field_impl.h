@@ -9,12 +9,17 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/search_depth.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/values_over_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -144,32 +149,72 @@ inline Function_fit fit_coordinate_laplacian(const Spline_space_3& space,
   return Function_fitter(space, options).project(loads, progress.part(0.2, 1).callback());
 }
 
+/// fits normals
+inline Function_fit fit_normals(const Spline_space_3& space, const Surface_function_view& normals,
+                                const Curvature_options& options) {
+  Function_fitter fitter(space, curvature_fit_options(space, options, true));
+  return fitter.fit(normals, options.progress);
+}
+
+/// fits what the curvature follows from
+/// \param normals in place of those of the surface; may be null
+inline Function_fit fit_for_curvature(const Spline_space_3& space,
+                                      const Surface_function_view* normals,
+                                      const Curvature_options& options) {
+  require_enough_points(space);
+  if(normals)
+    return fit_normals(space, *normals, options);
+  if(options.method == Curvature_method::coordinates)
+    return fit_coordinate_laplacian(space, curvature_fit_options(space, options, false),
+                                    Progress(options.progress));
+  if(options.method == Curvature_method::face_normals || space.surface().is_smooth())
+    return fit_normals(space, surface_normal(space.surface()), options);
+  return fit_normals(space, Interpolated_normals(vertex_normals(space.surface())), options);
+}
+
+/// the curvature that follows from a fit, whose error is another one
+inline Curvature_field curvature_of_fit(const Spline_space_3& space, Function_fit&& fit) {
+  fit.estimated_error = std::numeric_limits<double>::quiet_NaN();
+  fit.is_estimate_trusted = false;
+  return Curvature_field(space, fit);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
+estimate_curvature_to_accuracy(Spline_space_3& space, const Surface_function_view* normals,
+                               const Curvature_options& given, double accuracy) {
+  Curvature_options options = given;
+  Function_fit fit;
+  const std::vector<Surface_location> places = space.surface().is_point_set()
+                                                   ? std::vector<Surface_location>()
+                                                   : places_over_surface(space.surface());
+  search_depth(space, accuracy, Progress(given.progress), {}, [&](const Progress& progress) {
+    options.progress = progress.callback();
+    fit = fit_for_curvature(space, normals, options);
+    const Curvature_field field(space, fit);
+    const std::vector<Surface_curvature> curvatures =
+        places.empty() ? field.at_vertices() : field.at_locations(places);
+    Eigen::MatrixXd means(static_cast<Eigen::Index>(curvatures.size()), 1);
+    for(std::size_t i = 0; i < curvatures.size(); ++i) {
+      const double mean = curvatures[i].mean;
+      means(static_cast<Eigen::Index>(i), 0) = std::isfinite(mean) ? mean : 0;
+    }
+    fit.estimated_error = std::numeric_limits<double>::quiet_NaN();
+    return Found_in_space{&fit, std::move(means)};
+  });
+  return Curvature_field(space, fit);
+}
+
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
 estimate_curvature(const Spline_space_3& space, const Surface_function_view& normals,
                    const Curvature_options& options) {
-  internal::require_enough_points(space);
-  Function_fitter fitter(space, internal::curvature_fit_options(space, options, true));
-  return Curvature_field(space, fitter.fit(normals, options.progress));
+  return internal::curvature_of_fit(space, internal::fit_for_curvature(space, &normals, options));
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
 estimate_curvature(const Spline_space_3& space, const Curvature_options& options) {
-  internal::require_enough_points(space);
-  switch(options.method) {
-  case Curvature_method::coordinates:
-    return Curvature_field(space, internal::fit_coordinate_laplacian(
-                                      space, internal::curvature_fit_options(space, options, false),
-                                      internal::Progress(options.progress)));
-  case Curvature_method::face_normals:
-    return estimate_curvature(space, internal::surface_normal(space.surface()), options);
-  default:
-    if(space.surface().is_smooth())
-      return estimate_curvature(space, internal::surface_normal(space.surface()), options);
-    return estimate_curvature(
-        space, internal::Interpolated_normals(vertex_normals(space.surface())), options);
-  }
+  return internal::curvature_of_fit(space, internal::fit_for_curvature(space, nullptr, options));
 }
 
 } // namespace Restricted_laplacian_3

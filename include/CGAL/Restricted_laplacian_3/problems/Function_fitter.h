@@ -10,6 +10,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/search_depth.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -28,7 +29,8 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 /// \ingroup PkgRestrictedLaplacian3Fits
-/// What `fit_function()` did.
+/// What `fit_function()` did. Without smoothing, `estimated_error` is measured: the largest root
+/// mean square error of a component, relative to its deviation from its mean.
 struct Fit_report : Solve_report {
   /// \f$(\int (u_k - f_k)^2 / \mathrm{area})^{1/2}\f$ of each component, in units of \f$f\f$
   std::vector<double> root_mean_square_errors;
@@ -194,6 +196,19 @@ private:
   Sparse_matrix m_mass;                                    // upper half; empty until needed
   double m_assembly_seconds = 0, m_setup_seconds = 0;
 };
+
+namespace internal {
+
+/// Fits a function in deeper and deeper spaces.
+/// \param space the first one, and then that of the fit
+/// \param accuracy the error that ends the search, or the memory of the spaces does
+/// \param integrated called for each space, unless it is empty
+Function_fit fit_function_to_accuracy(Spline_space_3& space, const Surface_function_view& f,
+                                      const Function_fit_options& options, double accuracy,
+                                      const Progress& progress,
+                                      const Integrated_space& integrated = {});
+
+} // namespace internal
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

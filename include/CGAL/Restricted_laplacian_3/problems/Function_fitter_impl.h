@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/values_over_surface.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -49,6 +50,22 @@ inline Function_fit_options checked(Function_fit_options options) {
 /// functions of the space, where what is minimized vanishes.
 constexpr double smallest_error_of_fits = 1e-8;
 
+/// The root mean squares of the components of a function without their means, or what rounding
+/// leaves of the functions if these are larger.
+/// \param whole what there is to fit
+inline std::vector<double> deviations(const Spline_space_3& space, const Fit_residual& whole) {
+  constexpr double rounding = 1e-9;
+  std::vector<double> result = whole.root_means(space);
+  for(std::size_t k = 0; k < result.size(); ++k) {
+    // the splines sum to 1
+    const double mean =
+        whole.loads.col(static_cast<Eigen::Index>(k)).sum() / space.surface().area();
+    const double square = (result[k] - mean) * (result[k] + mean);
+    result[k] = (std::max)(std::sqrt((std::max)(square, 0.)), rounding * result[k]);
+  }
+  return result;
+}
+
 /// of the time that a fit takes, that of its solver; the rest is for solving
 constexpr double end_of_setup = 0.6;
 
@@ -80,6 +97,7 @@ Function_fitter::fit(const Surface_function_view& f, const std::function<bool(do
   const Progress progress(callback);
   progress(0);
   internal::Fit_residual residual = internal::fit_residual(m_space, f);
+  const std::vector<double> deviations = internal::deviations(m_space, residual);
   const double load_seconds = timer.time();
 
   Function_fit result;
@@ -98,6 +116,15 @@ Function_fitter::fit(const Surface_function_view& f, const std::function<bool(do
   result.root_mean_square_errors = residual.are_accurate
                                        ? residual.root_means(m_space)
                                        : internal::fit_errors(m_space, f, result.coefficients);
+  // a function that is smoothed is not approximated
+  if(m_options.smoothing == 0 && !m_space.is_paper_space()) {
+    result.estimated_error = 0;
+    result.is_estimate_trusted = true;
+    for(std::size_t k = 0; k < deviations.size(); ++k)
+      if(deviations[k] > 0)
+        result.estimated_error =
+            (std::max)(result.estimated_error, result.root_mean_square_errors[k] / deviations[k]);
+  }
 
   result.assembly_seconds = m_assembly_seconds + load_seconds;
   result.setup_seconds = m_setup_seconds;
@@ -181,6 +208,25 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Solve_report Function_fitter::fit_residual(
   residual.subtract(m_space, mass(), coefficients);
   return report;
 }
+
+namespace internal {
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Function_fit fit_function_to_accuracy(
+    Spline_space_3& space, const Surface_function_view& f, const Function_fit_options& options,
+    double accuracy, const Progress& progress, const Integrated_space& integrated) {
+  Function_fit fit;
+  search_depth(space, accuracy, progress, {}, [&](const Progress& part) {
+    fit = Function_fitter(integrated ? integrated(space) : space, options).fit(f, part.callback());
+    Found_in_space found;
+    found.report = &fit;
+    if(options.smoothing > 0)
+      found.values = values_over_surface(space, fit.coefficients);
+    return found;
+  });
+  return fit;
+}
+
+} // namespace internal
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

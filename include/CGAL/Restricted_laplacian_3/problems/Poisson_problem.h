@@ -6,6 +6,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Point_constraints.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/search_depth.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -81,11 +82,25 @@ Poisson_solution solve_poisson_problem(const Spline_space_3& space, const Poisso
 
 namespace internal {
 
+/// The solutions for all components of a right-hand side; what is reported is the worst of them.
+struct Poisson_solutions : Solve_report {
+  /// a column for each component
+  Eigen::MatrixXd coefficients;
+  int kernel_dimension = 0;
+};
+
+/// Solves a problem whose right-hand side may have several components, unless values are
+/// prescribed.
+Poisson_solutions solve_poisson_problems(const Spline_space_3& space,
+                                         const Poisson_problem& problem);
+
 /// Solves a problem in deeper and deeper spaces.
 /// \param space the first one, and then that of the solution
 /// \param accuracy the estimated error that ends the search, or the memory of the spaces does
-Poisson_solution solve_poisson_to_accuracy(Spline_space_3& space, const Poisson_problem& problem,
-                                           double accuracy);
+/// \param integrated called for each space, unless it is empty
+Poisson_solutions solve_poisson_to_accuracy(Spline_space_3& space, const Poisson_problem& problem,
+                                            double accuracy,
+                                            const Integrated_space& integrated = {});
 
 /// the tolerance of problems with prescribed values
 constexpr double tolerance_with_constraints = 1e-8;

@@ -12,10 +12,10 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
-#include <CGAL/Restricted_laplacian_3/problems/internal/Depth_search.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/Prescribed_iteration.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/values_over_surface.h>
 #include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <CGAL/Real_timer.h>
@@ -62,11 +62,11 @@ public:
   const Point_constraints* points() const { return m_points ? &*m_points : nullptr; }
 
   /// adds what values and fluxes on the boundary add to the right-hand side
-  void add_load(Eigen::VectorXd& load) const {
+  void add_load(Eigen::MatrixXd& load) const {
     if(m_boundary)
-      load += m_boundary->load(m_values);
+      load.colwise() += m_boundary->load(m_values);
     if(m_flux_load.size() > 0)
-      load += m_flux_load;
+      load.colwise() += m_flux_load;
   }
 
   /// a number around which the values are
@@ -129,35 +129,36 @@ private:
   Eigen::VectorXd m_flux_load;
 };
 
-} // namespace internal
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solution
-solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solutions
+solve_poisson_problems(const Spline_space_3& space, const Poisson_problem& problem) {
   CGAL::Real_timer timer;
   timer.start();
-  internal::require_enough_points(space);
-  const internal::Progress progress(problem.progress);
+  require_enough_points(space);
+  const Progress progress(problem.progress);
   progress(0);
-  internal::Elliptic_system system;
+  Elliptic_system system;
   system.elliptic.reaction = problem.alpha;
   system.elliptic.reaction_function = problem.alpha_function;
   system.elliptic.stabilization = problem.stabilization.value_or(default_stabilization(space));
-  Eigen::VectorXd load = assemble_load(space, problem.f);
+  Eigen::MatrixXd load = assemble_component_loads(space, problem.f);
   if(problem.alpha == 0 && !problem.alpha_function)
     load = -load;
-  const internal::Progress of_setup = progress.part(0.1, 0.7), of_solve = progress.part(0.7, 1);
-  const internal::Prescribed_values prescribed(space, problem);
+  const Progress of_setup = progress.part(0.1, 0.7), of_solve = progress.part(0.7, 1);
+  const Prescribed_values prescribed(space, problem);
   prescribed.add_load(load);
   system.boundary = prescribed.boundary();
   system.constraints = prescribed.points();
   const Poisson_solver solver(space, system, problem.solver, of_setup);
   const double assembly_seconds = timer.time() - solver.setup_seconds();
-  Poisson_solution solution;
+  Poisson_solutions solution;
   Solve_report& report = solution;
   if(system.boundary || system.constraints) {
-    internal::Prescribed_iteration iteration(solver, load, prescribed.points(), prescribed.mean());
-    report = iteration.solve(
-        problem.solver.tolerance.value_or(internal::tolerance_with_constraints), of_solve);
+    if(load.cols() != 1)
+      throw Parameter_error("f", "has several components, and values are prescribed");
+    const Eigen::VectorXd only_load = load;
+    Prescribed_iteration iteration(solver, only_load, prescribed.points(), prescribed.mean());
+    report =
+        iteration.solve(problem.solver.tolerance.value_or(tolerance_with_constraints), of_solve);
     solution.coefficients = iteration.coefficients();
   } else {
     Solve_options options;
@@ -165,33 +166,31 @@ solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& proble
     std::array<Eigen::MatrixXd, 2> coarser;
     options.coarser_solutions = &coarser;
     report = solver.solve(load, solution.coefficients, options);
-    internal::estimate_error(space, solution.coefficients, coarser, solution);
+    estimate_error(space, solution.coefficients, coarser, solution);
   }
   solution.assembly_seconds = assembly_seconds;
   solution.kernel_dimension = solver.kernel_dimension();
   return solution;
 }
 
-namespace internal {
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solution
-solve_poisson_to_accuracy(Spline_space_3& space, const Poisson_problem& given, double accuracy) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solutions
+solve_poisson_to_accuracy(Spline_space_3& space, const Poisson_problem& given, double accuracy,
+                          const Integrated_space& integrated) {
   if(given.constraints)
     throw Parameter_error("accuracy", "needs other spaces than that of the constraints at points");
   Poisson_problem problem = given;
   if(!problem.solver.tolerance && problem.vertex_values.empty() && !problem.boundary_values)
     problem.solver.tolerance = (std::min)(Poisson_solver_options::default_tolerance, accuracy);
-  Depth_search search(space, accuracy, Progress(given.progress));
-  Space_changes changes;
-  const bool compares_spaces = !problem.vertex_values.empty() || problem.boundary_values;
-  for(;;) {
-    problem.progress = search.progress().callback();
-    Poisson_solution solution = solve_poisson_problem(space, problem);
-    if(compares_spaces)
-      changes.estimate_error(space, solution.coefficients, solution);
-    if(!search.goes_on(solution, compares_spaces ? 1 : 2))
-      return solution;
-  }
+  const bool has_estimate = problem.vertex_values.empty() && !problem.boundary_values;
+  Depth_search_options options;
+  options.most_steps = has_estimate ? 2 : 1;
+  Poisson_solutions solution;
+  search_depth(space, accuracy, Progress(given.progress), options, [&](const Progress& progress) {
+    problem.progress = progress.callback();
+    solution = solve_poisson_problems(integrated ? integrated(space) : space, problem);
+    return Found_in_space{&solution, values_over_surface(space, solution.coefficients)};
+  });
+  return solution;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_location>
@@ -216,6 +215,19 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void check_screening_weight(double alpha) {
 }
 
 } // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Poisson_solution
+solve_poisson_problem(const Spline_space_3& space, const Poisson_problem& problem) {
+  if(problem.f.components() != 1)
+    throw Parameter_error("f", "has " + std::to_string(problem.f.components()) +
+                                   " components, but must have 1");
+  internal::Poisson_solutions solutions = internal::solve_poisson_problems(space, problem);
+  Poisson_solution solution;
+  static_cast<Solve_report&>(solution) = solutions;
+  solution.coefficients = solutions.coefficients.col(0);
+  solution.kernel_dimension = solutions.kernel_dimension;
+  return solution;
+}
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL

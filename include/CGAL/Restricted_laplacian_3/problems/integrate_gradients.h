@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/search_depth.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Multigrid_solver.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
@@ -117,6 +118,15 @@ struct Gradient_solution {
 
 Gradient_solution integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
                                       const Gradient_options& options, const Progress& progress);
+
+/// Integrates a field in deeper and deeper spaces.
+/// \param space the first one, and then that of the solution
+/// \param accuracy the estimated error that ends the search, or the memory of the spaces does
+/// \param integrated called for each space, unless it is empty
+Gradient_solution integrate_gradients_to_accuracy(Spline_space_3& space, const Vector_field_view& v,
+                                                  const Gradient_options& options, double accuracy,
+                                                  const Progress& progress,
+                                                  const Integrated_space& integrated = {});
 
 /// corrects the values of a solution at the vertices
 /// \param tolerance as for the splines, or larger

@@ -13,8 +13,10 @@
 #include <CGAL/Restricted_laplacian_3/integration/shared/sheet_integrals.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients.h>
+#include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/vertex_details.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/values_over_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/solvers/shared/Mean_projection.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/spline_evaluation.h>
@@ -209,8 +211,11 @@ integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
   }
   const double assembly_seconds = timer.time() - solver.setup_seconds();
   Eigen::MatrixXd x;
-  static_cast<Solve_report&>(result.fit) =
-      solver.solve(loads, x, {tolerance_of(options.solver), progress.part(0.65, 1).callback()});
+  Solve_options of_solve(tolerance_of(options.solver), progress.part(0.65, 1).callback());
+  std::array<Eigen::MatrixXd, 2> coarser;
+  of_solve.coarser_solutions = &coarser;
+  static_cast<Solve_report&>(result.fit) = solver.solve(loads, x, of_solve);
+  estimate_error(space, x, coarser, result.fit);
   // The solver takes means from the sum of all loads, where those of a small weight are lost to
   // rounding beside those of the gradients. They are known without it.
   std::vector<int> shifted = result.components;
@@ -227,6 +232,17 @@ integrate_gradients(const Spline_space_3& space, const Vector_field_view& v,
     result.fit.components_without_weight =
         static_cast<int>(std::count(result.is_screened.begin(), result.is_screened.end(), char(0)));
   return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution integrate_gradients_to_accuracy(
+    Spline_space_3& space, const Vector_field_view& v, const Gradient_options& options,
+    double accuracy, const Progress& progress, const Integrated_space& integrated) {
+  Gradient_solution solution;
+  search_depth(space, accuracy, progress, {}, [&](const Progress& part) {
+    solution = integrate_gradients(integrated ? integrated(space) : space, v, options, part);
+    return Found_in_space{&solution.fit, values_over_surface(space, solution.fit.coefficients)};
+  });
+  return solution;
 }
 
 /// number of the component of the matrix that a vertex belongs to; -1 if it is not on the surface

@@ -5,7 +5,6 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_SPACE_SPECTRUM_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/explain_out_of_memory.h>
-#include <CGAL/Restricted_laplacian_3/problems/internal/Depth_search.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/level_estimate.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/space_spectrum.h>
@@ -16,6 +15,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/search_depth.h>
 #include <CGAL/Restricted_laplacian_3/spectra/shared/nested_iteration.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
@@ -27,6 +27,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -321,17 +322,22 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum laplace_eigenpairs_to_accura
   constexpr std::size_t unknowns_of_a_pair = 20;
   Laplace_spectrum_options options = given;
   check_number_of_pairs(space, count, false);
-  Depth_search search(space, accuracy, Progress(given.multigrid.progress), bytes_of_unknown(count));
-  Solve_report nothing;
-  while(space.dimension() < unknowns_of_a_pair * static_cast<std::size_t>(count) &&
-        search.goes_on(nothing, 1)) {
-  }
-  for(;;) {
-    options.multigrid.progress = search.progress().callback();
-    Laplace_spectrum spectrum = laplace_eigenpairs(space, count, options);
-    if(!search.goes_on(spectrum.report))
-      return spectrum;
-  }
+  Depth_search_options of_search;
+  of_search.bytes_of_unknown = bytes_of_unknown(count);
+  of_search.least_dimension = unknowns_of_a_pair * static_cast<std::size_t>(count);
+  Laplace_spectrum spectrum;
+  Eigen::VectorXd before;
+  search_depth(space, accuracy, Progress(given.multigrid.progress), of_search,
+               [&](const Progress& progress) {
+                 options.multigrid.progress = progress.callback();
+                 spectrum = laplace_eigenpairs(space, count, options);
+                 // after a space without an estimate comes the next level
+                 if(std::isnan(spectrum.report.estimated_error))
+                   estimate_errors(space, {before}, spectrum);
+                 before = spectrum.eigenvalues;
+                 return Found_in_space{&spectrum.report, {}};
+               });
+  return spectrum;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Laplace_spectrum laplace_spectrum_to_accuracy(

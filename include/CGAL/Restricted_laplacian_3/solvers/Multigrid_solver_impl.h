@@ -201,7 +201,8 @@ struct Multigrid_solver::Impl {
                     given.coarser_solutions ? &coarser : nullptr);
               },
               x);
-          iteration.keep_coarser(std::move(coarser));
+          if(hierarchy.number_of_levels() > 1) // else the guess is the solution
+            iteration.keep_coarser(std::move(coarser));
           iteration.run([&](const Block& p, Block& q) {
             hierarchy.template apply<K>(p, q, cycle, options.smoothing_steps, workspace);
           });

@@ -52,9 +52,13 @@ int default_depth(const Triangulated_surface_3& surface, double cube_scale);
 /// \ingroup PkgRestrictedLaplacian3Options
 /// How a `Spline_space_3` is made: the named parameters of its constructors.
 struct Spline_space_options {
+  /// side of the domain cube over the longest side of the bounding box
+  static constexpr double default_cube_scale = 1.1;
+
   /// depth \f$d\f$ of the octree; without a value `default_depth()`
   std::optional<int> depth;
-  /// side of the domain cube over the longest side of the bounding box; without a value 1.1, or 1.2
+  /// side of the domain cube over the longest side of the bounding box; without a value
+  /// `default_cube_scale`, or 1.2
   /// in the space of the paper
   std::optional<double> cube_scale;
   /// only elements centered inside the grid exist, and they are not split

@@ -84,9 +84,9 @@ Spline_space_3::make_octree(Triangulated_surface_3&& surface, const Options& o) 
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_space_3::Options
 Spline_space_3::checked(const Triangulated_surface_3& surface, Options options) {
-  constexpr double default_cube_scale = 1.1, default_cube_scale_of_paper = 1.2;
+  constexpr double default_cube_scale_of_paper = 1.2;
   if(!options.cube_scale)
-    options.cube_scale = options.paper ? default_cube_scale_of_paper : default_cube_scale;
+    options.cube_scale = options.paper ? default_cube_scale_of_paper : options.default_cube_scale;
   if(!options.depth)
     options.depth = default_depth(surface, *options.cube_scale);
   if(!options.maximum_memory)

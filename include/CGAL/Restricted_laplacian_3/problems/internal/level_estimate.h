@@ -6,10 +6,9 @@
 
 // Errors that are estimated from what changes from level to level.
 
+#include <CGAL/Restricted_laplacian_3/problems/shared/values_over_surface.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
-#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/sample_surface.h>
 
 #include <Eigen/Core>
 
@@ -18,6 +17,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -46,20 +47,6 @@ inline bool is_resolved(const Spline_space_3& space) {
   return growth >= smallest_growth && growth <= largest_growth;
 }
 
-constexpr std::size_t largest_number_of_places = 20000;
-
-/// Values of functions at places that are spread over the surface by area: a row for each place, a
-/// column for each function. The same places for the same surface and number.
-inline Eigen::MatrixXd values_over_surface(const Spline_space_3& space,
-                                           const Eigen::MatrixXd& coefficients,
-                                           std::size_t number = largest_number_of_places) {
-  const Spline_functions_3 functions(space, coefficients);
-  if(space.surface().is_point_set())
-    return functions.values_at_vertices();
-  return functions.values_at_locations(
-      sample_surface(space.surface(), number, 1, Sampling::stratified));
-}
-
 /// the root mean square of a part of a function, relative to that of the function without its mean
 template <class Values, class Part> double relative_size(const Values& values, const Part& part) {
   // of a constant only rounding errors are left
@@ -76,45 +63,52 @@ template <class Values, class Part> double relative_size(const Values& values, c
 inline void estimate_error(const Spline_space_3& space, const Eigen::MatrixXd& x,
                            const std::array<Eigen::MatrixXd, 2>& coarser, Solve_report& report) {
   constexpr std::size_t least_number_of_places = 2000;
-  const Eigen::Index number = x.cols();
+  constexpr Eigen::Index columns_of_a_block = 8; // of functions that are evaluated at once
   report.estimated_error = std::numeric_limits<double>::quiet_NaN();
   report.is_estimate_trusted = false;
   if(coarser[0].rows() != x.rows() || !coarser[0].allFinite())
     return;
-  Eigen::MatrixXd functions(x.rows(), 3 * number);
-  functions << x, x - coarser[0], coarser[0] - coarser[1];
-  const Eigen::MatrixXd values = values_over_surface(
-      space, functions,
-      (std::min)((std::max)(space.dimension(), least_number_of_places), largest_number_of_places));
   double largest = 0;
-  for(Eigen::Index i = 0; i < number; ++i)
-    largest = (std::max)(
-        largest, error_of_changes(relative_size(values.col(i), values.col(number + i)),
-                                  relative_size(values.col(i), values.col(2 * number + i))));
+  for(Eigen::Index first = 0; first < x.cols(); first += columns_of_a_block) {
+    const Eigen::Index number = (std::min)(columns_of_a_block, x.cols() - first);
+    const auto part = [&](const Eigen::MatrixXd& m) { return m.middleCols(first, number); };
+    Eigen::MatrixXd functions(x.rows(), 3 * number);
+    functions << part(x), part(x) - part(coarser[0]), part(coarser[0]) - part(coarser[1]);
+    const Eigen::MatrixXd values =
+        values_over_surface(space, functions,
+                            (std::min)((std::max)(space.dimension(), least_number_of_places),
+                                       largest_number_of_places));
+    for(Eigen::Index i = 0; i < number; ++i)
+      largest = (std::max)(
+          largest, error_of_changes(relative_size(values.col(i), values.col(number + i)),
+                                    relative_size(values.col(i), values.col(2 * number + i))));
+  }
   report.estimated_error = largest;
   report.is_estimate_trusted = is_resolved(space);
 }
 
-/// The errors of solutions in spaces of one surface, each a level deeper than the one before, by
-/// what changes from one to the next: for problems whose solver tells nothing of coarser levels.
+/// The errors of solutions in spaces of one surface, each deeper than the one before, by what
+/// changes from one to the next: for problems whose solver tells nothing of coarser levels.
 class Space_changes {
 public:
-  /// sets the estimated error of a solution
-  void estimate_error(const Spline_space_3& space, const Eigen::VectorXd& coefficients,
-                      Solve_report& report) {
-    const Eigen::MatrixXd values = values_over_surface(space, coefficients);
-    report.is_estimate_trusted = is_resolved(space);
-    if(m_values.size() > 0) {
-      const double change = relative_size(values, values - m_values);
-      report.estimated_error = error_of_changes(change, m_change);
-      m_change = change;
+  /// the error of the worst of several solutions; NaN in the first space
+  /// \param values see `values_over_surface()`: a column for each solution
+  double error(const Eigen::MatrixXd& values) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    double largest = m_values.size() > 0 ? 0 : unknown;
+    m_changes.resize(static_cast<std::size_t>(values.cols()), unknown);
+    for(Eigen::Index i = 0; i < values.cols() && m_values.size() > 0; ++i) {
+      double& before = m_changes[static_cast<std::size_t>(i)];
+      const double change = relative_size(values.col(i), values.col(i) - m_values.col(i));
+      largest = (std::max)(largest, error_of_changes(change, std::exchange(before, change)));
     }
     m_values = values;
+    return largest;
   }
 
 private:
-  Eigen::MatrixXd m_values; // of the solution before
-  double m_change = std::numeric_limits<double>::quiet_NaN();
+  Eigen::MatrixXd m_values; // of the solutions before
+  std::vector<double> m_changes;
 };
 
 } // namespace internal

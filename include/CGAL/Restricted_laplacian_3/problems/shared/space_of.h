@@ -27,7 +27,7 @@ inline Triangulated_source surface_source(const Spline_space_3& space) {
 template <class Surface, class NamedParameters>
 Spline_space_3 space_of(const Surface& surface, const NamedParameters& np) {
   static_assert(!is_given_v<NamedParameters, internal_np::accuracy_t>,
-                "accuracy is for Poisson problems and spectra");
+                "accuracy is for Poisson problems, spectra, fits, gradients and curvature");
   return Spline_space_3(surface, np);
 }
 template <class NamedParameters>
@@ -37,10 +37,19 @@ Spline_space_3 space_of(const Spline_space_3& space, const NamedParameters&) {
   return space;
 }
 
-/// the depth at which a search for an accuracy begins, unless `depth` says it
-constexpr int first_depth_of_search = 4;
+/// the depth at which a search for an accuracy begins
+inline int first_depth_of_search(const Triangulated_surface_3& surface,
+                                 const Spline_space_options& options) {
+  constexpr int default_first_depth = 4;
+  const int depth = options.depth.value_or(default_first_depth);
+  if(!surface.is_point_set())
+    return depth;
+  // sums over few points do not determine functions on small cells
+  return (std::min)(
+      depth, default_depth(surface, options.cube_scale.value_or(options.default_cube_scale)));
+}
 
-/// The same, or with an `accuracy` the first space of the search for it.
+/// The space of a surface of the caller, or with an `accuracy` the first one of the search for it.
 template <class Surface, class NamedParameters>
 Spline_space_3 first_space_of(const Surface& surface, const NamedParameters& np) {
   if constexpr(std::is_same_v<Surface, Spline_space_3> ||
@@ -49,11 +58,7 @@ Spline_space_3 first_space_of(const Surface& surface, const NamedParameters& np)
   else {
     Triangulated_surface_3 triangles = read_surface(surface, np);
     Spline_space_options options(np);
-    if(!options.depth)
-      options.depth = first_depth_of_search;
-    if(triangles.is_point_set()) // sums over few points do not determine functions on small cells
-      options.depth =
-          (std::min)(*options.depth, default_depth(triangles, options.cube_scale.value_or(1.1)));
+    options.depth = first_depth_of_search(triangles, options);
     return Spline_space_3(std::move(triangles), options);
   }
 }
