@@ -125,7 +125,7 @@ def page(body, title, height=HEIGHT):
         text(20, 28, title, size=16, extra=' font-weight="600"'), *body, "</svg>", ""])
 
 
-def logarithmic(title, x_title, y_title, series, notes=(), lines=True):
+def logarithmic(title, x_title, y_title, series, notes=(), lines=True, diagonal=False):
     """\\param series (name, style, points, faint points): a line through the points, none through faint ones"""
     left, right, top, bottom = 68, WIDTH - 20, 76, HEIGHT - 52
     shown = [p for _, _, points, faint in series for p in [*points, *faint]]
@@ -135,6 +135,10 @@ def logarithmic(title, x_title, y_title, series, notes=(), lines=True):
         body += [line(left, y(value), right, y(value)), text(left - 8, y(value) + 4.5, tick(value), "end", QUIET, 12)]
     for value in x.ticks():
         body += [line(x(value), top, x(value), bottom), text(x(value), bottom + 18, tick(value), "middle", QUIET, 12)]
+    if diagonal:  # where both are the same
+        low = max(min(p[0] for p in shown), min(p[1] for p in shown))
+        high = min(max(p[0] for p in shown), max(p[1] for p in shown))
+        body.append(line(x(low), y(low), x(high), y(high), QUIET, ' stroke-width="1.5"'))
     for _, style, _, faint in series:
         body += [marker(x(a), y(b), style, 3.2, True) for a, b in faint]
     for _, style, points, _ in series:
@@ -186,6 +190,19 @@ def by_triangles(title, column, y_title):
     return logarithmic(title, "triangles", y_title,
                        [(f"depth {depth}", style, [(triangles, r[column]) for (triangles, d), r in found.items()
                                                    if d == depth], []) for depth, style in styles.items()])
+
+
+def estimates():
+    found = [r for r in rows("estimate_study", "problem", "estimate", "ratio")
+             if r["estimate"] > 0 and r["error"] > 0]
+    styles = {"coordinate": "restricted", "wave": "smooth", "spectrum": "cotangent"}
+
+    def points(problem, trusted):
+        return [(r["error"], r["estimate"]) for r in found if r["problem"] == problem and r["trusted"] == trusted]
+
+    return logarithmic("Errors on all meshes, depths 4 and 5", "error", "estimated error",
+                       [(name, STYLES[style], points(name, "yes"), points(name, "no"))
+                        for name, style in styles.items()], ["pale: not trusted"], lines=False, diagonal=True)
 
 
 def time_by_ranks():
@@ -251,6 +268,7 @@ PLOTS["plot_large_seconds"] = lambda: by_triangles("Poisson, from the file to va
                                                    "seconds")
 PLOTS["plot_large_memory"] = lambda: by_triangles("Poisson, from the file to values: memory by triangles",
                                                   "memory_gb", "GB")
+PLOTS["plot_estimates"] = estimates
 PLOTS["plot_partition_time"] = time_by_ranks
 PLOTS["plot_iterations"] = iterations_by_mesh
 

@@ -202,8 +202,8 @@ def _neighbors(space: Space, points: np.ndarray) -> np.ndarray:
 
 
 @takes_surface
-def precompute(V: Any, F: Any = None, count: int = 128, *, normals: Any = None,
-               depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
+def precompute(V: Any, F: Any = None, count: int = 128, *, accuracy: Optional[float] = None,
+               normals: Any = None, depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
                threads: Optional[int] = None, progress: Progress = None, check: bool = True
                ) -> SurfaceOperators:
     """Eigenpairs, areas and gradient operators at the vertices of a surface.
@@ -215,6 +215,8 @@ def precompute(V: Any, F: Any = None, count: int = 128, *, normals: Any = None,
         `Space` as `V` alone.
     count : int, default 128
         Number of eigenpairs.
+    accuracy : as for laplace_spectrum
+        The estimated error to be reached.
     threads, progress, check : as for solve_poisson
         How the work is done.
 
@@ -239,10 +241,10 @@ def precompute(V: Any, F: Any = None, count: int = 128, *, normals: Any = None,
     >>> learning.precompute(rl.icosphere(3), count=16, depth=4).vertex_areas.shape
     (642,)
     """
-    space = V if isinstance(V, Space) else Space(V, F, normals=normals, depth=depth,
-                                                 joining_tolerance=joining_tolerance,
-                                                 threads=threads)
-    spectrum = laplace_spectrum(space, None, count, threads=threads, progress=progress, check=check)
+    spectrum = laplace_spectrum(V, F, count, accuracy=accuracy, normals=normals, depth=depth,
+                                joining_tolerance=joining_tolerance, threads=threads, progress=progress,
+                                check=check)
+    space = spectrum.space
     surface = space._surface
     points = surface.points()
     frames = tangent_frames(surface.vertex_normals())
@@ -251,19 +253,18 @@ def precompute(V: Any, F: Any = None, count: int = 128, *, normals: Any = None,
                             surface.vertex_areas(), frames, x, y)
 
 
-def _key(file: pathlib.Path, count: int, depth: Optional[int], joining_tolerance: Optional[float]
-         ) -> str:
+def _key(file: pathlib.Path, options: tuple) -> str:
     h = hashlib.sha256(file.read_bytes())
-    h.update(repr((count, depth, joining_tolerance, __version__)).encode())
+    h.update(repr((options, __version__)).encode())
     return h.hexdigest()[:32]
 
 
-def _precompute_file(file: pathlib.Path, cached: pathlib.Path, count: int, depth: Optional[int],
-                     joining_tolerance: Optional[float]) -> Optional[str]:
+def _precompute_file(file: pathlib.Path, cached: pathlib.Path, count: int, accuracy: Optional[float],
+                     depth: Optional[int], joining_tolerance: Optional[float]) -> Optional[str]:
     """What went wrong, if something did."""
     try:
-        result = precompute(*read_mesh(file), count, depth=depth, joining_tolerance=joining_tolerance,
-                            threads=1)
+        result = precompute(*read_mesh(file), count, accuracy=accuracy, depth=depth,
+                            joining_tolerance=joining_tolerance, threads=1)
     except Exception as e:  # all that one mesh can do must not end the others
         return f"{type(e).__name__}: {e}"
     # first under another name, so that a file is whole if it is there
@@ -336,7 +337,8 @@ class Precomputed:
 def precompute_folder(folder: Union[str, "os.PathLike[str]"],
                       cache: Union[str, "os.PathLike[str]"], count: int = 128, *,
                       patterns: Sequence[str] = ("*.off", "*.obj", "*.ply", "*.stl"),
-                      depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
+                      accuracy: Optional[float] = None, depth: Optional[int] = None,
+                      joining_tolerance: Optional[float] = None,
                       processes: Optional[int] = None,
                       report: Optional[Callable[[pathlib.Path, Optional[str]], Any]] = None
                       ) -> Precomputed:
@@ -351,7 +353,7 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
         Of the meshes, and folders in it.
     cache : str or os.PathLike
         Folder for the results; made if it is not there.
-    count, depth, joining_tolerance : as for precompute
+    count, accuracy, depth, joining_tolerance : as for precompute
         Of all meshes.
     patterns : sequence of str
         Names of files; off, obj, ply and stl by default.
@@ -390,13 +392,13 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
                      if file.is_file()})
     result = Precomputed({}, {})
     jobs: list[_Job] = []
+    options = (count, accuracy, depth, joining_tolerance)
     for mesh in meshes:
-        cached = own_cache / (_key(mesh, count, depth, joining_tolerance) + ".npz")
+        cached = own_cache / (_key(mesh, options) + ".npz")
         if cached.exists():
             result.files[mesh] = cached
         else:
             jobs.append((mesh, cached))
-    options = (count, depth, joining_tolerance)
 
     def take(job: _Job, failure: Optional[str]) -> None:
         if failure is None:

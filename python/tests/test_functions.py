@@ -181,7 +181,10 @@ def test_conditions_on_parts_of_a_boundary():
     with pytest.raises(rl.InputError, match="boundary_flux"):
         rl.solve_poisson(V, F, 0.0, boundary_flux=np.full(len(V), np.nan))
     with pytest.raises(rl.InputError, match="several columns"):
-        rl.solve_poisson(V, F, np.zeros((len(V), 2)), boundary_flux=1.0)
+        rl.solve_poisson(V, F, np.zeros((len(V), 2)), boundary_values=1.0)
+    both = rl.solve_poisson(V, F, np.stack([0 * x + 4, x], axis=1), boundary_flux=1.0, depth=4)
+    assert np.allclose(both[:, 0], u, atol=1e-6)
+    assert np.allclose(both[:, 1], rl.solve_poisson(V, F, x, boundary_flux=1.0, depth=4), atol=1e-6)
 
 
 def test_values_at_vertices_are_met():

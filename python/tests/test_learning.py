@@ -86,10 +86,10 @@ def test_folders(tmp_path):
         learning.precompute_folder(folder / "none", cache)
 
 
-def kill_own_process(file, cached, k, depth, joining_tolerance):
+def kill_own_process(file, cached, *options):
     if "kill" in file.name:
         os.kill(os.getpid(), signal.SIGKILL)
-    return learning._precompute_file(file, cached, k, depth, joining_tolerance)
+    return learning._precompute_file(file, cached, *options)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
@@ -141,3 +141,9 @@ def test_command_line(tmp_path, sphere):
     done = run(tmp_path / "none.off")
     assert done.returncode == 1 and done.stdout == "" and "none.off" in done.stderr
     assert run("--version").stdout.strip() == rl.__version__
+
+
+def test_an_accuracy_of_operators(sphere):
+    found = learning.precompute(*sphere, count=25, accuracy=1e-5, depth=2, check=False).eigenvalues
+    expected = rl.laplace_spectrum(*sphere, 25, accuracy=1e-5, depth=2, check=False)
+    assert np.array_equal(found, expected.eigenvalues) and expected.space.depth > 4

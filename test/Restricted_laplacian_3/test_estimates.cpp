@@ -245,6 +245,38 @@ TEST_CASE("solutions_have_the_accuracy_that_is_asked_for", "[estimates]") {
   }
 }
 
+TEST_CASE("what_is_narrower_than_the_first_cells_is_found", "[estimates]") {
+  // a bump a third as wide as the cells that the search begins with, on a finer mesh
+  const shapes::Triangles t = shapes::sphere(6);
+  const auto surface = RL::soup(t.points, t.faces);
+  const double width = 0.04;
+  const auto bump = [width](const RL::Surface_point& p) {
+    return std::exp(-(p.point - RL::Point_3(0.5, 0.5, std::sqrt(0.5))).squared_length() /
+                    (2 * width * width));
+  };
+  std::vector<double> u(t.points.size());
+  const auto map = CGAL::make_property_map(u);
+  const auto solve = [&](const auto& np) {
+    const RL::Solve_report report = RL::solve_poisson(surface, bump, map, np);
+    CHECK(report.converged);
+    return u;
+  };
+  const std::vector<double> exact = solve(params::depth(7).tolerance(1e-6));
+  for(const double accuracy : {1e-1, 1e-2}) {
+    const std::vector<double> found = solve(params::accuracy(accuracy));
+    double sum = 0, all = 0;
+    for(std::size_t v = 0; v < u.size(); ++v) {
+      sum += (found[v] - exact[v]) * (found[v] - exact[v]);
+      all += exact[v] * exact[v];
+    }
+    INFO("accuracy " << accuracy << ", error " << std::sqrt(sum / all));
+    CHECK(std::sqrt(sum / all) <= accuracy);
+  }
+  const RL::Fit_report fit = RL::fit_function(surface, bump, map, params::accuracy(1e-2));
+  CHECK(fit.converged);
+  CHECK(fit.root_mean_square_error() < 1.1e-2 * width / 2); // the root mean square of the bump
+}
+
 TEST_CASE("problems_with_prescribed_values_have_the_accuracy_that_is_asked_for", "[estimates]") {
   // spaces are compared with each other
   const shapes::Triangles t = shapes::bumpy_square(12, 0.3, 2, 1);
