@@ -54,11 +54,11 @@ struct Found {
 Found poisson(RL::Spline_space_3 space, double accuracy) {
   const auto f = [](const RL::Surface_point& p) { return p.point.z(); };
   RL::Poisson_problem problem(f);
-  RL::Poisson_solution u = accuracy > 0
-                               ? RL::internal::solve_poisson_to_accuracy(space, problem, accuracy)
-                               : RL::solve_poisson_problem(space, problem);
+  const RL::internal::Poisson_solutions u =
+      accuracy > 0 ? RL::internal::solve_poisson_to_accuracy(space, problem, accuracy)
+                   : RL::internal::solve_poisson_problems(space, problem);
   const std::vector<double> values =
-      RL::Spline_function_3(space, u.coefficients).values_at_vertices();
+      RL::Spline_function_3(space, u.coefficients.col(0)).values_at_vertices();
   return {u, Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size())),
           space.dimension(), space.depth()};
 }
@@ -96,7 +96,7 @@ void study(const Options& o, const std::string& name, const RL::Triangulated_sur
       std::vector<double> whole, last;
       for(int i = 0; i < o.repetitions; ++i) {
         double begin = seconds_now();
-        found = solve(RL::internal::first_depth_of_search, accuracy);
+        found = solve(RL::internal::first_depth_of_search(surface, {}), accuracy);
         whole.push_back(seconds_now() - begin);
         begin = seconds_now();
         static_cast<void>(solve(found.depth, 0));
