@@ -208,6 +208,25 @@ for name, value, text in [("seconds", "seconds", seconds), ("error", "error", er
 for name, value, text in [("unknowns", "unknowns", whole), ("edges", "edge/h", short)]:
     add_table("depth_" + name, depth_rows, (), MESH, by_depth, value, text,
               where=lambda r: r["method"] == "restricted")
+
+
+def levels_around_default():
+    """of each mesh of depth_study the error over that of the cotangent Laplacian, and how many levels from the default"""
+    by_mesh = {}
+    for r in depth_rows():
+        by_mesh.setdefault(r["mesh"], []).append(r)
+    for group in by_mesh.values():
+        ours = [r for r in group if r["method"] == "restricted" and r["threads"] == 1]
+        default = next((r for r in ours if r["depth"] >= 5 and r["edge/h"] >= 0.5), ours[-1])
+        least = min(r["error"] for r in group if r["method"] != "restricted")
+        for r in ours:
+            if abs(r["depth"] - default["depth"]) <= 1:
+                yield Row(r, level=r["depth"] - default["depth"], ratio=r["error"] / least)
+
+
+LEVELS = {-1: "one level less", 0: "default", 1: "one level more"}
+add_table("default_errors", levels_around_default, (), {**MESH, "Default depth": lambda r: r["depth"] - r["level"]},
+          of(LEVELS, "level"), "ratio", short, columns=list(LEVELS.values()))
 # ---- eigenpairs
 
 

@@ -9,8 +9,10 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/line_rule.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
@@ -216,6 +218,17 @@ TEST_CASE("conditions_on_a_smooth_boundary", "[boundary_conditions]") {
         if(!std::isnan(u[v]))
           REQUIRE(std::abs(u[v] + shift - half.points[v].z()) <= tolerance);
     }
+  }
+}
+
+TEST_CASE("rule_of_lines_is_that_of_boost", "[boundary_conditions]") {
+  using Rule = boost::math::quadrature::gauss<double, 7>;
+  REQUIRE(2 * Rule::abscissa().size() - 1 == RL::internal::line_rule.size());
+  for(std::size_t i = 0; i < RL::internal::line_rule.size(); ++i) {
+    const auto [place, weight] = RL::internal::line_rule[i];
+    CHECK(std::abs(place) == Rule::abscissa()[(i + 1) / 2]);
+    CHECK(weight == Rule::weights()[(i + 1) / 2]);
+    CHECK((i % 2 == 1) == (place > 0));
   }
 }
 

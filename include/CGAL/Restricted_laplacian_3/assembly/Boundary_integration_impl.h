@@ -6,10 +6,9 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
+#include <CGAL/Restricted_laplacian_3/integration/shared/line_rule.h>
 #include <CGAL/Restricted_laplacian_3/octree/shared/wall_crossings.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_seams.h>
-
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <array>
@@ -115,8 +114,6 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_point Boundary_integration::middle(st
 
 /// cuts a side of a face at the walls of the finest cells
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Boundary_integration::add_side(std::size_t face, int side) {
-  // 7 nodes integrate degree 13, products of elements along a line have degree 12
-  using Rule = boost::math::quadrature::gauss<double, 7>;
   const Octree_3& octree = m_space.octree();
   const Triangulated_surface_3& surface = octree.pieces();
   const int depth = octree.depth(), other = (side + 1) % 3;
@@ -155,11 +152,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Boundary_integration::add_side(std::size
       m_length += node.weight;
       m_nodes.push_back(node);
     };
-    for(std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
-      add(Rule::abscissa()[k], Rule::weights()[k]);
-      if(Rule::abscissa()[k] != 0)
-        add(-Rule::abscissa()[k], Rule::weights()[k]);
-    }
+    // products of elements along a line have degree 12
+    for(const auto& [s, weight] : internal::line_rule)
+      add(s, weight);
   }
 }
 

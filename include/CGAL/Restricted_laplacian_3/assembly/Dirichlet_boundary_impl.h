@@ -40,11 +40,6 @@ inline double largest_generalized_eigenvalue(const Eigen::MatrixXd& a, const Eig
   return symmetric_eigenpairs(basis.transpose() * a * basis, what).values.maxCoeff();
 }
 
-inline Eigen::Map<const Eigen::Matrix<double, Tensor_basis_3::size, 1>>
-as_vector(const Tensor_basis_3::Values& values) {
-  return Eigen::Map<const Eigen::Matrix<double, Tensor_basis_3::size, 1>>(values.data());
-}
-
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
@@ -64,21 +59,22 @@ Dirichlet_boundary::Dirichlet_boundary(Boundary_integration boundary)
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Dirichlet_boundary::add_to_matrix(Sparse_matrix& a) const {
   for_each_sheet([&](std::size_t first, std::size_t last) {
-    Eigen::Matrix<double, Tensor_basis_3::size, Tensor_basis_3::size> block;
-    block.setZero();
+    internal::Cell_block block = {};
     for(std::size_t k = first; k < last; ++k) {
       const Boundary_integration::Node& node = m_boundary.nodes()[k];
       const auto [beta, flux] = m_penalties[k];
-      const Tensor_basis_3::Values values = Tensor_basis_3::values(node.t),
-                                   derivatives = m_boundary.conormal_derivatives(node);
-      const auto b = internal::as_vector(values), d = internal::as_vector(derivatives);
-      block +=
-          node.weight * (beta * b * b.transpose() - flux * (b * d.transpose() + d * b.transpose()));
+      const Tensor_basis_3::Values b = Tensor_basis_3::values(node.t),
+                                   d = m_boundary.conormal_derivatives(node);
+      for(int j = 0; j < Tensor_basis_3::size; ++j)
+        for(int i = 0; i < Tensor_basis_3::size; ++i)
+          block[Tensor_basis_3::size * j + i] +=
+              node.weight * (beta * b[i] * b[j] - flux * (b[i] * d[j] + d[i] * b[j]));
     }
     const Cell_elements& elements = m_boundary.elements(m_boundary.nodes()[first]);
     for_each_element(elements, [&](int j, std::uint32_t column) {
-      for_each_element(elements,
-                       [&](int i, std::uint32_t row) { a.coeffRef(row, column) += block(i, j); });
+      for_each_element(elements, [&](int i, std::uint32_t row) {
+        a.coeffRef(row, column) += block[Tensor_basis_3::size * j + i];
+      });
     });
   });
 }
@@ -144,9 +140,10 @@ Dirichlet_boundary::penalty(std::size_t first, std::size_t last) const {
   const std::vector<Boundary_integration::Node>& nodes = m_boundary.nodes();
   Eigen::MatrixXd fluxes = Eigen::MatrixXd::Zero(size, size);
   for(std::size_t k = first; k < last; ++k) {
-    const Tensor_basis_3::Values derivatives = m_boundary.conormal_derivatives(nodes[k]);
-    const auto d = internal::as_vector(derivatives);
-    fluxes += nodes[k].weight * d * d.transpose();
+    const Tensor_basis_3::Values d = m_boundary.conormal_derivatives(nodes[k]);
+    for(int j = 0; j < size; ++j)
+      for(int i = 0; i < size; ++i)
+        fluxes(i, j) += nodes[k].weight * d[i] * d[j];
   }
   internal::Sheet_integrals integrals;
   integrals.clear();

@@ -9,7 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_edges.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
