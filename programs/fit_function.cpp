@@ -67,6 +67,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "weight of the squared gradient, in units of the squared width of a cell");
   add("refinements", po::value(&o.refinements)->value_name("N")->default_value(o.refinements),
       "how often what the fit leaves is fitted and added");
+  add_material_options(problem, o);
   add_accuracy_option(problem,
                       "the root mean square error of each fit, relative to the deviation of the "
                       "function from its mean (with --smoothing the estimated one),",

@@ -67,6 +67,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("eigenfunction", po::value(&o.eigenfunction)->value_name("I")->default_value(o.eigenfunction),
       "index, from 0, of the eigenfunction for --output; --html has all of them, and shows this "
       "one first");
+  add_material_options(problem, o);
   add_accuracy_option(problem, "the largest estimated relative error of the eigenvalues", o);
   po::options_description all(help_width);
   all.add(problem)
@@ -86,6 +87,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(o.count > 0, "the argument of --count must be positive");
   require_choice("operator", o.operator_name, {"restricted", "cotangent"});
   require(o.refine == 0 || o.operator_name == "restricted", "--refine needs --operator restricted");
+  require_effect(given, {"diffusion-property", "density-property"}, o.operator_name == "restricted",
+                 "--operator restricted");
   require_effect(given, {"lumped-mass"}, o.operator_name == "cotangent", "--operator cotangent");
   require_effect(given,
                  {"accuracy", "eigensolver", "tolerance", "stabilization", "depth", "cube-scale",

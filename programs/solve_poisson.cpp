@@ -12,6 +12,7 @@
 #include "support/table.h"
 #include "support/vertex_data.h"
 
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_function_3.h>
@@ -69,6 +70,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   po::options_description problem("Problem", help_width);
   add_poisson_options(problem, o);
   add_condition_options(problem, o);
+  add_material_options(problem, o);
   add_accuracy_option(problem, "the estimated error of u, relative to its deviation from its mean,",
                       o);
   add_vertex_data_option(problem, o);
@@ -100,18 +102,11 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   return true;
 }
 
-std::vector<double> property(const RL::Triangulated_surface_3& surface, const Options& o,
-                             const std::string& name) {
-  std::vector<double> values = read_vertex_property(o.mesh, name);
-  require(values.size() == surface.number_of_vertices(), "not every vertex has a value");
-  return values;
-}
-
 // f at the vertices
 std::vector<double> right_hand_side(const RL::Triangulated_surface_3& surface, const Options& o) {
   const std::size_t number = surface.number_of_vertices();
   if(!o.rhs_property.empty())
-    return property(surface, o, o.rhs_property);
+    return surface_property(surface, o, o.rhs_property);
   if(o.rhs == "random")
     return random_values(0, number, o.seed);
   std::vector<double> f;
@@ -129,6 +124,16 @@ double surface_mean(const RL::Triangulated_surface_3& surface, const std::vector
       for(const std::uint32_t vertex : surface.triangle(i))
         sum += surface.area(i) * f[vertex] / 3;
   return sum / surface.area();
+}
+
+// The same with the density of a space as weight.
+double weighted_mean(const RL::Spline_space_3& space, const std::vector<double>& f,
+                     const Options& o) {
+  if(o.space.density_property.empty())
+    return surface_mean(space.surface(), f);
+  // elements sum to 1
+  return RL::assemble_load(space, vertex_function(space.surface(), f, o)).sum() /
+         RL::assemble_element_integrals(space).sum();
 }
 
 void check_right_hand_side(const RL::Triangulated_surface_3& surface,
@@ -155,7 +160,7 @@ Outcome solve(Job& job, const Options& o) {
   const bool has_conditions = !o.boundary_property.empty() || !o.flux_property.empty();
   // Without screening it is a matter of the solver that f has mean 0.
   if(o.alpha > 0 && !has_conditions) {
-    const double mean = surface_mean(surface, f);
+    const double mean = weighted_mean(space, f, o);
     for(double& value : f)
       value -= mean;
   }
@@ -167,14 +172,14 @@ Outcome solve(Job& job, const Options& o) {
   problem.progress = job.step("solving for", space);
   std::optional<RL::Cubic_surface_function<double>> values, flux;
   if(!o.boundary_property.empty()) {
-    values = vertex_function(surface, property(surface, o, o.boundary_property), o);
+    values = vertex_function(surface, surface_property(surface, o, o.boundary_property), o);
     problem.boundary_values = *values;
     problem.has_boundary_value = [&](const RL::Surface_point& p) {
       return !std::isnan((*values)(p));
     };
   }
   if(!o.flux_property.empty()) {
-    flux = vertex_function(surface, property(surface, o, o.flux_property), o);
+    flux = vertex_function(surface, surface_property(surface, o, o.flux_property), o);
     problem.boundary_flux = *flux;
   }
   RL::internal::Poisson_solutions solution;

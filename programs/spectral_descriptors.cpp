@@ -108,6 +108,7 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "index, from 0, of the column for --output (default: the middle one of hks and wks, the "
       "first "
       "of others)");
+  add_material_options(problem, o);
   add_accuracy_option(problem, "the largest estimated relative error of the eigenvalues", o);
   po::options_description all(help_width);
   all.add(problem)

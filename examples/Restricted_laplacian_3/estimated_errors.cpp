@@ -29,7 +29,7 @@ int main(int argc, char* argv[]) {
     std::cout << "depth " << depth << ", " << space.dimension() << " unknowns: errors of about "
               << 100 * u.estimated_error << " % of u, and " << 100 * spectrum.report.estimated_error
               << " % of 20 eigenvalues"
-              << (u.is_estimate_trusted ? "\n" : " (cells do not resolve the surface)\n");
+              << (u.is_estimate_trusted ? "\n" : " (cells may not resolve the surface)\n");
   }
   const auto np = RL::parameters::accuracy(0.03);
   const RL::Laplace_spectrum spectrum = RL::laplace_spectrum(mesh, 20, np);

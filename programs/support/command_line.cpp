@@ -57,6 +57,17 @@ po::options_description space_options(Common_options& o) {
   return description;
 }
 
+void add_material_options(po::options_description& description, Common_options& o) {
+  auto add = description.add_options();
+  add("diffusion-property", po::value(&o.space.diffusion_property)->value_name("NAME"),
+      "D of the operator div(D grad u): a vertex property of MESH, positive; or the symmetric "
+      "matrix "
+      "with the components NAME_xx, NAME_yy, NAME_zz, NAME_xy, NAME_xz, NAME_yz, of which the part "
+      "along the surface counts");
+  add("density-property", po::value(&o.space.density_property)->value_name("NAME"),
+      "the density, a vertex property of MESH, positive, with which integrals are weighted");
+}
+
 void add_accuracy_option(po::options_description& description, const std::string& what,
                          Common_options& o) {
   auto* accuracy = po::value<double>()->value_name("E");

@@ -33,6 +33,7 @@ struct Space_options {
   bool paper = false, split = true, split_point_set = false;
   std::string geometry = "flat";
   double crease_angle = 40;
+  std::string diffusion_property, density_property; // of the mesh; none: 1
 };
 
 struct Common_options {
@@ -64,6 +65,8 @@ struct Help {
 };
 
 po::options_description space_options(Common_options& o);
+// For programs whose operator has coefficients.
+void add_material_options(po::options_description& description, Common_options& o);
 // For programs that search a depth for an accuracy of `what`.
 void add_accuracy_option(po::options_description& description, const std::string& what,
                          Common_options& o);

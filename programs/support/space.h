@@ -9,8 +9,10 @@
 #include "command_line.h"
 #include "program.h"
 #include "table.h"
+#include "vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_material.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature.h>
 #include <CGAL/Restricted_laplacian_3/patches/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
@@ -18,6 +20,8 @@
 #include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <cstdint>
@@ -50,6 +54,39 @@ RL::Cubic_surface_function<T> vertex_function(const RL::Triangulated_surface_3& 
   return RL::Cubic_surface_function<T>(surface, std::move(values), geometry);
 }
 
+// The values of a property at the vertices of the surface.
+inline std::vector<double> surface_property(const RL::Triangulated_surface_3& surface,
+                                            const Common_options& o, const std::string& name) {
+  std::vector<double> values = read_vertex_property(o.mesh, name);
+  require(values.size() == surface.number_of_vertices(), "not every vertex has a value");
+  return values;
+}
+
+// The diffusion and the density that the options name.
+inline RL::Surface_material material(const RL::Triangulated_surface_3& surface,
+                                     const Common_options& o) {
+  RL::Surface_material result;
+  if(const std::string& name = o.space.density_property; !name.empty())
+    result.set_density(vertex_function(surface, surface_property(surface, o, name), o));
+  const std::string& name = o.space.diffusion_property;
+  if(name.empty())
+    return result;
+  if(has_vertex_property(o.mesh, name) || !has_vertex_property(o.mesh, name + "_xx")) {
+    result.set_diffusion(vertex_function(surface, surface_property(surface, o, name), o));
+    return result;
+  }
+  std::vector<Eigen::Matrix<double, 6, 1>> tensors(surface.number_of_vertices());
+  Eigen::Index k = 0;
+  for(const char* component : {"_xx", "_yy", "_zz", "_xy", "_xz", "_yz"}) {
+    const std::vector<double> values = surface_property(surface, o, name + component);
+    for(std::size_t v = 0; v < values.size(); ++v)
+      tensors[v][k] = values[v];
+    ++k;
+  }
+  result.set_diffusion(vertex_function(surface, std::move(tensors), o));
+  return result;
+}
+
 // The space that the options ask for, with their way to integrate; the first one of a search.
 inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
                                      const Common_options& o) {
@@ -64,14 +101,16 @@ inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
   if(o.space.accuracy)
     depth = RL::internal::first_depth_of_search(
         surface, RL::parameters::depth(depth).cube_scale(cube_scale));
-  const RL::Spline_space_3 space(
-      surface, RL::parameters::depth(depth)
-                   .cube_scale(cube_scale)
-                   .joining_tolerance(joining_tolerance)
-                   .maximum_memory(maximum_memory)
-                   .paper(o.space.paper)
-                   .split(surface.is_point_set() ? o.space.split_point_set : o.space.split)
-                   .concurrency_tag(CGAL::Parallel_if_available_tag()));
+  RL::Spline_space_options options =
+      RL::parameters::depth(depth)
+          .cube_scale(cube_scale)
+          .joining_tolerance(joining_tolerance)
+          .maximum_memory(maximum_memory)
+          .paper(o.space.paper)
+          .split(surface.is_point_set() ? o.space.split_point_set : o.space.split)
+          .concurrency_tag(CGAL::Parallel_if_available_tag());
+  options.material = material(surface, o);
+  const RL::Spline_space_3 space(surface, options);
   if(o.assembly != "monte-carlo")
     return space;
   return space.integrated_by(RL::Monte_carlo(

@@ -211,7 +211,7 @@ public:
       summary.add_explained("estimated_relative_error", report.estimated_error,
                             report.is_estimate_trusted
                                 ? ""
-                                : "  (not to be relied on: cells do not resolve the surface)");
+                                : "  (not to be relied on: cells may not resolve the surface)");
   }
 
   // says in what the solver failed

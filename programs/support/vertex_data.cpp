@@ -7,6 +7,7 @@
 
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -99,6 +100,12 @@ std::vector<double> read_vertex_property(const std::string& file, const std::str
   }
   throw Error("'" + file + "' has no vertex property '" + name +
               "'; there are: " + (names.empty() ? "none" : names));
+}
+
+bool has_vertex_property(const std::string& file, const std::string& name) {
+  const std::vector<RL::Vertex_property> properties = internal::read_properties(file);
+  return std::any_of(properties.begin(), properties.end(),
+                     [&](const RL::Vertex_property& p) { return p.name == name; });
 }
 
 bool has_colors(const std::string& file) {

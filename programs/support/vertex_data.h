@@ -37,6 +37,8 @@ read_vertex_values(const std::string& file);
 // The values of a vertex property of a file, in its order.
 std::vector<double> read_vertex_property(const std::string& file, const std::string& name);
 
+bool has_vertex_property(const std::string& file, const std::string& name);
+
 // The colors of the vertices of a file, and whether it has any.
 bool has_colors(const std::string& file);
 std::vector<Color> read_colors(const std::string& file);

@@ -6,7 +6,7 @@
 All functions take the surface as `V` and `F`, as `Space` does (a mesh object, or points with
 ``normals=`` and None for `F`), or a `Space` as `V` and None for `F`. They share these arguments:
 
-depth, joining_tolerance, geometry, vertex_data : of `Space`.
+depth, joining_tolerance, geometry, vertex_data, diffusion, density : of `Space`.
 threads : int, optional
     All processors by default. Results do not depend on it.
 progress : bool or callable
@@ -86,11 +86,13 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
                   tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None, stabilization: Optional[float] = None,
                   cycle: str = "v", smoother: str = "patch", maximum_iterations: Optional[int] = None,
                   normals: Any = None, depth: Optional[int] = None,
-                  joining_tolerance: Optional[float] = None, geometry: Any = None,
+                  joining_tolerance: Optional[float] = None, geometry: Any = None, diffusion: Any = None, density: Any = None,
                   vertex_data: Optional[str] = None, threads: Optional[int] = None,
                   progress: Progress = None, check: bool = True, return_report: bool = False,
                   as_spline: bool = False) -> Any:
     """Solve Laplacian u = f. The Laplacian is negative: on the unit sphere f = z gives u = -z / 2.
+
+    With a diffusion D and a density rho it is div(D grad u) = rho f.
 
     On each component of the surface without prescribed values u has mean 0, and f is changed by the
     number with which there is a solution: without fluxes, its mean is subtracted. Boundaries have
@@ -98,7 +100,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     f : array_like or callable
@@ -168,7 +170,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
     return _solve(V, F, f, 0, boundary_values, boundary_flux, constraints, constraint_weight,
                   accuracy, options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
-                       geometry=geometry, vertex_data=vertex_data),
+                       geometry=geometry, diffusion=diffusion, density=density, vertex_data=vertex_data),
                   threads, progress, check, return_report, as_spline)
 
 
@@ -181,15 +183,17 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
                            stabilization: Optional[float] = None, cycle: str = "v",
                            smoother: str = "patch", maximum_iterations: Optional[int] = None,
                            normals: Any = None, depth: Optional[int] = None,
-                           joining_tolerance: Optional[float] = None, geometry: Any = None,
+                           joining_tolerance: Optional[float] = None, geometry: Any = None, diffusion: Any = None, density: Any = None,
                            vertex_data: Optional[str] = None, threads: Optional[int] = None,
                            progress: Progress = None, check: bool = True,
                            return_report: bool = False, as_spline: bool = False) -> Any:
     """Solve alpha u - Laplacian u = f. Note the sign of f, which is not that of `solve_poisson`.
 
+    With a diffusion D and a density rho it is alpha rho u - div(D grad u) = rho f.
+
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     f : array_like or callable
@@ -238,7 +242,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
     return _solve(V, F, f, alpha, boundary_values, boundary_flux, constraints, constraint_weight,
                   accuracy, options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
-                       geometry=geometry, vertex_data=vertex_data),
+                       geometry=geometry, diffusion=diffusion, density=density, vertex_data=vertex_data),
                   threads, progress, check, return_report, as_spline)
 
 
@@ -247,7 +251,7 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
                  accuracy: Optional[float] = None, tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
                  stabilization: Optional[float] = None, maximum_iterations: Optional[int] = None,
                  normals: Any = None, depth: Optional[int] = None,
-                 joining_tolerance: Optional[float] = None, geometry: Any = None,
+                 joining_tolerance: Optional[float] = None, geometry: Any = None, diffusion: Any = None, density: Any = None,
                  vertex_data: Optional[str] = None, threads: Optional[int] = None,
                  progress: Progress = None, check: bool = True, return_report: bool = False,
                  as_spline: bool = False) -> Any:
@@ -255,7 +259,7 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     f : array_like or callable
@@ -298,7 +302,7 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
     True
     """
     space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance, geometry=geometry,
+                     joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion, density=density,
                      vertex_data=vertex_data)
     own = space._function(f, "f")
     options = solver_options(tolerance, energy_tolerance, stabilization,
@@ -414,7 +418,7 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
                        tolerance: Optional[float] = None, energy_tolerance: Optional[float] = None,
                        stabilization: Optional[float] = None, maximum_iterations: Optional[int] = None,
                        normals: Any = None, depth: Optional[int] = None,
-                       joining_tolerance: Optional[float] = None, geometry: Any = None,
+                       joining_tolerance: Optional[float] = None, geometry: Any = None, diffusion: Any = None, density: Any = None,
                        vertex_data: Optional[str] = None, threads: Optional[int] = None,
                        progress: Progress = None, check: bool = True,
                        return_report: bool = False) -> Any:
@@ -422,7 +426,7 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     v : array_like or callable
@@ -470,7 +474,7 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
     True
     """
     space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance, geometry=geometry,
+                     joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion, density=density,
                      vertex_data=vertex_data)
     field = space._function(v, "v", True)
     own_target = None if target is None else space._function(target, "target")

@@ -222,6 +222,12 @@ class Space:
         creases.
     vertex_normals : array_like, (n, 3), optional
         Of smooth geometry and data; estimated by default, and where they are 0 or NaN.
+    diffusion : float, array_like or callable, optional
+        D of the operator -div(D grad u) / rho, 1 by default: a positive number; (n,) at vertices or (m,) on
+        faces; a symmetric matrix at each, (n, 3, 3) or (m, 3, 3), of which the part along the surface counts,
+        which is positive definite; or a callable that takes points (N, 3) and returns (N,) or (N, 3, 3).
+    density : float, array_like or callable, optional
+        rho of it, positive, 1 by default. Integrals have this weight: mass matrices and loads.
     maximum_memory : float, optional
         Bytes that the surface, the space and a Poisson problem or eigenpairs in it may take, see
         `estimate_memory`: what would take more is refused before any work. By default those of the
@@ -258,7 +264,8 @@ class Space:
                  cube_scale: Optional[float] = None, joining_tolerance: Optional[float] = None,
                  split: Optional[bool] = None, paper: bool = False, geometry: Any = None,
                  vertex_data: Optional[str] = None, crease_angle: float = 40,
-                 vertex_normals: Any = None, maximum_memory: Optional[float] = None,
+                 vertex_normals: Any = None, diffusion: Any = None, density: Any = None,
+                 maximum_memory: Optional[float] = None,
                  threads: Optional[int] = None) -> None:
         self._threads = number_of_threads(threads)
         self._surface = make_surface(V, F, normals=normals, areas=areas, neighbors=neighbors,
@@ -286,15 +293,49 @@ class Space:
         depth = _checked_depth(depth)
         self._space = _core.Space.make(self._surface, depth, cube_scale, joining_tolerance, split,
                                        bool(paper), maximum_memory, self._threads)
+        self._set_material(diffusion, density)
         self._options = dict(
             depth=depth, cube_scale=cube_scale, joining_tolerance=joining_tolerance, split=split, paper=paper,
             geometry=geometry, vertex_data=vertex_data, crease_angle=crease_angle,
-            vertex_normals=vertex_normals, maximum_memory=maximum_memory, threads=threads)
+            vertex_normals=vertex_normals, diffusion=diffusion, density=density, maximum_memory=maximum_memory, threads=threads)
 
     def __reduce__(self) -> tuple:
         points, faces, normals, areas = surface_state(self._flat or self._surface)
         of_points = dict(normals=normals, areas=areas) if faces is None else {}
         return _made_again, (Space, (points, faces), dict(of_points, **self._options))
+
+    def _set_material(self, diffusion: Any, density: Any) -> None:
+        matrices = diffusion is not None and not callable(diffusion) and np.ndim(diffusion) == 3
+        self._space = self._space.with_material(
+            None if diffusion is None else self._function(diffusion, "diffusion", bool(matrices)),
+            None if density is None else self._function(density, "density"))
+
+    def with_material(self, *, diffusion: Any = None, density: Any = None) -> "Space":
+        """The same space of another material, which shares all but what depends on it.
+
+        Parameters
+        ----------
+        diffusion, density : as for Space
+            Of the operator -div(D grad u) / rho; 1 by default, also if this space has others.
+
+        Returns
+        -------
+        Space
+            Its octree and splines are those of this one, so a function of one is a function of the other.
+
+        Examples
+        --------
+        >>> import restricted_laplacian as rl
+        >>> V, F = rl.icosphere(3)
+        >>> space = rl.Space(V, F, depth=4)
+        >>> heavy = space.with_material(density=4)
+        >>> bool(abs(4 * rl.eigs(heavy, count=4)[0] - rl.eigs(space, count=4)[0]).max() < 1e-6)
+        True
+        """
+        result = copy.copy(self)
+        result._set_material(diffusion, density)
+        result._options = dict(self._options, diffusion=diffusion, density=density)
+        return result
 
     def _with(self, space: Any) -> "Space":
         """The same of another depth."""

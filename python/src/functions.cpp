@@ -45,7 +45,8 @@ public:
       const Current before = current;
       current = {this, points, first, block.size, degree};
       for(std::size_t i = 0; i < block.size; ++i)
-        nodes.add(block.points[i], block.position(i), block.weights[i], block.metrics[i]);
+        nodes.add(block.points[i], block.position(i), block.weights[i], block.metrics[i],
+                  block.areas[i]);
       nodes.flush();
       current = before;
       first += block.size;

@@ -101,6 +101,17 @@ private:
   mutable std::map<std::pair<std::uint64_t, int>, std::vector<double>> m_tables;
 };
 
+// A function that a surface shares with Python.
+struct Shared_function {
+  std::shared_ptr<const Function> function;
+
+  int components() const { return function->components(); }
+  int degree() const { return function->degree(); }
+  void operator()(const RL::Surface_point* points, std::size_t number, double* values) const {
+    (*function)(points, number, values);
+  }
+};
+
 // The space with an integration that numbers its nodes, if one of the functions is a callable.
 RL::Spline_space_3 recorded(const RL::Spline_space_3& space,
                             std::initializer_list<const Function*> functions);

@@ -12,6 +12,7 @@
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/input/point_areas.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_material.h>
 #include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
@@ -27,6 +28,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -247,6 +249,24 @@ RL::Spline_space_3 make_space(const Surface& surface, std::optional<int> depth,
   return run(threads, nb::none(), [&](const auto&) { return RL::Spline_space_3(surface, o); });
 }
 
+// The same space for another material. Callables are called for all nodes at once, in this space.
+RL::Spline_space_3 with_material(const RL::Spline_space_3& space,
+                                 const std::shared_ptr<Function>& diffusion,
+                                 const std::shared_ptr<Function>& density) {
+  if(!diffusion && !density)
+    return space.with_material({});
+  RL::Surface_material material;
+  if(diffusion) {
+    check_function(*diffusion, space.surface(), "diffusion");
+    material.set_diffusion(Shared_function{diffusion});
+  }
+  if(density) {
+    check_function(*density, space.surface(), "density");
+    material.set_density(Shared_function{density});
+  }
+  return recorded(space, {diffusion.get(), density.get()}).with_material(material);
+}
+
 template <class T, class Value>
 nb::object array_of_faces(const Surface& surface, std::size_t width, Value&& value) {
   std::vector<T> result;
@@ -456,6 +476,7 @@ void add_surfaces(nb::module_& m) {
       .def_static("make", &make_space, "surface"_a, "depth"_a.none(), "cube_scale"_a.none(),
                   "joining_tolerance"_a.none(), "split"_a.none(), "paper"_a,
                   "maximum_memory"_a.none(), "threads"_a)
+      .def("with_material", &with_material, "diffusion"_a.none(), "density"_a.none())
       .def_prop_ro("depth", &Space::depth)
       .def_prop_ro("dimension", nb::overload_cast<>(&Space::dimension, nb::const_))
       .def("dimension_of_level",

@@ -2,4 +2,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo_impl.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_material_impl.h>
 #include <CGAL/Restricted_laplacian_3/integration/cubature_impl.h>

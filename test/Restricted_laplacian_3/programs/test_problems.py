@@ -152,6 +152,27 @@ def test_boundary_conditions():
     fails("flux", "solve_poisson small.off --flux-property flux")
 
 
+def test_material():
+    """A sphere whose material is constant, as numbers and as matrices."""
+    points, faces = sphere(8)
+    names = ("half", "four", "d_xx", "d_yy", "d_zz", "d_xy", "d_xz", "d_yz", "bad")
+    rows = [[*p, 0.5, 4, 4, 4, 4, 0, 0, 0, 1 if i != 5 else -1] for i, p in enumerate(points)]
+    write_binary_ply("material.ply", rows, faces, names)
+    plain = "laplace_spectrum material.ply --depth 3 --count 5 --csv s.csv"
+    succeeds(plain)
+    expected = np.array(Table("s.csv")[1])[1:]
+    for diffusion in ("four", "d"):
+        succeeds(f"{plain} --diffusion-property {diffusion} --density-property half --overwrite")
+        assert np.array(Table("s.csv")[1])[1:] == pytest.approx(8 * expected, rel=1e-5)
+    succeeds("solve_poisson material.ply --depth 3 --rhs z --csv u.csv")
+    u = np.array(Table("u.csv")[1])
+    succeeds("solve_poisson material.ply --depth 3 --rhs z --csv u.csv --diffusion-property d")
+    assert np.array(Table("u.csv")[1]) == pytest.approx(u / 4, abs=1e-4)
+    fails("density.*not positive.*face", "solve_poisson material.ply --depth 3 --rhs z --density-property bad")
+    fails("no vertex property 'e'", f"{plain} --diffusion-property e --overwrite")
+    fails("restricted", f"{plain} --operator cotangent --density-property half --overwrite")
+
+
 def test_refinement():
     succeeds("fit_function small.off --property z --depth 3 --refine 4 --output fine.ply")
     succeeds("fit_function fine.ply --property z,fit_z --depth 3 --csv fine.csv")

@@ -48,6 +48,8 @@ public:
     Surface_location location;
     /// \f$\nu\f$, of unit length, tangential to the surface, points outward
     Vector_3 conormal;
+    /// \f$D \nu\f$ with the diffusion of the space, \f$\nu\f$ without one
+    Vector_3 flux_direction;
     /// a length
     double weight;
   };
@@ -79,7 +81,8 @@ public:
   Eigen::VectorXd values(const Surface_function_view& g, const char* name) const;
 
   /// \f$\int_\Gamma h\, b_i\f$, `dimension()` entries: what a flux
-  /// \f$\partial_\nu u = h\f$ adds to the right-hand side of \f$S \eta = \dots\f$
+  /// \f$\partial_\nu u = h\f$, or \f$\nu^T D\, \nabla u = h\f$, adds to the right-hand side of
+  /// \f$S \eta = \dots\f$
   /// \param flux a function object that takes a `const Surface_point&` and returns a number
   /// \throws Parameter_error if a value is not finite; names the face
   Eigen::VectorXd load(const Surface_function_view& flux) const;
@@ -88,7 +91,8 @@ public:
   /// \f$\nu\f$
   Eigen::MatrixXd conormal_loads() const;
 
-  /// conormal derivatives \f$\partial_\nu b_i\f$ of the elements of the cell at a node
+  /// conormal derivatives \f$\partial_\nu b_i\f$, or \f$\nu^T D\, \nabla b_i\f$, of the elements
+  /// of the cell at a node
   Tensor_basis_3::Values conormal_derivatives(const Node& node) const;
   /// the elements of the cell of a node
   const Cell_elements& elements(const Node& node) const {
@@ -99,6 +103,8 @@ private:
   Surface_point middle(std::size_t face, int side) const;
   void add_side(std::size_t face, int side);
   void move_to_patch(std::size_t piece, int side, Node& node) const;
+  void set_flux_directions();
+  std::vector<Surface_point> points() const;
   std::size_t sheet_of_piece(const Surface_location& begin, const Surface_location& end) const;
 
   Spline_space_3 m_space;

@@ -58,14 +58,31 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Boundary_integration::Boundary_integration(
       add_side(side.face, side.number);
   std::stable_sort(m_nodes.begin(), m_nodes.end(),
                    [](const Node& a, const Node& b) { return a.sheet < b.sheet; });
+  set_flux_directions();
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Boundary_integration::set_flux_directions() {
+  const std::vector<Surface_point> points = this->points();
+  std::vector<Symmetric_tensor_3> tensors(points.size());
+  m_space.material().diffusion_at(points.data(), points.size(), tensors.data());
+  for(std::size_t k = 0; k < m_nodes.size(); ++k) {
+    const Vector_3& n = m_nodes[k].conormal;
+    const auto [x, y, z] = internal::product(tensors[k], n.x(), n.y(), n.z());
+    m_nodes[k].flux_direction = m_space.material().is_trivial() ? n : Vector_3(x, y, z);
+  }
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_point> Boundary_integration::points() const {
+  std::vector<Surface_point> result;
+  result.reserve(m_nodes.size());
+  for(const Node& node : m_nodes)
+    result.push_back(m_space.surface().surface_point(node.location));
+  return result;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
 Boundary_integration::values(const Surface_function_view& g, const char* name) const {
-  std::vector<Surface_point> points;
-  points.reserve(m_nodes.size());
-  for(const Node& node : m_nodes)
-    points.push_back(m_space.surface().surface_point(node.location));
+  const std::vector<Surface_point> points = this->points();
   Eigen::VectorXd result(static_cast<Eigen::Index>(points.size()));
   if(!points.empty())
     g(points.data(), points.size(), result.data());
@@ -225,9 +242,10 @@ Boundary_integration::conormal_derivatives(const Node& node) const {
   const auto gradients = Tensor_basis_3::gradients(node.t);
   Tensor_basis_3::Values result;
   for(std::size_t i = 0; i < result.size(); ++i)
-    result[i] = (node.conormal.x() * gradients[0][i] + node.conormal.y() * gradients[1][i] +
-                 node.conormal.z() * gradients[2][i]) /
-                h;
+    result[i] =
+        (node.flux_direction.x() * gradients[0][i] + node.flux_direction.y() * gradients[1][i] +
+         node.flux_direction.z() * gradients[2][i]) /
+        h;
   return result;
 }
 

@@ -147,14 +147,15 @@ Dirichlet_boundary::penalty(std::size_t first, std::size_t last) const {
   }
   internal::Sheet_integrals integrals;
   integrals.clear();
-  internal::add_sheet_integrals(space.surface(), space.integration(), nullptr, nodes[first].sheet,
-                                integrals);
+  internal::add_sheet_integrals(space.surface(), space.integration_with_material(), nullptr,
+                                nodes[first].sheet, integrals);
   internal::Cell_block block;
   internal::stiffness_block(integrals.moments, block);
   // a sheet without energy, by underflow, gets the largest penalty and no flux
   const double lambda = internal::largest_generalized_eigenvalue(
       fluxes, Eigen::Map<const Eigen::MatrixXd>(block.data(), size, size));
-  const double largest = largest_penalty / space.octree().cell_width(space.depth());
+  const double largest =
+      largest_penalty * integrals.mean_diffusion() / space.octree().cell_width(space.depth());
   const double beta = (std::min)(2 * lambda, largest);
   return {beta, beta < 2 * lambda ? std::sqrt(beta / (2 * lambda)) : 1};
 }

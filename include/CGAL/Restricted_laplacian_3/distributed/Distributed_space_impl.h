@@ -118,6 +118,9 @@ Distributed_space::Distributed_space(const Distributed_surface& surface,
   std::optional<Octree_3> octree; // of the slice, for its cube
   bool is_split = false;
   m_communicator.agree([&] {
+    if(given.has_material_of_maps)
+      throw Parameter_error("diffusion or density", "has to be a number or a function object, not "
+                                                    "a property map, on several ranks");
     options = internal::checked_options(surface, given);
     is_split = Partial_space::is_split(surface.slice().surface, options);
     if(is_split && surface.is_point_set())

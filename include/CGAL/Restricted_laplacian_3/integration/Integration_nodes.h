@@ -66,9 +66,11 @@ struct Integration_node_block {
   std::array<Surface_point, capacity> points;
   /// local coordinates in the cell of the sheet, axis by axis; 0 beyond `size`
   std::array<std::array<double, capacity>, 3> positions;
-  /// the areas that they stand for, in units of the squared width of the finest cells; 0 beyond
-  /// `size`
+  /// the areas that they stand for, times the density, in units of the squared width of the finest
+  /// cells; 0 beyond `size`
   std::array<double, capacity> weights;
+  /// the areas themselves
+  std::array<double, capacity> areas;
   /// the metrics \f$A\f$ of the energy \f$\int \nabla u^T A\, \nabla v\f$ there
   std::array<Symmetric_tensor_3, capacity> metrics;
 
@@ -95,15 +97,22 @@ public:
   /// \param position local coordinate in the cell of the sheet: in \f$[0,1]^3\f$, or a little
   /// outside; elements are evaluated by their polynomial pieces in that cell, wherever it lies
   /// \param weight the area that it stands for, at least 0, in units of the squared width of the
-  /// finest cells
+  /// finest cells; or this area times a density
   /// \param metric \f$A\f$: \f$I - n n^T\f$ for the Laplace-Beltrami operator
   void add(const Surface_point& point, const std::array<double, 3>& position, double weight,
            const Symmetric_tensor_3& metric) {
+    add(point, position, weight, metric, weight);
+  }
+  /// The same where the weight is an area times a density, with the area itself, by which the
+  /// stabilization goes.
+  void add(const Surface_point& point, const std::array<double, 3>& position, double weight,
+           const Symmetric_tensor_3& metric, double area) {
     const std::size_t i = m_block.size;
     m_block.points[i] = point;
     for(int axis = 0; axis < 3; ++axis)
       m_block.positions[axis][i] = position[axis];
     m_block.weights[i] = weight;
+    m_block.areas[i] = area;
     m_block.metrics[i] = metric;
     close_node();
   }
@@ -118,6 +127,15 @@ public:
   void close_node() {
     if(++m_block.size == Integration_node_block::capacity)
       flush();
+  }
+  /// \endcond
+
+  /// \cond
+  // Hands on a block that another one was filled with, as it is; `size` nodes in it are set, and
+  // the rest is 0 as `flush()` leaves it.
+  void hand_on(Integration_node_block& block) {
+    flush();
+    m_consumer(block);
   }
   /// \endcond
 

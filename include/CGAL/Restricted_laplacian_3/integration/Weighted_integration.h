@@ -39,7 +39,8 @@ public:
         if(!(factor >= 0 && std::isfinite(factor)))
           throw Parameter_error("weight", "is negative or not finite in face " +
                                               std::to_string(block.points[i].polygon));
-        nodes.add(block.points[i], block.position(i), block.weights[i] * factor, block.metrics[i]);
+        nodes.add(block.points[i], block.position(i), block.weights[i] * factor, block.metrics[i],
+                  block.areas[i]);
       }
     });
   }
@@ -68,7 +69,8 @@ public:
     m_integration.visit_nodes(sheet, degree, [&](Integration_node_block& block) {
       for(std::size_t i = 0; i < block.size; ++i)
         nodes.add(block.points[i], block.position(i), block.weights[i],
-                  tangential_part(m_tensor(block.points[i]), block.points[i].normal));
+                  tangential_part(m_tensor(block.points[i]), block.points[i].normal),
+                  block.areas[i]);
     });
   }
 

@@ -111,15 +111,16 @@ inline Eigen::MatrixXd weighted_target_loads(const Spline_space_3& space,
   return sum_loads(space, depth, number, h * h, [&](std::size_t sheet, Cell_load::Load* loads) {
     std::vector<Cell_load> moments(number);
     Screening_values values(screening, number);
-    space.integration().visit_nodes(sheet, degree, [&](Integration_node_block& block) {
-      values.evaluate(block.points.data(), block.size);
-      for(int k = 0; k < number; ++k) {
-        Node_values weighted = {};
-        for(std::size_t i = 0; i < block.size; ++i)
-          weighted[i] = block.weights[i] * values.weight(i) * values.target(i)[k];
-        moments[k].add(block.positions, weighted);
-      }
-    });
+    space.integration_with_material().visit_nodes(
+        sheet, degree, [&](Integration_node_block& block) {
+          values.evaluate(block.points.data(), block.size);
+          for(int k = 0; k < number; ++k) {
+            Node_values weighted = {};
+            for(std::size_t i = 0; i < block.size; ++i)
+              weighted[i] = block.weights[i] * values.weight(i) * values.target(i)[k];
+            moments[k].add(block.positions, weighted);
+          }
+        });
     for(int k = 0; k < number; ++k)
       moments[k].add_values_to(loads[k]);
   });

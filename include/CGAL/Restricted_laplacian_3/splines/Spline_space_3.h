@@ -8,7 +8,9 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/input/read_surface.h>
+#include <CGAL/Restricted_laplacian_3/input/shared/function_on_surface.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_material.h>
 #include <CGAL/Restricted_laplacian_3/octree/Cell_3.h>
 #include <CGAL/Restricted_laplacian_3/octree/Octree_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/shared/Level_elements.h>
@@ -27,7 +29,61 @@
 namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
+
 class Partial_space;
+
+/// gives `set` a number or a function object among named parameters, and tells the options of a
+/// property map
+template <class NamedParameters, class Tag, class Options, class Set>
+void read_coefficient([[maybe_unused]] const NamedParameters& np, Tag tag,
+                      [[maybe_unused]] Options& options, [[maybe_unused]] const Set& set) {
+  if constexpr(is_given_v<NamedParameters, Tag>) {
+    const auto value = parameters::get_parameter(np, tag);
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr(std::is_arithmetic_v<Value> ||
+                 std::is_invocable_v<const Value&, const Surface_point&>)
+      set(value);
+    else
+      options.has_material_of_maps = true;
+  }
+}
+
+/// what a caller gives as a coefficient of a material: a number, a function object, or a property
+/// map of the source
+template <class Source, class Coefficient>
+auto coefficient_on_surface(const Source& source, const Coefficient& f,
+                            const Vertex_interpolation& interpolation) {
+  return function_on_surface(source, f, interpolation, [](const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr(Is_matrix<Value>::value)
+      return matrix_components(value);
+    else
+      return Function_components<Value>::read(value);
+  });
+}
+
+/// the material that named parameters describe
+/// \param source such as `Mesh_source`
+/// \param surface of the source
+template <class Source, class NamedParameters>
+Surface_material material_of([[maybe_unused]] const Source& source,
+                             [[maybe_unused]] const Triangulated_surface_3& surface,
+                             [[maybe_unused]] const NamedParameters& np) {
+  constexpr bool has_diffusion = is_given_v<NamedParameters, internal_np::diffusion_t>,
+                 has_density = is_given_v<NamedParameters, internal_np::density_t>;
+  Surface_material material;
+  if constexpr(has_diffusion || has_density) {
+    const Vertex_interpolation interpolation = vertex_interpolation(source, surface, np);
+    if constexpr(has_diffusion)
+      material.set_diffusion(coefficient_on_surface(
+          source, parameters::get_parameter(np, internal_np::diffusion), interpolation));
+    if constexpr(has_density)
+      material.set_density(coefficient_on_surface(
+          source, parameters::get_parameter(np, internal_np::density), interpolation));
+  }
+  return material;
+}
+
 } // namespace internal
 
 /// \ingroup PkgRestrictedLaplacian3Functions
@@ -72,6 +128,12 @@ struct Spline_space_options {
   /// distance, in the unit of the coordinates, up to which sides of faces that no other face shares
   /// are joined if they run along each other; without a value they are not
   std::optional<double> joining_tolerance;
+  /// diffusion and density of the surface
+  Surface_material material;
+  /// \cond
+  // Whether they are property maps among named parameters, which are read with the surface.
+  bool has_material_of_maps = false;
+  /// \endcond
   /// bytes that the surface, the space and a Poisson problem or eigenpairs in it may take: what
   /// would take more, see `estimate_memory()`, is refused before any work. Without a value
   /// `memory_of_machine()`
@@ -82,7 +144,7 @@ struct Spline_space_options {
 
   /// the defaults
   Spline_space_options() = default;
-  /// what is among named parameters, and the defaults else
+  /// what is among named parameters, but property maps of the material, and the defaults else
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Spline_space_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
     internal::read_parameter(np, internal_np::depth, depth);
@@ -92,6 +154,11 @@ struct Spline_space_options {
     internal::read_parameter(np, internal_np::split, split_point_set);
     internal::read_parameter(np, internal_np::joining_tolerance, joining_tolerance);
     internal::read_parameter(np, internal_np::maximum_memory, maximum_memory);
+    internal::read_coefficient(np, internal_np::diffusion, *this, [this](const auto& diffusion) {
+      material.set_diffusion(diffusion);
+    });
+    internal::read_coefficient(np, internal_np::density, *this,
+                               [this](const auto& density) { material.set_density(density); });
   }
 };
 
@@ -145,7 +212,7 @@ public:
             std::enable_if_t<!std::is_same_v<Surface, Triangulated_surface_3>, int> = 0>
   explicit Spline_space_3(const Surface& surface,
                           const NamedParameters& np = parameters::default_values())
-    : Spline_space_3(read_surface(surface, np), Options(np)) {}
+    : Spline_space_3(made(internal::surface_source(surface), np)) {}
 
   /// The spaces of a surface given as points and triangles, which need not be a manifold, or as
   /// oriented points.
@@ -162,10 +229,24 @@ public:
   /// \param integration any model of `SurfaceIntegration_3`, which is copied
   Spline_space_3 integrated_by(const Surface_integration& integration) const {
     Spline_space_3 result(*this);
-    result.m_integration = integration;
+    result.set_integration(integration);
     return result;
   }
-  /// how functions on the surface are integrated
+  /// The same space for another material: its octree and elements are shared, so only matrices have
+  /// to be assembled again.
+  Spline_space_3 with_material(const Surface_material& material) const {
+    Spline_space_3 result(*this);
+    result.m_options.material = material;
+    result.set_integration(m_integration);
+    return result;
+  }
+  /// \cond
+  // the same with the material: of all matrices and loads
+  const Surface_integration& integration_with_material() const { return m_with_material; }
+  /// \endcond
+  /// diffusion and density of the surface
+  const Surface_material& material() const { return m_options.material; }
+  /// how functions on the surface are integrated, without its material
   const Surface_integration& integration() const { return m_integration; }
 
   /// the values of the named parameters, with defaults in place of those that were not given
@@ -227,6 +308,23 @@ private:
   Spline_space_3(const Options& options, Octree_3&& octree,
                  std::vector<internal::Level_elements>&& levels);
 
+  template <class Source, class NamedParameters>
+  static Spline_space_3 made(const Source& source, const NamedParameters& np) {
+    Triangulated_surface_3 surface = internal::read_source(source, np);
+    Options options(np);
+    options.material = internal::material_of(source, surface, np);
+    return Spline_space_3(std::move(surface), options);
+  }
+
+  /// \param integration without a material
+  void set_integration(const Surface_integration& integration) {
+    m_with_material =
+        m_options.material.is_trivial()
+            ? integration
+            : Surface_integration(internal::Material_integration(integration, m_options.material));
+    m_integration = integration;
+  }
+
   const internal::Level_elements& at(int level) const {
     CGAL_precondition(level >= 0 && level <= depth());
     return (*m_levels)[level];
@@ -247,7 +345,7 @@ private:
   Options m_options;
   std::shared_ptr<const Octree_3> m_octree;
   std::shared_ptr<const std::vector<internal::Level_elements>> m_levels;
-  Surface_integration m_integration;
+  Surface_integration m_integration, m_with_material;
 };
 
 } // namespace Restricted_laplacian_3

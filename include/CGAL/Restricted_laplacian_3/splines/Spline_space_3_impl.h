@@ -42,7 +42,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Spline_space_3::Spline_space_3(Triangulated_surface_3 surface, const Options& options)
   : m_options(checked(surface, options)),
     m_octree(std::make_shared<const Octree_3>(make_octree(std::move(surface), m_options))),
-    m_integration(default_integration(*m_octree)) {
+    m_integration(default_integration(*m_octree)), m_with_material(m_integration) {
+  set_integration(m_integration);
   internal::explain_out_of_memory("not enough memory for the elements of the space", [&] {
     std::vector<internal::Level_elements> levels;
     for(int level = 0; level <= depth(); ++level)
@@ -56,7 +57,9 @@ Spline_space_3::Spline_space_3(const Options& options, Octree_3&& octree,
                                std::vector<internal::Level_elements>&& levels)
   : m_options(options), m_octree(std::make_shared<const Octree_3>(std::move(octree))),
     m_levels(std::make_shared<const std::vector<internal::Level_elements>>(std::move(levels))),
-    m_integration(default_integration(*m_octree)) {}
+    m_integration(default_integration(*m_octree)), m_with_material(m_integration) {
+  set_integration(m_integration);
+}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE internal::Level_elements
 Spline_space_3::number_elements(const internal::Octree_level& level) const {

@@ -57,7 +57,7 @@ public:
   /// \param mass_weight of the mass matrix; may be null
   Operator_assembly(const Spline_space_3& space, const Mass_weight* mass_weight,
                     double stabilization, bool stabilizes_mass)
-    : m_space(space), m_octree(space.octree()), m_integration(space.integration()),
+    : m_space(space), m_octree(space.octree()), m_integration(space.integration_with_material()),
       m_mass_weight(mass_weight), m_normal_stabilization(stabilization),
       m_stabilizes_mass(stabilizes_mass) {}
 
@@ -200,12 +200,12 @@ private:
       if(m_normal_stabilization == 0)
         continue;
       const Sheet_stabilization added(integrals, m_normal_stabilization, walls(sheets.begin + i));
-      const double area = integrals.area();
-      // the mean in the sheet; no sample in the cell
-      const double mass_weight = area > 0 ? m.sum(Sheet_moments::mass) / area : 0;
+      // the means in the sheet; no sample in the cell
+      const double area = integrals.area(), diffusion = integrals.mean_diffusion(),
+                   mass_weight = area > 0 ? m.sum(Sheet_moments::mass) / area : 0;
       for(int j = 0; j < number_of_moments; ++j)
         for(int k = 0; k < 6; ++k) {
-          m.values[j][k] += added(j, k);
+          m.values[j][k] += diffusion * added(j, k);
           if(m_keeps_stabilization)
             moments.stabilization[i].values[j][k] = mass_weight * added(j, k);
         }

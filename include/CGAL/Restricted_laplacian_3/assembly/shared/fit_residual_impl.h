@@ -102,17 +102,18 @@ fit_errors(const Spline_space_3& space, const Surface_function_view& f,
   return root_means(space, number, [&](std::size_t sheet, Eigen::Ref<Eigen::VectorXd> squares) {
     Block_evaluation<capacity> u(space, sheet, coefficients);
     std::vector<double> values(number * capacity);
-    space.integration().visit_nodes(sheet, degree_of_rule, [&](Integration_node_block& block) {
-      f(block.points.data(), block.size, values.data());
-      u.set_points(block.positions);
-      for(int k = 0; k < number; ++k) {
-        const Node_values of_u = u.values(k);
-        for(std::size_t i = 0; i < block.size; ++i) {
-          const double difference = values[number * i + k] - of_u[i];
-          squares[k] += block.weights[i] * difference * difference;
-        }
-      }
-    });
+    space.integration_with_material().visit_nodes(
+        sheet, degree_of_rule, [&](Integration_node_block& block) {
+          f(block.points.data(), block.size, values.data());
+          u.set_points(block.positions);
+          for(int k = 0; k < number; ++k) {
+            const Node_values of_u = u.values(k);
+            for(std::size_t i = 0; i < block.size; ++i) {
+              const double difference = values[number * i + k] - of_u[i];
+              squares[k] += block.weights[i] * difference * difference;
+            }
+          }
+        });
   });
 }
 
@@ -126,19 +127,21 @@ gradient_residuals(const Spline_space_3& space, const Vector_field_view& v,
   return root_means(space, number, [&](std::size_t sheet, Eigen::Ref<Eigen::VectorXd> squares) {
     Block_evaluation<capacity> u(space, sheet, coefficients);
     std::vector<double> values(v.components() * capacity);
-    space.integration().visit_nodes(sheet, degree_of_rule, [&](Integration_node_block& block) {
-      v(block.points.data(), block.size, values.data());
-      u.set_points_and_slopes(block.positions);
-      for(int k = 0; k < number; ++k) {
-        const Node_values x = u.derivatives(k, 0), y = u.derivatives(k, 1), z = u.derivatives(k, 2);
-        for(std::size_t i = 0; i < block.size; ++i) {
-          const double* const w = values.data() + v.components() * i + 3 * k;
-          const double dx = x[i] / h - w[0], dy = y[i] / h - w[1], dz = z[i] / h - w[2];
-          const auto [fx, fy, fz] = product(block.metrics[i], dx, dy, dz);
-          squares[k] += block.weights[i] * (dx * fx + dy * fy + dz * fz);
-        }
-      }
-    });
+    space.integration_with_material().visit_nodes(
+        sheet, degree_of_rule, [&](Integration_node_block& block) {
+          v(block.points.data(), block.size, values.data());
+          u.set_points_and_slopes(block.positions);
+          for(int k = 0; k < number; ++k) {
+            const Node_values x = u.derivatives(k, 0), y = u.derivatives(k, 1),
+                              z = u.derivatives(k, 2);
+            for(std::size_t i = 0; i < block.size; ++i) {
+              const double* const w = values.data() + v.components() * i + 3 * k;
+              const double dx = x[i] / h - w[0], dy = y[i] / h - w[1], dz = z[i] / h - w[2];
+              const auto [fx, fy, fz] = product(block.metrics[i], dx, dy, dz);
+              squares[k] += block.weights[i] * (dx * fx + dy * fy + dz * fz);
+            }
+          }
+        });
   });
 }
 

@@ -30,6 +30,8 @@
   PARAMETER(paper)                                                                                 \
   PARAMETER(split)                                                                                 \
   PARAMETER(joining_tolerance)                                                                     \
+  PARAMETER(diffusion)                                                                             \
+  PARAMETER(density)                                                                               \
   PARAMETER(maximum_memory)                                                                        \
   PARAMETER(geometry)                                                                              \
   PARAMETER(crease_angle)                                                                          \

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -74,14 +75,20 @@ struct Sheet_integrals {
   Sheet_moments moments;
   /// \f$\int n n^T\f$
   Symmetric_tensor_3 normals;
+  /// half of the trace of \f$\int A\f$, if it is not that of the surface alone
+  std::optional<double> diffusion;
 
   void clear() {
     moments.clear();
     normals.fill(0);
+    diffusion.reset();
   }
 
   /// in units of the squared cell width
   double area() const { return normals[0] + normals[1] + normals[2]; }
+
+  /// the mean over the sheet, by which the energy differs from that without a material
+  double mean_diffusion() const { return diffusion && area() > 0 ? *diffusion / area() : 1; }
 
   void add_normal(const Vector_3& n, double area) {
     const Symmetric_tensor_3 nn = {n.x() * n.x(), n.y() * n.y(), n.z() * n.z(),

@@ -52,7 +52,7 @@ inline void add_node(const Fragment_triangle& triangle, const Linear_values& val
   const std::size_t i = block.size;
   for(int axis = 0; axis < 3; ++axis)
     block.positions[axis][i] = values[axis];
-  block.weights[i] = weight;
+  block.weights[i] = block.areas[i] = weight;
   block.metrics[i] = triangle.metric;
   Surface_point& point = block.points[i];
   point.face = triangle.point.face;

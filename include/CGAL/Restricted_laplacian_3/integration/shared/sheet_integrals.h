@@ -60,8 +60,13 @@ inline void add_sheet_integrals(const Triangulated_surface_3& surface,
     if(weight)
       (*weight)(block.points.data(), block.size, weights.data());
     add_node_moments(block, weight ? weights.data() : nullptr, integrals.moments);
-    for(std::size_t i = 0; i < block.size; ++i)
-      integrals.add_normal(block.points[i].normal, block.weights[i]);
+    double diffusion = integrals.diffusion.value_or(0);
+    for(std::size_t i = 0; i < block.size; ++i) {
+      const Symmetric_tensor_3& metric = block.metrics[i];
+      diffusion += block.weights[i] * (metric[0] + metric[1] + metric[2]) / 2;
+      integrals.add_normal(block.points[i].normal, block.areas[i]);
+    }
+    integrals.diffusion = diffusion;
   });
 }
 

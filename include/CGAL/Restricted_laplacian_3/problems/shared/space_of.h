@@ -58,6 +58,7 @@ Spline_space_3 first_space_of(const Surface& surface, const NamedParameters& np)
   else {
     Triangulated_surface_3 triangles = read_surface(surface, np);
     Spline_space_options options(np);
+    options.material = material_of(surface_source(surface), triangles, np);
     options.depth = first_depth_of_search(triangles, options);
     return Spline_space_3(std::move(triangles), options);
   }
