@@ -9,6 +9,7 @@
 /// `spectra/shift_invert_eigenpairs.h`, which need other libraries.
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
+#include <CGAL/Restricted_laplacian_3/diffuse.h>
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>

@@ -297,7 +297,8 @@ class Space:
         self._options = dict(
             depth=depth, cube_scale=cube_scale, joining_tolerance=joining_tolerance, split=split, paper=paper,
             geometry=geometry, vertex_data=vertex_data, crease_angle=crease_angle,
-            vertex_normals=vertex_normals, diffusion=diffusion, density=density, maximum_memory=maximum_memory, threads=threads)
+            vertex_normals=vertex_normals,
+            diffusion=diffusion, density=density, maximum_memory=maximum_memory, threads=threads)
 
     def __reduce__(self) -> tuple:
         points, faces, normals, areas = surface_state(self._flat or self._surface)

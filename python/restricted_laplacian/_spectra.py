@@ -94,7 +94,8 @@ def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str
                      maximum_iterations: Optional[int] = None,
                      stabilization: Optional[float] = None, normals: Any = None,
                      depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
-                     geometry: Any = None, diffusion: Any = None, density: Any = None, threads: Optional[int] = None, progress: Progress = None,
+                     geometry: Any = None,
+                     diffusion: Any = None, density: Any = None, threads: Optional[int] = None, progress: Progress = None,
                      check: bool = True, return_report: bool = False) -> Any:
     """The smallest eigenvalues of minus the Laplacian, and eigenfunctions.
 
@@ -247,7 +248,8 @@ def eigs(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto", o
     """
     s = laplace_spectrum(V, F, count, eigensolver=eigensolver, orthonormal=orthonormal, accuracy=accuracy,
                          tolerance=tolerance, maximum_iterations=maximum_iterations,
-                         stabilization=stabilization, normals=normals, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion, density=density,
+                         stabilization=stabilization, normals=normals, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry,
+                         diffusion=diffusion, density=density,
                          threads=threads, progress=progress, check=check)
     pairs = s.eigenvalues, s.vertex_values
     return (pairs, s.report) if return_report else pairs

@@ -7,6 +7,7 @@
 #include "options.h"
 
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
+#include <CGAL/Restricted_laplacian_3/problems/Diffusion_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
@@ -111,6 +112,34 @@ RL::Function_fit_options fit_options(const nb::dict& options, int threads) {
 }
 
 // (space, coefficients, report)
+nb::tuple diffuse(const Space& given, double time, const Function& initial, const Function* source,
+                  const Function* boundary_values, std::optional<double> accuracy,
+                  const nb::dict& options, int threads, const nb::object& progress) {
+  check_function(initial, given.surface(), "u0");
+  if(source)
+    check_function(*source, given.surface(), "source", initial.components());
+  if(boundary_values)
+    check_function(*boundary_values, given.surface(), "boundary_values");
+  RL::Diffusion_options o;
+  o.tolerance = number_of(options, "tolerance");
+  o.stabilization = number_of(options, "stabilization");
+  if(const auto limit = whole_number_of(options, "maximum_iterations"))
+    o.maximum_iterations = *limit;
+  Space space = given;
+  RL::Diffused_functions result = run(threads, progress, [&](const auto& callback) {
+    RL::internal::Diffusion_problem problem{initial, time, {}, {}, o, callback};
+    if(source)
+      problem.source = *source;
+    if(boundary_values)
+      problem.boundary_values = *boundary_values;
+    const auto integrated = [&](const Space& s) { return recorded(s, {&initial, source}); };
+    return accuracy ? RL::internal::diffuse_to_accuracy(space, problem, *accuracy, integrated)
+                    : RL::internal::diffuse_in_space(integrated(space), problem);
+  });
+  nb::dict report = report_of(result);
+  return nb::make_tuple(space, array_of_matrix(std::move(result.coefficients)), report);
+}
+
 nb::tuple fit_function(const Space& given, const Function& f, std::optional<double> accuracy,
                        const nb::dict& options, int threads, const nb::object& progress) {
   check_function(f, given.surface(), "f");
@@ -252,6 +281,9 @@ void add_problems(nb::module_& m) {
   m.def("solve_poisson", &solve_poisson, "space"_a, "f"_a, "alpha"_a, "alpha_function"_a.none(),
         "boundary_values"_a.none(), "boundary_flux"_a.none(), "constrained"_a.none(),
         "constraint_weight"_a.none(), "accuracy"_a.none(), "options"_a, "threads"_a,
+        "progress"_a.none());
+  m.def("diffuse", &diffuse, "space"_a, "time"_a, "initial"_a, "source"_a.none(),
+        "boundary_values"_a.none(), "accuracy"_a.none(), "options"_a, "threads"_a,
         "progress"_a.none());
   m.def("fit_function", &fit_function, "space"_a, "f"_a, "accuracy"_a.none(), "options"_a,
         "threads"_a, "progress"_a.none());

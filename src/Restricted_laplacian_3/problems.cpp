@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field_impl.h>
+#include <CGAL/Restricted_laplacian_3/problems/Diffusion_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem_impl.h>

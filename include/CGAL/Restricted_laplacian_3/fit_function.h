@@ -8,10 +8,9 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/input/shared/function_on_surface.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/put_at_vertices.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
-#include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
-#include <CGAL/Restricted_laplacian_3/surface/shared/function_components.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -92,18 +91,6 @@ Function_fit fit_function(const Spline_space_3& space, const Surface_function_vi
 }
 
 namespace internal {
-
-/// the values of spline functions at all vertices, into a property map of numbers or vectors
-template <class Source, class PropertyMap>
-void put_at_vertices(const Source& source, const Spline_space_3& space,
-                     const Eigen::MatrixXd& coefficients, PropertyMap map) {
-  using Components = Function_components<typename boost::property_traits<PropertyMap>::value_type>;
-  if(coefficients.cols() != Components::number)
-    throw Parameter_error("u", "has " + std::to_string(Components::number) +
-                                   " components, but the function has " +
-                                   std::to_string(coefficients.cols()));
-  put_rows(source, Spline_functions_3(space, coefficients).values_at_vertices(), map);
-}
 
 template <class Surface, class Function, class VertexMap, class NamedParameters>
 Fit_report fit_function_on_surface(const Surface& surface, const Function& f, VertexMap u,

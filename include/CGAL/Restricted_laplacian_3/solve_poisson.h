@@ -113,22 +113,10 @@ Poisson_problem poisson_problem(const Surface_function_view& f, const Alpha& alp
   return problem;
 }
 
-/// the same number everywhere on the surface
-struct Constant_function {
-  double value;
-
-  double operator()(const Surface_point&) const { return value; }
-  static constexpr int degree() { return 0; }
-};
-
 /// what is given for the boundary among named parameters, a number as a function; 0 if it is not
 /// \param tag `boundary_values` or `boundary_flux`
 template <class NamedParameters, class Tag> auto on_boundary(const NamedParameters& np, Tag tag) {
-  const auto values = parameters::choose_parameter(parameters::get_parameter(np, tag), 0);
-  if constexpr(std::is_arithmetic_v<std::decay_t<decltype(values)>>)
-    return Constant_function{static_cast<double>(values)};
-  else
-    return values;
+  return function_or_number(parameters::choose_parameter(parameters::get_parameter(np, tag), 0));
 }
 
 /// \param alpha a number, or a function on the surface

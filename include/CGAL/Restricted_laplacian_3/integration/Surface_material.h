@@ -9,6 +9,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <Eigen/Core>
 
@@ -33,14 +34,6 @@ public:
 private:
   std::shared_ptr<const void> m_owner;
   Surface_function_view m_view;
-};
-
-/// a number as a function
-struct Constant_coefficient {
-  double value;
-
-  double operator()(const Surface_point&) const { return value; }
-  static constexpr int degree() { return 0; }
 };
 
 /// the nine components of a 3 x 3 matrix
@@ -70,8 +63,7 @@ struct Is_matrix<T, std::enable_if_t<std::is_base_of_v<Eigen::MatrixBase<T>, T>>
 /// what a caller gives as a coefficient
 template <class Function> Owned_function owned_coefficient(Function f) {
   if constexpr(std::is_arithmetic_v<Function>)
-    return Owned_function(
-        std::make_shared<const Constant_coefficient>(Constant_coefficient{static_cast<double>(f)}));
+    return Owned_function(std::make_shared<const Constant_function>(function_or_number(f)));
   else if constexpr(is_block_function<Function>)
     return Owned_function(std::make_shared<const Function>(std::move(f)));
   else if constexpr(Is_matrix<std::decay_t<

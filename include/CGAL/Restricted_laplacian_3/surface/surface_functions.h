@@ -162,6 +162,22 @@ private:
 
 namespace internal {
 
+/// the same number everywhere on the surface
+struct Constant_function {
+  double value;
+
+  double operator()(const Surface_point&) const { return value; }
+  static constexpr int degree() { return 0; }
+};
+
+/// a number as a function, and others as they are
+template <class Function> auto function_or_number(const Function& f) {
+  if constexpr(std::is_arithmetic_v<Function>)
+    return Constant_function{static_cast<double>(f)};
+  else
+    return f;
+}
+
 /// the degree that functions have which do not tell it
 constexpr int default_degree_on_triangles = 6;
 

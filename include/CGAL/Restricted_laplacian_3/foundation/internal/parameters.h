@@ -48,6 +48,7 @@
   PARAMETER(boundary_values)                                                                       \
   PARAMETER(has_boundary_value)                                                                    \
   PARAMETER(boundary_flux)                                                                         \
+  PARAMETER(source_term)                                                                           \
   PARAMETER(constraints)                                                                           \
   PARAMETER(constraint_weight)                                                                     \
   PARAMETER(area_map)                                                                              \
