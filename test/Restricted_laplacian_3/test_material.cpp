@@ -8,9 +8,12 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
+#include <CGAL/Restricted_laplacian_3/geodesic_distances.h>
 #include <CGAL/Restricted_laplacian_3/integration/Monte_carlo.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -132,6 +135,28 @@ TEST_CASE("density_does_not_change_harmonic_functions", "[material]") {
         RL::Spline_function_3(space, u.coefficients).values_at_vertices();
     for(std::size_t v = 0; v < values.size(); ++v)
       REQUIRE(std::abs(values[v] - 1 - 2 * t.points[v].x() + t.points[v].y()) < 1e-6);
+  }
+}
+
+TEST_CASE("values_at_points_are_met_whatever_the_diffusion", "[material]") {
+  const Mesh mesh = shapes::mesh(shapes::sphere(3));
+  std::vector<double> expected;
+  for(const double scale : {1., 1e-6, 1e6}) {
+    std::vector<double> u(num_vertices(mesh)),
+        given(u.size(), std::numeric_limits<double>::quiet_NaN());
+    given[0] = 1;
+    given[50] = -1;
+    const auto zero = [](const RL::Surface_point&) { return 0.; };
+    const auto np = params::depth(4).diffusion(scale).constraints(CGAL::make_property_map(given));
+    CHECK(RL::solve_poisson(RL::soup(shapes::triangles(mesh).points, shapes::triangles(mesh).faces),
+                            zero, CGAL::make_property_map(u), np)
+              .converged);
+    CHECK(std::abs(u[0] - 1) < 1e-6);
+    CHECK(std::abs(u[50] + 1) < 1e-6);
+    if(expected.empty())
+      expected = u;
+    for(std::size_t v = 0; v < u.size(); ++v)
+      REQUIRE(std::abs(u[v] - expected[v]) < 1e-5);
   }
 }
 
@@ -260,6 +285,41 @@ TEST_CASE("search_for_an_accuracy_keeps_the_material", "[material]") {
                                  mesh, 8, params::accuracy(1e-3).diffusion(2).density(0.5));
   CHECK(plain.report.status == RL::Solve_status::converged);
   CHECK(largest_relative(scaled.eigenvalues, 4 * plain.eigenvalues) < 1e-5);
+}
+
+TEST_CASE("material_does_not_change_curvature_distances_and_errors", "[material]") {
+  const Mesh mesh = shapes::mesh(torus());
+  const RL::Spline_space_3 plain(mesh, params::depth(4));
+  RL::Surface_material material;
+  material.set_diffusion([](const RL::Surface_point& p) { return 3 + p.point.x(); });
+  material.set_density([](const RL::Surface_point& p) { return 2 + p.point.y(); });
+  const RL::Spline_space_3 space = plain.with_material(material);
+  const auto curvatures_of = [&](const RL::Spline_space_3& s) {
+    std::vector<RL::Surface_curvature> result(num_vertices(mesh));
+    RL::estimate_curvature(s, CGAL::make_property_map(result),
+                           params::method(RL::Curvature_method::coordinates));
+    return result;
+  };
+  const std::vector<RL::Surface_curvature> a = curvatures_of(plain), b = curvatures_of(space);
+  for(std::size_t v = 0; v < a.size(); ++v)
+    REQUIRE(a[v].mean == b[v].mean);
+  const RL::Geodesic_solver rays(plain.surface());
+  const RL::Geodesic_function d(rays, rays.distances(RL::Geodesic_sources::vertex(0)));
+  const RL::Geodesic_spline one = RL::Geodesic_fitter(plain).fit(d),
+                            other = RL::Geodesic_fitter(space).fit(d);
+  RL::Surface_location place;
+  for(place.face = 0; place.face < plain.surface().number_of_faces(); place.face += 7) {
+    const RL::Surface_point p = plain.surface().surface_point(place);
+    REQUIRE(one(p) == other(p));
+  }
+  // a constant density leaves the root mean squares
+  const auto f = [](const RL::Surface_point& p) { return std::sin(5 * p.point.x()); };
+  material = {};
+  material.set_density(0.25);
+  const RL::Function_fit fit = RL::fit_function(plain, f),
+                         same = RL::fit_function(plain.with_material(material), f);
+  CHECK(std::abs(fit.root_mean_square_errors[0] / same.root_mean_square_errors[0] - 1) < 1e-3);
+  CHECK(fit.root_mean_square_errors[0] > 1e-6);
 }
 
 TEST_CASE("bad_coefficients_are_refused", "[material]") {

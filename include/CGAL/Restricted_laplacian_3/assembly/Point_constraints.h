@@ -27,10 +27,10 @@ namespace Restricted_laplacian_3 {
 /// right-hand side. Weights have the unit of the stiffness matrix: none. The solution misses the
 /// value by \f$1 / w_k\f$ times the flux that it takes to hold it.
 ///
-/// An exact value has the weight `weight_of_exact` in the matrix, and in the right-hand side a flux
-/// \f$\lambda_k b(p_k)\f$ besides, which `solve_poisson_problem()` finds by the method of
-/// multipliers: \f$\lambda_k\f$ grows by \f$w_k (g_k - u(p_k))\f$ in each step (M. R. Hestenes,
-/// *Multiplier and gradient methods*, J. Optimization Theory Appl. 4, 1969).
+/// An exact value has the weight `weight_of_exact`, times the diffusion there, in the matrix, and
+/// in the right-hand side a flux \f$\lambda_k b(p_k)\f$ besides, which `solve_poisson_problem()`
+/// finds by the method of multipliers: \f$\lambda_k\f$ grows by \f$w_k (g_k - u(p_k))\f$ in each
+/// step (M. R. Hestenes, *Multiplier and gradient methods*, J. Optimization Theory Appl. 4, 1969).
 ///
 /// A value at a point of a surface has no meaning for the differential equation: the finer the
 /// space, the narrower the peak by which it is met. For values along a boundary take

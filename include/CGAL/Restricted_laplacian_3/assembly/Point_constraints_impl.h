@@ -35,7 +35,14 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_loc
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_location& location,
                                                                double value) {
-  add(location, value, weight_of_exact, true);
+  double diffusion = 1;
+  if(!m_space.material().is_trivial() && location.face < m_space.surface().number_of_faces()) {
+    const Surface_point point = m_space.surface().surface_point(location);
+    Symmetric_tensor_3 tensor;
+    m_space.material().diffusion_at(&point, 1, &tensor);
+    diffusion = (tensor[0] + tensor[1] + tensor[2]) / 2;
+  }
+  add(location, value, weight_of_exact * diffusion, true);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Point_constraints::add(const Surface_location& location,

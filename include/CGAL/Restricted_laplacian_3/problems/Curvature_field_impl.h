@@ -165,7 +165,9 @@ inline Function_fit fit_for_curvature(const Spline_space_3& space,
   if(normals)
     return fit_normals(space, *normals, options);
   if(options.method == Curvature_method::coordinates)
-    return fit_coordinate_laplacian(space, curvature_fit_options(space, options, false),
+    // the coordinates know no material
+    return fit_coordinate_laplacian(space.with_material({}),
+                                    curvature_fit_options(space, options, false),
                                     Progress(options.progress));
   if(options.method == Curvature_method::face_normals || space.surface().is_smooth())
     return fit_normals(space, surface_normal(space.surface()), options);

@@ -114,7 +114,7 @@ Geodesic_spline::gradient(const Surface_location& location) const {
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE
 Geodesic_fitter::Geodesic_fitter(const Spline_space_3& space, const Geodesic_fit_options& options)
-  : m_space(space), m_solver(internal::geodesic_fit_solver(space, options)) {}
+  : m_space(space.with_material({})), m_solver(internal::geodesic_fit_solver(m_space, options)) {}
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_spline Geodesic_fitter::fit(
     const Geodesic_function& d, const std::function<bool(double)>& callback) const {

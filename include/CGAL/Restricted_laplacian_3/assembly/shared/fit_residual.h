@@ -26,7 +26,8 @@ struct Fit_residual {
   /// \f$\int (f_k - u_k)^2\f$, in units of the squared cell width
   Eigen::VectorXd squares;
 
-  /// \f$(\int (f_k - u_k)^2 / \mathrm{area})^{1/2}\f$ for each component
+  /// \f$(\int (f_k - u_k)^2 / \mathrm{area})^{1/2}\f$ for each component, with the density of the
+  /// surface as weight
   std::vector<double> root_means(const Spline_space_3& space) const;
 
   /// Subtracts one more spline function \f$v\f$ with the coefficients \f$\eta\f$:

@@ -95,7 +95,8 @@ public:
       const bool is_solved =
           m_residual <= (std::max)(tolerance * m_scale, rounding()) ||
           (energy_tolerance > 0 && report.relative_energy_error <= energy_tolerance);
-      const double relative_miss = m_miss > 0 ? m_miss / (std::max)(size_of_values(), size) : 0;
+      const double relative_miss =
+          m_miss > 0 ? m_miss / (std::max)(size_of_values(), size / std::sqrt(diffusion())) : 0;
       if(is_solved &&
          (relative_miss <= largest_miss || (step > 0 && m_miss > least_gain * miss_before))) {
         report.set_status(relative_miss <= largest_miss_of_converged ? Solve_status::converged
@@ -142,6 +143,12 @@ private:
         high = (std::max)(high, m_values[k]);
       }
     return (std::max)(high - low, smallest_range * (std::max)(std::abs(low), std::abs(high)));
+  }
+
+  /// the largest one at values to be met
+  double diffusion() const {
+    const double weight = m_exact.cwiseProduct(m_weights).maxCoeff();
+    return weight > 0 ? weight / Point_constraints::weight_of_exact : 1;
   }
 
   /// of a residual
