@@ -163,10 +163,10 @@ def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str
         raise argument_error("count", f"must be a whole number, and is {count!r}")
     if orthonormal not in ("surface", "vertices"):
         raise argument_error("orthonormal", f"must be surface or vertices, and is {orthonormal!r}")
-    if orthonormal == "vertices" and density is not None:
-        raise argument_error("orthonormal", "must be surface where there is a density")
     space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
                      joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion, density=density)
+    if orthonormal == "vertices" and space._options["density"] is not None:
+        raise argument_error("orthonormal", "must be surface where there is a density")
     last, values, at_vertices, vectors, area, errors, extrapolated, report = _core.eigenpairs(
         space._space, int(count), eigensolver, bool(eigenvalues_only), accuracy,
         solver_options(tolerance, None, stabilization, maximum_iterations=maximum_iterations),

@@ -117,9 +117,9 @@ nb::tuple diffuse(const Space& given, double time, const Function& initial, cons
                   const nb::dict& options, int threads, const nb::object& progress) {
   check_function(initial, given.surface(), "u0");
   if(source)
-    check_function(*source, given.surface(), "source", initial.components());
+    check_function(*source, given.surface(), "source_term", initial.components());
   if(boundary_values)
-    check_function(*boundary_values, given.surface(), "boundary_values");
+    check_function(*boundary_values, given.surface(), "boundary_values", 1);
   RL::Diffusion_options o;
   o.tolerance = number_of(options, "tolerance");
   o.stabilization = number_of(options, "stabilization");

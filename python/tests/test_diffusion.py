@@ -85,6 +85,11 @@ def test_what_is_refused(mesh):
         rl.diffuse(V, F, V, 1, source_term=1.0, depth=3)
     with pytest.raises(rl.InputError, match="boundary"):
         rl.diffuse(V, F, V[:, 2], 1, boundary_values=0.0, depth=3)
+    square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]), [[0, 1, 2, 3]]
+    for solve in (lambda b: rl.diffuse(*square, np.ones(4), 1, boundary_values=b, depth=3),
+                  lambda b: rl.solve_poisson(*square, np.ones(4), boundary_values=b, depth=3)):
+        with pytest.raises(rl.InputError, match="boundary_values.*components"):
+            solve(np.ones((4, 2)))
     with pytest.raises(rl.InputError, match="mask"):
         rl.smooth(V, F, V[:, 2], fwhm=1, mask=np.ones(3, bool), depth=3)
     with pytest.raises(rl.InputError, match="data"):

@@ -104,3 +104,5 @@ def test_what_is_refused(mesh):
         rl.solve_poisson(V, F, V[:, 2], depth=DEPTH, diffusion=negative)
     with pytest.raises(rl.InputError, match="orthonormal"):
         rl.eigs(V, F, 4, depth=DEPTH, density=2, orthonormal="vertices")
+    with pytest.raises(rl.InputError, match="orthonormal"):
+        rl.eigs(rl.Space(V, F, depth=DEPTH).with_material(density=2), count=4, orthonormal="vertices")

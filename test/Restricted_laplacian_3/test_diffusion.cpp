@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -149,6 +150,29 @@ TEST_CASE("diffusion_keeps_means_and_signs", "[diffusion]") {
   }
 }
 
+TEST_CASE("diffusion_does_not_depend_on_the_unit_of_length", "[diffusion]") {
+  // a box, with values of any size; what is diffused for twenty times as long has nearly decayed
+  const Triangles box = shapes::box(1, 0.7, 0.4, 3, 1);
+  const auto result_of = [&](double scale, double size, double time, bool is_source) {
+    const Triangles t = shapes::scaled(box, scale);
+    const RL::Spline_space_3 space(RL::soup(t.points, t.faces), params::depth(4));
+    const auto f = [=](const RL::Surface_point& p) { return size * (p.point.x() > 0.1 * scale); };
+    const auto g = [](const RL::Surface_point&) { return 0.; };
+    const RL::Diffusion_solver solver(space, time * scale * scale);
+    const RL::Surface_function_view source(f);
+    const RL::Diffused_functions u = is_source ? solver.diffuse(g, &source) : solver.diffuse(f);
+    CHECK(u.converged);
+    return Eigen::VectorXd(u.coefficients.col(0) / size / (is_source ? time * scale * scale : 1));
+  };
+  for(const double time : {0.01, 1.})
+    for(const bool is_source : {false, true}) {
+      const Eigen::VectorXd expected = result_of(1, 1, time, is_source);
+      for(const auto& [scale, size] :
+          {std::pair(1e-6, 1.), std::pair(1e6, 1e6), std::pair(1e3, 1e-6)})
+        CHECK((result_of(scale, size, time, is_source) - expected).cwiseAbs().maxCoeff() < 1e-3);
+    }
+}
+
 TEST_CASE("sources_and_boundaries_of_diffusion", "[diffusion]") {
   // on the square [0, 1]^2: u = sin(pi x) sin(pi y) e^(-2 pi^2 t) with 0 on the boundary
   const Triangles t = shapes::grid(16, [](double x, double y) { return RL::Point_3(x, y, 0); });
@@ -248,6 +272,10 @@ TEST_CASE("bad_diffusion_is_refused", "[diffusion]") {
   CHECK_THROWS_WITH(solver.diffuse(one, &source), Catch::Contains("source"));
   const RL::Surface_function_view values(one);
   CHECK_THROWS_WITH(RL::Diffusion_solver(space, 1, {}, &values), Catch::Contains("boundary"));
+  const Triangles square = shapes::rectangle(1, 1);
+  const RL::Spline_space_3 open(RL::soup(square.points, square.faces), params::depth(3));
+  const RL::Surface_function_view pairs(two);
+  CHECK_THROWS_WITH(RL::Diffusion_solver(open, 1, {}, &pairs), Catch::Contains("2 components"));
   CHECK_THROWS_AS(solver.diffuse(one, nullptr, [](double) { return false; }), RL::Canceled);
   // constants stay
   const RL::Diffused_functions u = solver.diffuse(one);

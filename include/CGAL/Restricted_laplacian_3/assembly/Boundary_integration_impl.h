@@ -82,6 +82,9 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Surface_point> Boundary_integrati
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::VectorXd
 Boundary_integration::values(const Surface_function_view& g, const char* name) const {
+  if(g.components() != 1)
+    throw Parameter_error(name, "have " + std::to_string(g.components()) +
+                                    " components, but must be numbers");
   const std::vector<Surface_point> points = this->points();
   Eigen::VectorXd result(static_cast<Eigen::Index>(points.size()));
   if(!points.empty())

@@ -141,7 +141,7 @@ public:
   /// adds what becomes of the functions with these loads to coefficients
   void run(const Eigen::MatrixXd& loads, Eigen::Ref<Eigen::MatrixXd> coefficients,
            Solve_report& report, const internal::Progress& progress) {
-    start(loads);
+    start(loads, report);
     while(!m_active.empty()) {
       constexpr double usual_number_of_vectors = 8;
       const auto vectors = static_cast<double>(m_basis.size());
@@ -179,10 +179,8 @@ private:
     return x / (internal::part_of_diffusion_time * m_diffusion.m_time);
   }
 
-  void start(const Eigen::MatrixXd& loads) {
-    Solve_report ignored;
-    ignored.set_status(Solve_status::converged);
-    m_basis.assign(1, solve(loads, ignored));
+  void start(const Eigen::MatrixXd& loads, Solve_report& report) {
+    m_basis.assign(1, solve(loads, report));
     m_with_mass = m_diffusion.loads_of(m_basis[0]);
     m_functions.assign(static_cast<std::size_t>(loads.cols()), {});
     for(Eigen::Index k = 0; k < loads.cols(); ++k) {
@@ -253,8 +251,10 @@ private:
       change.head(f.result.size()) -= f.result;
       // functions that have decayed altogether have no digits
       constexpr double rounding = 1e-12, smallest_part = 1e-12;
-      const double relative =
-          change.norm() / (std::max)(result.norm(), smallest_part * m_diffusion.m_time * f.norm);
+      const double unit = m_function == internal::Diffusion_function::integral ? m_diffusion.m_time
+                                                                               : 1,
+                   relative =
+                       change.norm() / (std::max)(result.norm(), smallest_part * unit * f.norm);
       f.result = std::move(result);
       const bool is_invariant = f.beside.back() <= rounding * std::abs(f.diagonal[0]);
       if(!is_invariant && !(size > 1 && relative <= m_diffusion.m_tolerance))
