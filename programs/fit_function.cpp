@@ -10,7 +10,6 @@
 #include "support/solver_options.h"
 #include "support/surface_program.h"
 #include "support/table.h"
-#include "support/vertex_data.h"
 
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
@@ -22,9 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iostream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -94,35 +91,11 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   return true;
 }
 
-// What is fitted: a name and values at the vertices for each function.
-struct Functions {
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> values;
-};
-
-Functions normals(const RL::Triangulated_surface_3& surface) {
-  Functions result = {{"nx", "ny", "nz"}, std::vector<std::vector<double>>(3)};
+Vertex_functions normals(const RL::Triangulated_surface_3& surface) {
+  Vertex_functions result = {{"nx", "ny", "nz"}, std::vector<std::vector<double>>(3)};
   for(const RL::Vector_3& n : RL::vertex_normals(surface))
     for(int axis = 0; axis < 3; ++axis)
       result.values[axis].push_back(n[axis]);
-  return result;
-}
-
-Functions properties(const RL::Triangulated_surface_3& surface, const Options& o) {
-  Functions result;
-  std::istringstream list(o.property);
-  for(std::string name; std::getline(list, name, ',');) {
-    result.names.push_back(name);
-    if(name == "x" || name == "y" || name == "z") {
-      result.values.emplace_back();
-      for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
-        result.values.back().push_back(surface.point(v)[name[0] - 'x']);
-    } else
-      result.values.push_back(read_vertex_property(o.mesh, name));
-    require(result.values.back().size() == surface.number_of_vertices(),
-            "not every vertex has a value");
-  }
-  require(!result.names.empty(), "--property names no property");
   return result;
 }
 
@@ -148,7 +121,7 @@ void append(RL::Function_fit& all, const RL::Function_fit& fit) {
 }
 
 // Three functions take hardly longer together than one of them; others are fitted one by one.
-RL::Function_fit fit_all(const RL::Spline_space_3& space, const Functions& functions,
+RL::Function_fit fit_all(const RL::Spline_space_3& space, const Vertex_functions& functions,
                          const Job& job, const Options& o) {
   const double h = space.octree().cell_width(space.depth());
   RL::Function_fitter fitter(
@@ -184,7 +157,8 @@ std::vector<Color> colors(const Options& o, const Eigen::MatrixXd& u) {
 }
 
 Outcome fit(Job& job, const Options& o) {
-  const Functions functions = o.normals ? normals(job.surface) : properties(job.surface, o);
+  const Vertex_functions functions =
+      o.normals ? normals(job.surface) : vertex_functions(job.surface, o, o.property);
   RL::Spline_space_3 space = job.make_space("each component is fitted on its own");
   RL::Function_fit fit;
   const bool smooths = o.smoothing > 0;

@@ -34,9 +34,9 @@ PYTHON_ONLY = """areas as_spline barycentric boundary check colors count data en
     start subdivisions threads time times title u0 up v values vertex_normals""".split()
 PROGRAMS_ONLY = """assembly beside boundary boundary-property clip column columns compare count csv density-property
     descriptor diffusion-property eigenfunction energy exact exposure-range exposures farthest field-of-view
-    flux-property frame help html isolines leave-out light lines no-legend noise normalization normals operator
+    flux-property frame fwhm help html isolines leave-out light lines no-legend noise normalization normals operator
     output overwrite path pattern points poses property quiet range refine resolution rhs rhs-property scaled show
-    size source threads time tint truth up verbose version view views""".split()
+    size source source-property threads time tint truth up verbose version view views""".split()
 # Defaults that depend on others in the code: the constant that holds the usual one.
 USUAL = {"depth": "default_smallest_depth", "cube_scale": "default_cube_scale"}
 

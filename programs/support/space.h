@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,6 +61,31 @@ inline std::vector<double> surface_property(const RL::Triangulated_surface_3& su
   std::vector<double> values = read_vertex_property(o.mesh, name);
   require(values.size() == surface.number_of_vertices(), "not every vertex has a value");
   return values;
+}
+
+// Functions that are given at the vertices: a name and values of each.
+struct Vertex_functions {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+};
+
+// Those of a list NAME,...: properties of the mesh; x, y and z stand for coordinates.
+inline Vertex_functions vertex_functions(const RL::Triangulated_surface_3& surface,
+                                         const Common_options& o, const std::string& names) {
+  Vertex_functions result;
+  std::istringstream list(names);
+  for(std::string name; std::getline(list, name, ',');) {
+    result.names.push_back(name);
+    if(name != "x" && name != "y" && name != "z") {
+      result.values.push_back(surface_property(surface, o, name));
+      continue;
+    }
+    result.values.emplace_back();
+    for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+      result.values.back().push_back(surface.point(v)[name[0] - 'x']);
+  }
+  require(!result.names.empty(), "--property names no property");
+  return result;
 }
 
 // The diffusion and the density that the options name.

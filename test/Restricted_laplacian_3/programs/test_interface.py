@@ -27,6 +27,8 @@ EXPLAINED = {
     "tolerance stabilization",
     "spectral_descriptors": COMMON + INTEGRATION + "refine descriptor count columns time energy scaled normalization "
     "compare column eigensolver tolerance",
+    "diffuse": COMMON + INTEGRATION + POINTS + "refine property time fwhm source-property boundary-property "
+    "diffusion-property density-property tolerance stabilization",
     "fit_function": COMMON + INTEGRATION + POINTS + "refine property normals smoothing refinements tolerance "
     "stabilization",
     "estimate_curvature": COMMON + INTEGRATION + POINTS + "refine method smoothing tolerance stabilization show clip",

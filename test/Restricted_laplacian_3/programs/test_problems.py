@@ -173,6 +173,43 @@ def test_material():
     fails("restricted", f"{plain} --operator cotangent --density-property half --overwrite")
 
 
+def test_diffusion():
+    """Harmonics of a sphere decay by exp(-l (l + 1) t); holes, materials, sources, boundaries."""
+    def values(options, mesh="sphere.off"):
+        succeeds(f"diffuse {mesh} --depth 4 {options} --csv u.csv")
+        return Table("u.csv")
+    table = values("--property z --time 0.5 --tolerance 1e-6 --output u.ply")
+    table.check("vertex,value")
+    table.check_numbers("setup_seconds assembly_seconds solve_seconds iterations relative_residual time")
+    assert largest_difference("u.csv", "z", np.exp(-1)) < 2e-3 and "property double value" in header_of("u.ply")
+    width = np.sqrt(8 * np.log(2))  # of a time of a half
+    assert values(f"--property z --fwhm {width} --tolerance 1e-6")[1] == pytest.approx(table[1], abs=1e-9)
+    both = values("--property x,z --time 0.5 --tolerance 1e-6")
+    assert both.columns == ["vertex", "value_x", "value_z"] and both[2] == pytest.approx(table[1], abs=1e-5)
+
+    points, faces = SPHERE
+    hole = [np.nan if p[2] > 0.8 else 3 for p in points]
+    rows = [[*p, 2, one, 1] for p, one in zip(points, hole)]
+    write_binary_ply("data.ply", rows, faces, ("two", "hole", "one"))
+    u = values("--property hole --fwhm 0.3", "data.ply")[1]
+    assert (np.isnan(u) == np.isnan(hole)).all() and np.nanmax(abs(u - 3)) < 1e-3, "a constant remains"
+    assert values("--property z --time 0.5 --density-property two --tolerance 1e-6", "data.ply")[1] == pytest.approx(
+        np.exp(-0.5) * points[:, 2], abs=3e-3)
+    assert values("--property one --time 0.5 --source-property two", "data.ply")[1] == pytest.approx(2, abs=1e-6)
+    write_binary_ply("square.ply", [[x, y, 0, x, 0] for x in (0, 1) for y in (0, 1)], [[0, 1, 3], [0, 3, 2]],
+                     ("v", "zero"))
+    u = values("--property zero --time 10 --boundary-property v", "square.ply")[1]
+    assert u == pytest.approx([0, 0, 1, 1], abs=1e-3), "to the harmonic function"
+    for words, pattern in {
+            "--time 1": "--property", "--property x": "--time or --fwhm", "--property x --time 1 --fwhm 1": "not both",
+            "--property x --time 0": "time.*positive", "--property x --fwhm nan": "fwhm.*positive",
+            "--property x --time 1 --tolerance 1": "tolerance", "--property height --time 1": "height",
+            "--property hole --time 1 --source-property two": "NaN.*source",
+            "--property x --time 1 --stabilization -1": "stabilization"}.items():
+        fails(pattern, f"diffuse data.ply {words}")
+    fails("boundary", "diffuse data.ply --property x --time 1 --boundary-property two")
+
+
 def test_refinement():
     succeeds("fit_function small.off --property z --depth 3 --refine 4 --output fine.ply")
     succeeds("fit_function fine.ply --property z,fit_z --depth 3 --csv fine.csv")
