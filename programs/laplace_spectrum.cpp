@@ -87,8 +87,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require(o.count > 0, "the argument of --count must be positive");
   require_choice("operator", o.operator_name, {"restricted", "cotangent"});
   require(o.refine == 0 || o.operator_name == "restricted", "--refine needs --operator restricted");
-  require_effect(given, {"diffusion-property", "density-property"}, o.operator_name == "restricted",
-                 "--operator restricted");
+  require_effect(given, {"diffusion-property", "density-property", "anisotropy"},
+                 o.operator_name == "restricted", "--operator restricted");
   require_effect(given, {"lumped-mass"}, o.operator_name == "cotangent", "--operator cotangent");
   require_effect(given,
                  {"accuracy", "eigensolver", "tolerance", "stabilization", "depth", "cube-scale",

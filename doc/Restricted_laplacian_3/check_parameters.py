@@ -28,11 +28,11 @@ CONSTANTS = (
 # What has a default in Python, or an option in a program, and is no named parameter of C++: data, places
 # and files; what is returned and shown; and numbers that C++ takes as arguments. `threads` is the
 # `concurrency_tag` of CGAL, which is a type.
-PYTHON_ONLY = """areas as_spline barycentric boundary check colors count data energies exact F f faces first fwhm
+PYTHON_ONLY = """anisotropy areas as_spline barycentric boundary check colors count data energies exact F f faces first fwhm
     guess height isolines labels level lines longest_side mask name names normalization normals number orthonormal
     patterns points processes range refine report return_report scaled scans segments sigma sources stabilize_mass
     start subdivisions threads time times title u0 up v values vertex_normals""".split()
-PROGRAMS_ONLY = """assembly beside boundary boundary-property clip column columns compare count csv density-property
+PROGRAMS_ONLY = """anisotropy assembly beside boundary boundary-property clip column columns compare count csv density-property
     descriptor diffusion-property eigenfunction energy exact exposure-range exposures farthest field-of-view
     flux-property frame fwhm help html isolines leave-out light lines no-legend noise normalization normals operator
     output overwrite path pattern points poses property quiet range refine resolution rhs rhs-property scaled show

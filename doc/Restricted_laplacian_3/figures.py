@@ -459,6 +459,21 @@ for name, value, text, methods in [
     add_table("python_" + name, "python_peers", ["mesh", "vertices", "method", "eigs_s"],
               {"Mesh": "mesh"}, of({m: PYTHON[m] if len(methods) > 4 else PYTHON[m].split(",")[0] for m in methods}),
               value, text, 1, None, lambda r, m=methods: r["method"] in m)
+CORTEX = {"neuromodes": "neuromodes", "depth_5": "this, depth 5", "depth_6": "this, depth 6", "depth_7": "this, depth 7",
+          "linear": "linear elements", "restricted": "this", "restricted_1e-2": "this, tolerance 1e-2",
+          **{f"steps_{n}": f"linear elements, {n} step" + "s" * (n > 1) for n in (1, 16, 64, 256)}}
+OPERATORS = {"laplacian": "Laplacian", "myelin": "with the map as diffusion"}
+MODES = ["operator", "method", "modes_s"]
+for name, value, text in [("errors", "divided_mean", error), ("seconds", "modes_s", seconds)]:
+    add_table("cortex_" + name, "cortex_peers", MODES, {"Operator": of(OPERATORS, "operator")}, of(CORTEX), value, text)
+add_table("cortex_meshes", "cortex_peers", ["diffusion", "mesh", "method", "change_mean"],
+          {"Diffusion": "diffusion", "Mesh": "mesh"}, of(CORTEX), "change_mean", error, 2)
+add_table("cortex_widths", lambda: [Row(r, column=title, value=r[column]) for column, title in (
+    ("deviation_mean", "mean deviation from 10 mm"), ("deviation_max", "largest"),
+    ("from_256", "mean from 256 steps")) for r in rows("cortex_peers", "width", "method", "deviation_mean")],
+          [], {"Method": of(CORTEX)}, "column", "value", error)
+add_table("cortex_smoothing", "cortex_peers", ["channels", "method", "smoothing_s"],
+          {"Method": of(CORTEX)}, lambda r: f"{r['channels']} channel" + "s" * (r["channels"] > 1), "smoothing_s", seconds)
 
 
 # ---- distances

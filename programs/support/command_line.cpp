@@ -66,6 +66,9 @@ void add_material_options(po::options_description& description, Common_options& 
       "along the surface counts");
   add("density-property", po::value(&o.space.density_property)->value_name("NAME"),
       "the density, a vertex property of MESH, positive, with which integrals are weighted");
+  add("anisotropy", po::value(&o.space.anisotropy)->value_name("A"),
+      "in place of a diffusion: factors exp(-A |k|) along each principal direction, where k is the "
+      "curvature along the other one; A is a length");
 }
 
 void add_accuracy_option(po::options_description& description, const std::string& what,
@@ -291,6 +294,11 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
   require(!o.quiet || !(o.verbose || o.progress), "--quiet excludes --verbose and --progress");
   if(given.count("assembly"))
     check_integration_options(o, given);
+  require_not_negative(given, "anisotropy");
+  require(o.space.anisotropy < 0 || o.space.diffusion_property.empty(),
+          "give --anisotropy or --diffusion-property, not both");
+  require(o.space.anisotropy < 0 || !o.space.accuracy,
+          "--anisotropy follows the curvature in a space: it needs --depth, no --accuracy");
   require_positive(given, "threads", o.threads);
   require(given.count("refine") == 0 || (o.refine >= 1 && o.refine <= 64),
           "the argument of --refine must lie between 1 and 64");

@@ -34,6 +34,7 @@ struct Space_options {
   std::string geometry = "flat";
   double crease_angle = 40;
   std::string diffusion_property, density_property; // of the mesh; none: 1
+  double anisotropy = -1;                           // none
 };
 
 struct Common_options {

@@ -17,6 +17,7 @@
 #include <CGAL/Restricted_laplacian_3/patches/Smooth_geometry.h>
 #include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
 #include <CGAL/Restricted_laplacian_3/patches/smooth_vertex_data.h>
+#include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_patches.h>
@@ -136,7 +137,12 @@ inline RL::Spline_space_3 make_space(const RL::Triangulated_surface_3& surface,
           .split(surface.is_point_set() ? o.space.split_point_set : o.space.split)
           .concurrency_tag(CGAL::Parallel_if_available_tag());
   options.material = material(surface, o);
-  const RL::Spline_space_3 space(surface, options);
+  RL::Spline_space_3 space(surface, options);
+  if(o.space.anisotropy >= 0) {
+    options.material.set_diffusion(RL::curvature_diffusion(
+        RL::estimate_curvature(space.with_material({})), {o.space.anisotropy, o.space.anisotropy}));
+    space = space.with_material(options.material);
+  }
   if(o.assembly != "monte-carlo")
     return space;
   return space.integrated_by(RL::Monte_carlo(

@@ -6,7 +6,7 @@
 All functions take the surface as `V` and `F`, as `Space` does (a mesh object, or points with
 ``normals=`` and None for `F`), or a `Space` as `V` and None for `F`. They share these arguments:
 
-depth, joining_tolerance, geometry, vertex_data, diffusion, density : of `Space`.
+depth, joining_tolerance, geometry, vertex_data, diffusion, anisotropy, density : of `Space`.
 threads : int, optional
     All processors by default. Results do not depend on it.
 progress : bool or callable
@@ -87,7 +87,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
                   cycle: str = "v", smoother: str = "patch", maximum_iterations: Optional[int] = None,
                   normals: Any = None, depth: Optional[int] = None,
                   joining_tolerance: Optional[float] = None, geometry: Any = None,
-                  diffusion: Any = None, density: Any = None,
+                  diffusion: Any = None, anisotropy: Any = None, density: Any = None,
                   vertex_data: Optional[str] = None, threads: Optional[int] = None,
                   progress: Progress = None, check: bool = True, return_report: bool = False,
                   as_spline: bool = False) -> Any:
@@ -101,7 +101,7 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, anisotropy, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     f : array_like or callable
@@ -171,7 +171,8 @@ def solve_poisson(V: Any, F: Any = None, f: Any = None, *, boundary_values: Any 
     return _solve(V, F, f, 0, boundary_values, boundary_flux, constraints, constraint_weight,
                   accuracy, options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
-                       geometry=geometry, diffusion=diffusion, density=density, vertex_data=vertex_data),
+                       geometry=geometry, vertex_data=vertex_data, diffusion=diffusion, anisotropy=anisotropy,
+                       density=density),
                   threads, progress, check, return_report, as_spline)
 
 
@@ -185,7 +186,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
                            smoother: str = "patch", maximum_iterations: Optional[int] = None,
                            normals: Any = None, depth: Optional[int] = None,
                            joining_tolerance: Optional[float] = None, geometry: Any = None,
-                           diffusion: Any = None, density: Any = None,
+                           diffusion: Any = None, anisotropy: Any = None, density: Any = None,
                            vertex_data: Optional[str] = None, threads: Optional[int] = None,
                            progress: Progress = None, check: bool = True,
                            return_report: bool = False, as_spline: bool = False) -> Any:
@@ -195,7 +196,7 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, anisotropy, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     f : array_like or callable
@@ -244,7 +245,8 @@ def solve_screened_poisson(V: Any, F: Any = None, f: Any = None, alpha: Any = No
     return _solve(V, F, f, alpha, boundary_values, boundary_flux, constraints, constraint_weight,
                   accuracy, options,
                   dict(normals=normals, depth=depth, joining_tolerance=joining_tolerance,
-                       geometry=geometry, diffusion=diffusion, density=density, vertex_data=vertex_data),
+                       geometry=geometry, vertex_data=vertex_data, diffusion=diffusion, anisotropy=anisotropy,
+                       density=density),
                   threads, progress, check, return_report, as_spline)
 
 
@@ -264,7 +266,7 @@ def diffuse(V: Any, F: Any = None, u0: Any = None, time: Optional[float] = None,
             tolerance: Optional[float] = None, stabilization: Optional[float] = None,
             maximum_iterations: Optional[int] = None, normals: Any = None, depth: Optional[int] = None,
             joining_tolerance: Optional[float] = None, geometry: Any = None, vertex_data: Optional[str] = None,
-            diffusion: Any = None, density: Any = None, threads: Optional[int] = None,
+            diffusion: Any = None, anisotropy: Any = None, density: Any = None, threads: Optional[int] = None,
             progress: Progress = None, check: bool = True, return_report: bool = False,
             as_spline: bool = False) -> Any:
     """Diffusion in time: what functions become, du/dt = Laplacian u + source_term.
@@ -275,7 +277,7 @@ def diffuse(V: Any, F: Any = None, u0: Any = None, time: Optional[float] = None,
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, anisotropy, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     u0 : array_like or callable
@@ -331,7 +333,8 @@ def diffuse(V: Any, F: Any = None, u0: Any = None, time: Optional[float] = None,
     """
     own_time = _time(time, fwhm)
     space = space_of(V, F, threads, accuracy, normals=normals, depth=depth, joining_tolerance=joining_tolerance,
-                     geometry=geometry, vertex_data=vertex_data, diffusion=diffusion, density=density)
+                     geometry=geometry, vertex_data=vertex_data, diffusion=diffusion, anisotropy=anisotropy,
+                     density=density)
     initial = space._function(u0, "u0")
     supply, boundary = (None if g is None else space._function(g, name) for g, name in
                         ((source_term, "source_term"), (boundary_values, "boundary_values")))
@@ -418,7 +421,7 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
                  stabilization: Optional[float] = None, maximum_iterations: Optional[int] = None,
                  normals: Any = None, depth: Optional[int] = None,
                  joining_tolerance: Optional[float] = None, geometry: Any = None,
-                 diffusion: Any = None, density: Any = None,
+                 diffusion: Any = None, anisotropy: Any = None, density: Any = None,
                  vertex_data: Optional[str] = None, threads: Optional[int] = None,
                  progress: Progress = None, check: bool = True, return_report: bool = False,
                  as_spline: bool = False) -> Any:
@@ -426,7 +429,7 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, anisotropy, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     f : array_like or callable
@@ -469,7 +472,8 @@ def fit_function(V: Any, F: Any = None, f: Any = None, *, smoothing: float = 0, 
     True
     """
     space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion, density=density,
+                     joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion,
+                     anisotropy=anisotropy, density=density,
                      vertex_data=vertex_data)
     own = space._function(f, "f")
     options = solver_options(tolerance, energy_tolerance, stabilization,
@@ -586,7 +590,7 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
                        stabilization: Optional[float] = None, maximum_iterations: Optional[int] = None,
                        normals: Any = None, depth: Optional[int] = None,
                        joining_tolerance: Optional[float] = None, geometry: Any = None,
-                       diffusion: Any = None, density: Any = None,
+                       diffusion: Any = None, anisotropy: Any = None, density: Any = None,
                        vertex_data: Optional[str] = None, threads: Optional[int] = None,
                        progress: Progress = None, check: bool = True,
                        return_report: bool = False) -> Any:
@@ -594,7 +598,7 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, density : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, vertex_data, diffusion, anisotropy, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     v : array_like or callable
@@ -642,7 +646,8 @@ def integrate_gradient(V: Any, F: Any = None, v: Any = None, *, target: Any = No
     True
     """
     space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion, density=density,
+                     joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion,
+                     anisotropy=anisotropy, density=density,
                      vertex_data=vertex_data)
     field = space._function(v, "v", True)
     own_target = None if target is None else space._function(target, "target")

@@ -183,6 +183,15 @@ def cotangent_operators(V: Any, F: Any = None, *, lumped_mass: bool = False) -> 
 
 
 @shown("depth", "dimension", "number_of_vertices", "number_of_faces", "components", "area")
+def _tensors(directions: Any, factors: Any) -> np.ndarray:
+    """Symmetric matrices with two factors along two directions."""
+    d, w = numbers(directions, "diffusion", np.float64), numbers(factors, "diffusion", np.float64)
+    if d.ndim != 3 or d.shape[1:] != (2, 3) or w.shape != d.shape[:2]:
+        raise argument_error("diffusion", "of two directions must be a pair of arrays (n, 2, 3) and (n, 2), and these "
+                             f"are {d.shape} and {w.shape}")
+    return np.einsum("nk,nki,nkj->nij", w / (d ** 2).sum(axis=2), d, d)
+
+
 class Space:
     """B-splines of degree 2 on an octree, restricted to a surface.
 
@@ -225,7 +234,13 @@ class Space:
     diffusion : float, array_like or callable, optional
         D of the operator -div(D grad u) / rho, 1 by default: a positive number; (n,) at vertices or (m,) on
         faces; a symmetric matrix at each, (n, 3, 3) or (m, 3, 3), of which the part along the surface counts,
-        which is positive definite; or a callable that takes points (N, 3) and returns (N,) or (N, 3, 3).
+        which is positive definite; or a callable that takes points (N, 3) and returns (N,) or (N, 3, 3). Or a pair
+        of directions, (n, 2, 3) or (m, 2, 3), tangential and orthogonal to each other, and of the factors along
+        them, (n, 2) or (m, 2).
+    anisotropy : float or pair of floats, optional
+        In place of the diffusion: factors exp(-a |k|) along each principal direction, where k is the curvature
+        along the other one; a is a length, 0 gives 1. Of a pair the first is for the direction of the larger
+        curvature. The curvature is that of `curvature` in this space.
     density : float, array_like or callable, optional
         rho of it, positive, 1 by default. Integrals have this weight: mass matrices and loads.
     maximum_memory : float, optional
@@ -264,7 +279,7 @@ class Space:
                  cube_scale: Optional[float] = None, joining_tolerance: Optional[float] = None,
                  split: Optional[bool] = None, paper: bool = False, geometry: Any = None,
                  vertex_data: Optional[str] = None, crease_angle: float = 40,
-                 vertex_normals: Any = None, diffusion: Any = None, density: Any = None,
+                 vertex_normals: Any = None, diffusion: Any = None, anisotropy: Any = None, density: Any = None,
                  maximum_memory: Optional[float] = None,
                  threads: Optional[int] = None) -> None:
         self._threads = number_of_threads(threads)
@@ -293,30 +308,40 @@ class Space:
         depth = _checked_depth(depth)
         self._space = _core.Space.make(self._surface, depth, cube_scale, joining_tolerance, split,
                                        bool(paper), maximum_memory, self._threads)
-        self._set_material(diffusion, density)
+        self._set_material(diffusion, anisotropy, density)
         self._options = dict(
             depth=depth, cube_scale=cube_scale, joining_tolerance=joining_tolerance, split=split, paper=paper,
             geometry=geometry, vertex_data=vertex_data, crease_angle=crease_angle,
             vertex_normals=vertex_normals,
-            diffusion=diffusion, density=density, maximum_memory=maximum_memory, threads=threads)
+            diffusion=diffusion, anisotropy=anisotropy, density=density, maximum_memory=maximum_memory, threads=threads)
 
     def __reduce__(self) -> tuple:
         points, faces, normals, areas = surface_state(self._flat or self._surface)
         of_points = dict(normals=normals, areas=areas) if faces is None else {}
         return _made_again, (Space, (points, faces), dict(of_points, **self._options))
 
-    def _set_material(self, diffusion: Any, density: Any) -> None:
+    def _set_material(self, diffusion: Any, anisotropy: Any, density: Any) -> None:
+        if isinstance(diffusion, tuple) and len(diffusion) == 2:
+            diffusion = _tensors(*diffusion)
         matrices = diffusion is not None and not callable(diffusion) and np.ndim(diffusion) == 3
+        lengths = None
+        if anisotropy is not None:
+            if diffusion is not None:
+                raise argument_error("anisotropy", "is in place of a diffusion, which is given")
+            lengths = numbers(anisotropy, "anisotropy", np.float64).ravel()
+            if len(lengths) not in (1, 2):
+                raise argument_error("anisotropy", f"must be one number or two, and is {len(lengths)}")
+            lengths = [float(lengths[0]), float(lengths[-1])]
         self._space = self._space.with_material(
             None if diffusion is None else self._function(diffusion, "diffusion", bool(matrices)),
-            None if density is None else self._function(density, "density"))
+            None if density is None else self._function(density, "density"), lengths)
 
-    def with_material(self, *, diffusion: Any = None, density: Any = None) -> "Space":
+    def with_material(self, *, diffusion: Any = None, anisotropy: Any = None, density: Any = None) -> "Space":
         """The same space of another material, which shares all but what depends on it.
 
         Parameters
         ----------
-        diffusion, density : as for Space
+        diffusion, anisotropy, density : as for Space
             Of the operator -div(D grad u) / rho; 1 by default, also if this space has others.
 
         Returns
@@ -334,8 +359,8 @@ class Space:
         True
         """
         result = copy.copy(self)
-        result._set_material(diffusion, density)
-        result._options = dict(self._options, diffusion=diffusion, density=density)
+        result._set_material(diffusion, anisotropy, density)
+        result._options = dict(self._options, diffusion=diffusion, anisotropy=anisotropy, density=density)
         return result
 
     def _with(self, space: Any) -> "Space":
@@ -829,6 +854,8 @@ def space_of(V: Any, F: Any, threads: Optional[int], accuracy: Optional[float] =
     """A space, or the one that is given; with an accuracy the first one of the search for it."""
     if not isinstance(V, Space):
         if accuracy is not None:
+            if options.get("anisotropy") is not None:
+                raise argument_error("anisotropy", "follows the curvature in a space: it needs a depth, no accuracy")
             given = options.get("depth")
             options["depth"] = lambda surface: _core.first_depth_of_search(surface, _checked_depth(given))
         return Space(V, F, threads=threads, **options)  # type: ignore[no-any-return,unused-ignore]

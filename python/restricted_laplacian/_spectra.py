@@ -95,7 +95,8 @@ def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str
                      stabilization: Optional[float] = None, normals: Any = None,
                      depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
                      geometry: Any = None,
-                     diffusion: Any = None, density: Any = None, threads: Optional[int] = None, progress: Progress = None,
+                     diffusion: Any = None, anisotropy: Any = None, density: Any = None,
+                     threads: Optional[int] = None, progress: Progress = None,
                      check: bool = True, return_report: bool = False) -> Any:
     """The smallest eigenvalues of minus the Laplacian, and eigenfunctions.
 
@@ -103,7 +104,7 @@ def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, diffusion, density : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, diffusion, anisotropy, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     count : int, default 50
@@ -164,7 +165,8 @@ def laplace_spectrum(V: Any, F: Any = None, count: int = 50, *, eigensolver: str
     if orthonormal not in ("surface", "vertices"):
         raise argument_error("orthonormal", f"must be surface or vertices, and is {orthonormal!r}")
     space = space_of(V, F, threads, accuracy, normals=normals, depth=depth,
-                     joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion, density=density)
+                     joining_tolerance=joining_tolerance, geometry=geometry, diffusion=diffusion,
+                     anisotropy=anisotropy, density=density)
     if orthonormal == "vertices" and space._options["density"] is not None:
         raise argument_error("orthonormal", "must be surface where there is a density")
     last, values, at_vertices, vectors, area, errors, extrapolated, report = _core.eigenpairs(
@@ -204,14 +206,15 @@ def _orthonormal_at_vertices(space: Space, functions: np.ndarray, coefficients: 
 def eigs(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto", orthonormal: str = "surface",
          accuracy: Optional[float] = None, tolerance: Optional[float] = None, maximum_iterations: Optional[int] = None,
          stabilization: Optional[float] = None, normals: Any = None, depth: Optional[int] = None,
-         joining_tolerance: Optional[float] = None, geometry: Any = None, diffusion: Any = None, density: Any = None,
+         joining_tolerance: Optional[float] = None, geometry: Any = None, diffusion: Any = None,
+         anisotropy: Any = None, density: Any = None,
          threads: Optional[int] = None, progress: Progress = None,
          check: bool = True, return_report: bool = False) -> Any:
     """The smallest eigenvalues of minus the Laplacian, and eigenfunctions at the vertices.
 
     Parameters
     ----------
-    V, F, normals, depth, joining_tolerance, geometry, diffusion, density : as for Space
+    V, F, normals, depth, joining_tolerance, geometry, diffusion, anisotropy, density : as for Space
         The surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
         `Space` as `V` alone.
     count : int, default 50
@@ -249,7 +252,7 @@ def eigs(V: Any, F: Any = None, count: int = 50, *, eigensolver: str = "auto", o
     s = laplace_spectrum(V, F, count, eigensolver=eigensolver, orthonormal=orthonormal, accuracy=accuracy,
                          tolerance=tolerance, maximum_iterations=maximum_iterations,
                          stabilization=stabilization, normals=normals, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry,
-                         diffusion=diffusion, density=density,
+                         diffusion=diffusion, anisotropy=anisotropy, density=density,
                          threads=threads, progress=progress, check=check)
     pairs = s.eigenvalues, s.vertex_values
     return (pairs, s.report) if return_report else pairs

@@ -101,9 +101,9 @@ thread_local Recording::Current Recording::current;
 class Recording_with_moments : public Recording {
 public:
   using Recording::Recording;
-  void add_moments(std::size_t sheet, const RL::internal::Face_weight* weight,
+  void add_moments(std::size_t sheet, const RL::internal::Factors_of_face* factors,
                    RL::internal::Sheet_integrals& integrals) const {
-    m_base.add_moments(sheet, weight, integrals);
+    m_base.add_moments(sheet, factors, integrals);
   }
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Restricted_laplacian_3/input/point_areas.h>
 #include <CGAL/Restricted_laplacian_3/integration/Surface_material.h>
 #include <CGAL/Restricted_laplacian_3/patches/curved_surface.h>
+#include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
@@ -22,10 +23,12 @@
 #include <CGAL/Restricted_laplacian_3/surface/shared/Surface_builder.h>
 #include <CGAL/Restricted_laplacian_3/surface/vertex_normals.h>
 
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -250,12 +253,20 @@ RL::Spline_space_3 make_space(const Surface& surface, std::optional<int> depth,
 }
 
 // The same space for another material. Callables are called for all nodes at once, in this space.
+// With an anisotropy the diffusion follows the curvature of the surface.
 RL::Spline_space_3 with_material(const RL::Spline_space_3& space,
                                  const std::shared_ptr<Function>& diffusion,
-                                 const std::shared_ptr<Function>& density) {
-  if(!diffusion && !density)
+                                 const std::shared_ptr<Function>& density,
+                                 std::optional<std::array<double, 2>> anisotropy) {
+  if(!diffusion && !density && !anisotropy)
     return space.with_material({});
   RL::Surface_material material;
+  if(anisotropy)
+    run(space.options().is_parallel ? 0 : 1, nb::none(), [&](const auto&) {
+      material.set_diffusion(
+          RL::curvature_diffusion(RL::estimate_curvature(space.with_material({})), *anisotropy));
+      return true;
+    });
   if(diffusion) {
     check_function(*diffusion, space.surface(), "diffusion");
     material.set_diffusion(Shared_function{diffusion});
@@ -476,7 +487,8 @@ void add_surfaces(nb::module_& m) {
       .def_static("make", &make_space, "surface"_a, "depth"_a.none(), "cube_scale"_a.none(),
                   "joining_tolerance"_a.none(), "split"_a.none(), "paper"_a,
                   "maximum_memory"_a.none(), "threads"_a)
-      .def("with_material", &with_material, "diffusion"_a.none(), "density"_a.none())
+      .def("with_material", &with_material, "diffusion"_a.none(), "density"_a.none(),
+           "anisotropy"_a.none())
       .def_prop_ro("depth", &Space::depth)
       .def_prop_ro("dimension", nb::overload_cast<>(&Space::dimension, nb::const_))
       .def("dimension_of_level",

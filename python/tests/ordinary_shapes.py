@@ -392,6 +392,40 @@ def screened(shape: Shape) -> float:
     return float(np.abs(u - 1).max() / 5e-3)
 
 
+def diffusion(shape: Shape) -> float:
+    """Until about a third is left of what decays most slowly."""
+    if shape.rectangle and shape.to_plane:
+        decay = (np.pi / shape.rectangle[0]) ** 2
+        u0 = lambda p: np.cos(np.pi * shape.to_plane(p)[:, 0] / shape.rectangle[0])  # noqa: E731
+    elif shape.radius and shape.size >= 3:
+        decay, u0 = 2, lambda p: p[:, 2]
+    elif shape.family == "cylinder":
+        height = shape.V[:, 2].max()
+        decay, u0 = (np.pi / height) ** 2, lambda p: np.cos(np.pi * p[:, 2] / height)
+    else:  # odd functions remain odd, and constants what they are
+        axis = shape.mirror_axes[-1] if shape.mirror_axes else 2
+        middle = (shape.V[:, axis].max() + shape.V[:, axis].min()) / 2
+        u0 = lambda p: np.stack([p[:, axis] - middle, 1 + 0 * p[:, 0]], 1)  # noqa: E731
+        u = rl.diffuse(shape.V, shape.F, u0, 0.05 * shape.extent ** 2)
+        finite("u", u)
+        odd = symmetry(shape, u[:, 0], axis, -1) / 0.05 if shape.mirror_axes else 0.0
+        return max(odd, float(np.abs(u[:, 1] - 1).max() / 1e-9))
+    u = rl.diffuse(shape.V, shape.F, u0, 1 / decay)
+    finite("u", u)
+    return float(np.abs(u - np.exp(-1) * u0(shape.V)).max() / 0.02)
+
+
+def anisotropic(shape: Shape) -> float:
+    a = shape.extent / 10
+    values = rl.eigs(shape.V, shape.F, 7, anisotropy=a)[0]
+    finite("eigenvalues", values)
+    if shape.rectangle or shape.radius and shape.size >= 3:
+        factor = np.exp(-a * shape.radius)
+        plain = rl.eigs(shape.V, shape.F, 7)[0]
+        return float(np.abs(values - factor * plain).max() / (0.03 * factor * plain.max()))
+    return 0.0
+
+
 def spectrum(shape: Shape, k: int = 7) -> float:
     values = rl.eigs(shape.V, shape.F, k)[0]
     finite("eigenvalues", values)
@@ -469,6 +503,7 @@ def exact_distance(shape: Shape) -> float:
 
 APPLICATIONS: Dict[str, Callable] = {
     "poisson": poisson, "screened": screened, "fit": fit, "curvature": curvature, "gradient": gradient,
+    "diffusion": diffusion, "anisotropic": anisotropic,
     "distance": distance, "exact_distance": exact_distance,
     **{f"spectrum_{k}": lambda shape, k=k: spectrum(shape, k) for k in (7, 20, 31, 64, 128)}}
 

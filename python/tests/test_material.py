@@ -77,6 +77,47 @@ def test_spaces_share_what_does_not_change(mesh):
     assert np.allclose(x.T @ (M @ x), np.eye(6), atol=1e-8)
 
 
+def test_two_directions(mesh):
+    V, F = mesh
+    n = V / np.linalg.norm(V, axis=1, keepdims=True)
+    first = np.cross(n, [0.3, 0.4, 0.5])
+    directions = np.stack([3 * first, np.cross(n, first)], axis=1)
+    factors = np.tile([4.0, 4.0], (len(V), 1))
+    values = rl.eigs(V, F, 6, depth=DEPTH, diffusion=(directions, factors))[0]
+    assert np.allclose(values[1:], 4 * rl.eigs(V, F, 6, depth=DEPTH)[0][1:], rtol=0.02)
+    factors[:, 1] = 1
+    assert rl.eigs(V, F, 2, depth=DEPTH, diffusion=(directions, factors))[0][1] < 0.9 * values[1]
+    for bad in ((directions[:, 0], factors), (directions, factors[1:]), (directions[1:], factors[1:])):
+        with pytest.raises(rl.InputError, match="diffusion"):
+            rl.Space(V, F, depth=DEPTH, diffusion=bad)
+
+
+def test_anisotropy(mesh):
+    V, F = mesh
+    space = rl.Space(V, F, depth=DEPTH)
+    plain = rl.eigs(space, count=5)[0]
+    for a in (0.0, 0.7, (0.7, 0.7)):  # the curvature of the unit sphere is 1
+        values = rl.eigs(V, F, 5, depth=DEPTH, anisotropy=a)[0]
+        assert np.allclose(values[1:], np.exp(-np.max(a)) * plain[1:], rtol=0.01)
+        again = space.with_material(anisotropy=a)
+        assert np.array_equal(rl.eigs(again, count=5)[0], values)
+        assert np.array_equal(rl.eigs(pickle.loads(pickle.dumps(again)), count=5)[0], values)
+    u = rl.solve_poisson(V, F, V[:, 2], depth=DEPTH)
+    assert np.allclose(rl.solve_poisson(V, F, V[:, 2], depth=DEPTH, anisotropy=0.7), np.exp(0.7) * u, atol=0.02)
+    both = rl.Space(V, F, depth=DEPTH, anisotropy=0.7, density=2)
+    assert np.allclose(rl.eigs(both, count=5)[0][1:], values[1:] / 2, rtol=1e-3)
+    points = rl.icosphere(4)[0]
+    of_points = [rl.eigs(points, normals=points, count=5, depth=3, anisotropy=a)[0] for a in (0, 0.7)]
+    assert np.allclose(of_points[1][1:], np.exp(-0.7) * of_points[0][1:], rtol=0.03)
+    for bad in (-1.0, np.nan, (1.0, np.inf), (1, 2, 3)):
+        with pytest.raises(rl.InputError, match="anisotropy"):
+            rl.Space(V, F, depth=DEPTH, anisotropy=bad)
+    with pytest.raises(rl.InputError, match="anisotropy"):
+        rl.Space(V, F, depth=DEPTH, anisotropy=1.0, diffusion=1.0)
+    with pytest.raises(rl.InputError, match="anisotropy.*depth"):
+        rl.eigs(V, F, 4, accuracy=0.01, anisotropy=1.0)
+
+
 def test_threads_do_not_matter(mesh):
     V, F = mesh
     one, two = (rl.solve_poisson(V, F, V[:, 0], depth=DEPTH, diffusion=coefficient, density=matrices(V)[:, 0, 0],

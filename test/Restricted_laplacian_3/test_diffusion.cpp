@@ -118,6 +118,43 @@ TEST_CASE("diffusion_has_the_tolerance_that_is_asked_for", "[diffusion]") {
   }
 }
 
+TEST_CASE("factor_and_multigrid_of_diffusion_agree", "[diffusion]") {
+  // with threads, too, and with a boundary, and where there is no factor
+  const Triangles t = shapes::grid(12, [](double x, double y) { return RL::Point_3(x, y, x * y); });
+  const RL::Spline_space_3 space(RL::soup(t.points, t.faces), params::depth(4)),
+      parallel(RL::soup(t.points, t.faces),
+               params::depth(4).concurrency_tag(CGAL::Parallel_if_available_tag()));
+  const auto f = [](const RL::Surface_point& p) {
+    Eigen::Matrix<double, 19, 1> values; // more than are diffused at once
+    for(int k = 0; k < values.size(); ++k)
+      values[k] = std::cos(k * p.point.x()) + p.point.y();
+    return values;
+  };
+  const auto one = [](const RL::Surface_point&) { return 1.; };
+  const auto first = [&](const RL::Surface_point& p) { return f(p)[1]; };
+  const RL::Surface_function_view boundary_values(one);
+  for(const bool is_prescribed : {false, true}) {
+    RL::Diffusion_options options = params::tolerance(1e-9);
+    const auto apply = [&](const RL::Spline_space_3& in, bool factorize) {
+      options.factorize = factorize;
+      const RL::Diffusion_solver solver(in, 0.02, options,
+                                        is_prescribed ? &boundary_values : nullptr);
+      const RL::Diffused_functions u = is_prescribed ? solver.diffuse(first) : solver.diffuse(f);
+      CHECK(u.converged);
+      return u.coefficients;
+    };
+    const Eigen::MatrixXd of_factor = apply(space, true);
+    CHECK(apply(parallel, true) == of_factor);
+    CHECK((apply(space, false) - of_factor).cwiseAbs().maxCoeff() <
+          2e-5 * of_factor.cwiseAbs().maxCoeff());
+  }
+  RL::Diffusion_options options;
+  options.factorize = true;
+  options.stabilization = 0;
+  const RL::Spline_space_3 paper(RL::soup(t.points, t.faces), params::depth(4).paper(true));
+  CHECK(RL::Diffusion_solver(paper, 0.02, options).diffuse(f).coefficients.allFinite());
+}
+
 TEST_CASE("diffusion_keeps_means_and_signs", "[diffusion]") {
   // two spheres, far from each other, and a density
   const Triangles both =

@@ -118,6 +118,77 @@ TEST_CASE("coefficients_are_the_same_however_they_are_given", "[material]") {
                          solution(params::depth(4).diffusion(in_faces).density(in_faces))) < 1e-9);
 }
 
+TEST_CASE("tensor_of_two_directions", "[material]") {
+  const RL::Symmetric_tensor_3 tensor = RL::directional_tensor(
+      {RL::Vector_3(0, 3, 4), RL::Vector_3(-2, 0, 0)}, {5, 0.25}); // of any length
+  const RL::Symmetric_tensor_3 expected = {0.25, 5 * 0.36, 5 * 0.64, 0, 0, 5 * 0.48};
+  for(int k = 0; k < 6; ++k)
+    CHECK(std::abs(tensor[k] - expected[k]) < 1e-15);
+}
+
+TEST_CASE("diffusion_that_follows_the_curvature", "[material]") {
+  // a cylinder of radius 1 and height 2, open at both ends: 1 around it, e^-a along it
+  const Triangles t = shapes::grid(48, [](double x, double y) {
+    return RL::Point_3(std::cos(2 * pi * x), std::sin(2 * pi * x), 2 * y);
+  });
+  Triangles turned = t;
+  for(auto& face : turned.faces)
+    std::swap(face[0], face[1]);
+  const double a = 1;
+  const auto eigenvalue = [&](int around, int along) {
+    return around * around + std::exp(-a) * std::pow(along * pi / 2, 2);
+  };
+  for(const Triangles& cylinder : {t, turned}) {
+    const RL::Spline_space_3 space(RL::soup(cylinder.points, cylinder.faces),
+                                   params::depth(4).joining_tolerance(1e-9));
+    RL::Surface_material material;
+    // the first number has no effect where one curvature is 0
+    material.set_diffusion(RL::curvature_diffusion(RL::estimate_curvature(space), {7, a}));
+    REQUIRE(material.is_constant_on_faces());
+    REQUIRE(!material.has_density());
+    const Eigen::VectorXd values =
+        RL::laplace_spectrum(space.with_material(material), 8).eigenvalues;
+    const std::array<double, 8> expected = {0,
+                                            eigenvalue(0, 1),
+                                            eigenvalue(1, 0),
+                                            eigenvalue(1, 0),
+                                            eigenvalue(1, 1),
+                                            eigenvalue(1, 1),
+                                            eigenvalue(0, 2),
+                                            eigenvalue(2, 0)};
+    for(int i = 1; i < 8; ++i) {
+      INFO(i << ": " << values[i] << " and " << expected[i]);
+      CHECK(std::abs(values[i] / expected[i] - 1) < 0.01);
+    }
+  }
+  // on a sphere all directions are alike, and in a plane nothing changes
+  const Triangles ball = shapes::sphere(4);
+  for(const auto& [shape, factor] : {std::pair(ball, std::exp(-0.5)), std::pair(square(8), 1.)}) {
+    const RL::Spline_space_3 space(RL::soup(shape.points, shape.faces), params::depth(4));
+    RL::Surface_material material;
+    material.set_diffusion(RL::curvature_diffusion(RL::estimate_curvature(space), {0.5, 0.5}));
+    const Eigen::VectorXd plain = RL::laplace_spectrum(space, 5).eigenvalues,
+                          values =
+                              RL::laplace_spectrum(space.with_material(material), 5).eigenvalues;
+    CHECK(largest_relative(values, factor * plain) < 2e-3);
+  }
+  const RL::Spline_space_3 space(RL::soup(ball.points, ball.faces), params::depth(3));
+  const RL::Curvature_field curvature = RL::estimate_curvature(space);
+  CHECK_THROWS_WITH(RL::curvature_diffusion(curvature, {-1, 0}), Catch::Contains("anisotropy"));
+  CHECK_THROWS_WITH(
+      RL::curvature_diffusion(curvature, {0, std::numeric_limits<double>::quiet_NaN()}),
+      Catch::Contains("anisotropy"));
+  CHECK_THROWS_AS(
+      RL::curvature_diffusion(
+          RL::estimate_curvature(space, params::method(RL::Curvature_method::coordinates)), {1, 1}),
+      RL::Input_error);
+  // factors have a lower bound
+  const RL::Face_function<RL::Symmetric_tensor_3> smallest =
+      RL::curvature_diffusion(curvature, {1e6, 1e6});
+  for(const RL::Symmetric_tensor_3& d : smallest.values())
+    REQUIRE(d[0] + d[1] + d[2] > 1.9e-4);
+}
+
 TEST_CASE("density_does_not_change_harmonic_functions", "[material]") {
   const Triangles t = square(20);
   const RL::Spline_space_3 space(RL::soup(t.points, t.faces), params::depth(5));

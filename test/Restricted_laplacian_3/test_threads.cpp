@@ -241,8 +241,8 @@ TEST_CASE("vectors_compute_what_plain_code_computes", "[threads]") {
       }
       const auto metric = RL::tangent_projector(RL::Vector_3(0.48, 0.6, 0.64));
       const int degree = lane % 2 == 0 ? 12 : 10;
-      plain::add_fragment(fragment, {2, 3, 4}, metric, a[lane], 0.7, degree);
-      lanes::add_fragment(fragment, {2, 3, 4}, metric, b[lane], 0.7, degree);
+      plain::add_fragment(fragment, {2, 3, 4}, metric, a[lane], 0.7, 1.3, degree);
+      lanes::add_fragment(fragment, {2, 3, 4}, metric, b[lane], 0.7, 1.3, degree);
     }
     CHECK(difference(a[lane], b[lane]) <= 1e-15);
   }

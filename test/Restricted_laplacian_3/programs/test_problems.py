@@ -171,6 +171,12 @@ def test_material():
     fails("density.*not positive.*face", "solve_poisson material.ply --depth 3 --rhs z --density-property bad")
     fails("no vertex property 'e'", f"{plain} --diffusion-property e --overwrite")
     fails("restricted", f"{plain} --operator cotangent --density-property half --overwrite")
+    # the curvature of the unit sphere is 1
+    succeeds(f"{plain} --anisotropy 0.7 --overwrite")
+    assert np.array(Table("s.csv")[1])[1:] == pytest.approx(np.exp(-0.7) * expected, rel=0.05)
+    fails("anisotropy", f"{plain} --anisotropy -1 --overwrite")
+    fails("anisotropy.*not both", f"{plain} --anisotropy 1 --diffusion-property four --overwrite")
+    fails("anisotropy.*depth", "solve_poisson material.ply --accuracy 0.1 --anisotropy 1")
 
 
 def test_diffusion():

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -19,8 +20,13 @@ namespace internal {
 struct Sheet_integrals;
 class Function_moments;
 
-/// the factor of the mass on each face
-using Face_weight = Function_view<double(std::size_t)>;
+/// What is constant on a face: a weight of the mass alone, and the material there.
+struct Face_factors {
+  double mass_weight = 1, density = 1;
+  /// \f$P D P\f$; without a value \f$P = I - n n^T\f$
+  std::optional<Symmetric_tensor_3> metric;
+};
+using Factors_of_face = Function_view<Face_factors(std::size_t)>;
 
 /// whether a type is a model of `SurfaceIntegration_3`
 template <class T, class = void> struct Is_surface_integration : std::false_type {};
@@ -32,10 +38,9 @@ struct Is_surface_integration<T, std::void_t<decltype(std::declval<const T&>().a
 /// whether a model adds moments faster than its nodes would
 template <class T, class = void> struct Adds_moments : std::false_type {};
 template <class T>
-struct Adds_moments<
-    T, std::void_t<decltype(std::declval<const T&>().add_moments(
-           std::size_t(), std::declval<const Face_weight*>(), std::declval<Sheet_integrals&>()))>>
-  : std::true_type {};
+struct Adds_moments<T, std::void_t<decltype(std::declval<const T&>().add_moments(
+                           std::size_t(), std::declval<const Factors_of_face*>(),
+                           std::declval<Sheet_integrals&>()))>> : std::true_type {};
 
 /// whether a model adds functions that are linear on each face faster than its nodes would
 template <class T, class = void> struct Adds_linear_functions : std::false_type {};
@@ -73,9 +78,9 @@ public:
   /// whether the model has moments of its own
   bool adds_moments() const { return m_add_moments != nullptr; }
   /// adds the moments of a sheet, by the model; requires `adds_moments()`
-  void add_moments(std::size_t sheet, const internal::Face_weight* weight,
+  void add_moments(std::size_t sheet, const internal::Factors_of_face* factors,
                    internal::Sheet_integrals& integrals) const {
-    m_add_moments(m_model.get(), sheet, weight, integrals);
+    m_add_moments(m_model.get(), sheet, factors, integrals);
   }
 
   /// whether the model has a way of its own for functions that are linear on each face
@@ -93,9 +98,10 @@ private:
         static_cast<const Model*>(model)->add_nodes(sheet, degree, nodes);
       }) {
     if constexpr(internal::Adds_moments<Model>::value)
-      m_add_moments = [](const void* model, std::size_t sheet, const internal::Face_weight* weight,
+      m_add_moments = [](const void* model, std::size_t sheet,
+                         const internal::Factors_of_face* factors,
                          internal::Sheet_integrals& integrals) {
-        static_cast<const Model*>(model)->add_moments(sheet, weight, integrals);
+        static_cast<const Model*>(model)->add_moments(sheet, factors, integrals);
       };
     if constexpr(internal::Adds_linear_functions<Model>::value)
       m_add_linear_function = [](const void* model, std::size_t sheet,
@@ -106,7 +112,7 @@ private:
 
   std::shared_ptr<const void> m_model;
   void (*m_add_nodes)(const void*, std::size_t, int, Integration_nodes&);
-  void (*m_add_moments)(const void*, std::size_t, const internal::Face_weight*,
+  void (*m_add_moments)(const void*, std::size_t, const internal::Factors_of_face*,
                         internal::Sheet_integrals&) = nullptr;
   void (*m_add_linear_function)(const void*, std::size_t, internal::Function_moments&) = nullptr;
 };

@@ -9,10 +9,12 @@
 #include <CGAL/Restricted_laplacian_3/integration/Surface_integration.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/surface/Triangulated_surface_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -21,6 +23,15 @@
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
+/// \ingroup PkgRestrictedLaplacian3Operators
+/// The tensor \f$\sum_k w_k\, d_k d_k^T / \lvert d_k \rvert^2\f$: a diffusion that has the factors
+/// \f$w_k > 0\f$ along two directions, which are orthogonal to each other and tangential, as
+/// principal directions are.
+/// \param directions \f$d_1, d_2\f$, of any length but 0
+/// \param weights \f$w_1, w_2\f$
+Symmetric_tensor_3 directional_tensor(const std::array<Vector_3, 2>& directions,
+                                      const std::array<double, 2>& weights);
+
 namespace internal {
 
 /// A function on a surface that is owned, and shared by copies.
@@ -114,6 +125,13 @@ public:
 
   /// whether both are 1, because they were not set
   bool is_trivial() const { return !m_diffusion && !m_density; }
+  /// whether the density was set
+  bool has_density() const { return m_density.has_value(); }
+  /// whether both are constant on each face, as numbers and a `Face_function` are
+  bool is_constant_on_faces() const {
+    return (!m_diffusion || m_diffusion->view().degree() == 0) &&
+           (!m_density || m_density->view().degree() == 0);
+  }
 
   /// \cond
   /// \f$P D P\f$ at points
@@ -142,10 +160,35 @@ public:
 
   void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
 
+protected:
+  const Surface_integration& integration() const { return m_integration; }
+  const Surface_material& material() const { return m_material; }
+
 private:
   Surface_integration m_integration;
   Surface_material m_material;
 };
+
+/// The same of a material that is constant on the faces of a flat surface, by the moments of
+/// another integration.
+class Face_material_integration : public Material_integration {
+public:
+  /// \param surface must outlive this object
+  Face_material_integration(const Surface_integration& integration,
+                            const Surface_material& material, const Triangulated_surface_3& surface)
+    : Material_integration(integration, material), m_surface(&surface) {}
+
+  void add_moments(std::size_t sheet, const Factors_of_face* factors,
+                   Sheet_integrals& integrals) const;
+
+private:
+  const Triangulated_surface_3* m_surface;
+};
+
+/// integration over the surface of an octree with a material
+Surface_integration integration_with_material(const Surface_integration& integration,
+                                              const Surface_material& material,
+                                              const Triangulated_surface_3& surface);
 
 } // namespace internal
 } // namespace Restricted_laplacian_3

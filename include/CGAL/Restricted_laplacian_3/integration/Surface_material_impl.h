@@ -54,6 +54,20 @@ inline bool is_positive_definite_on_plane(const Symmetric_tensor_3& a) {
 
 } // namespace internal
 
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Symmetric_tensor_3 directional_tensor(
+    const std::array<Vector_3, 2>& directions, const std::array<double, 2>& weights) {
+  Symmetric_tensor_3 result = {};
+  for(int k = 0; k < 2; ++k) {
+    const Vector_3& d = directions[k];
+    const double factor = weights[k] / d.squared_length();
+    const Symmetric_tensor_3 dd = {d.x() * d.x(), d.y() * d.y(), d.z() * d.z(),
+                                   d.x() * d.y(), d.x() * d.z(), d.y() * d.z()};
+    for(int i = 0; i < 6; ++i)
+      result[i] += factor * dd[i];
+  }
+  return result;
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Surface_material::check_components() const {
   if(m_diffusion)
     if(const int n = m_diffusion->view().components(); n != 1 && n != 6 && n != 9)
@@ -125,6 +139,31 @@ Material_integration::add_nodes(std::size_t sheet, int degree, Integration_nodes
     }
     nodes.hand_on(block);
   });
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Face_material_integration::add_moments(std::size_t sheet, const Factors_of_face* factors,
+                                       Sheet_integrals& integrals) const {
+  const auto with_material = [&](std::size_t face) {
+    Face_factors result = factors ? (*factors)(face) : Face_factors();
+    const Surface_point point = center_of_face(*m_surface, face);
+    material().density_at(&point, 1, &result.density);
+    result.metric.emplace();
+    material().diffusion_at(&point, 1, &*result.metric);
+    return result;
+  };
+  const Factors_of_face view(with_material);
+  integration().add_moments(sheet, &view, integrals);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_integration
+integration_with_material(const Surface_integration& integration, const Surface_material& material,
+                          const Triangulated_surface_3& surface) {
+  if(material.is_trivial())
+    return integration;
+  if(material.is_constant_on_faces() && integration.adds_moments() && !surface.is_smooth())
+    return Face_material_integration(integration, material, surface);
+  return Material_integration(integration, material);
 }
 
 } // namespace internal

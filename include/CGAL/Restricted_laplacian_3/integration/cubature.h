@@ -32,7 +32,7 @@ public:
 
   /// \cond
   // Moments without nodes: the normal is constant on a fragment.
-  void add_moments(std::size_t sheet, const internal::Face_weight* weight,
+  void add_moments(std::size_t sheet, const internal::Factors_of_face* factors,
                    internal::Sheet_integrals& integrals) const;
   // A function that is linear on each face: its values at the corners of a fragment say all.
   void add_linear_function(std::size_t sheet, internal::Function_moments& moments) const;
@@ -80,7 +80,7 @@ public:
   void add_nodes(std::size_t sheet, int degree, Integration_nodes& nodes) const;
 
   /// \cond
-  void add_moments(std::size_t sheet, const internal::Face_weight* weight,
+  void add_moments(std::size_t sheet, const internal::Factors_of_face* factors,
                    internal::Sheet_integrals& integrals) const;
   /// \endcond
 

@@ -63,16 +63,22 @@ Triangle_cubature::add_nodes(std::size_t sheet, int degree, Integration_nodes& n
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-Triangle_cubature::add_moments(std::size_t sheet, const internal::Face_weight* weight,
+Triangle_cubature::add_moments(std::size_t sheet, const internal::Factors_of_face* factors,
                                internal::Sheet_integrals& integrals) const {
   const Triangulated_surface_3& surface = m_octree->pieces();
   const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
   for(std::uint32_t face : m_octree->faces(sheet)) {
     const Fragment fragment = m_octree->fragment(cell, face);
     const Vector_3 normal = surface.normal(face);
-    internal::add_fragment(fragment, cell.index, tangent_projector(normal), integrals.moments,
-                           weight ? (*weight)(face) : 1, integrals.degree);
-    integrals.add_normal(normal, fragment.double_area() / 2);
+    const double area = fragment.double_area() / 2;
+    const internal::Face_factors of_face = factors ? (*factors)(face) : internal::Face_factors();
+    internal::add_fragment(
+        fragment, cell.index, of_face.metric ? *of_face.metric : tangent_projector(normal),
+        integrals.moments, of_face.mass_weight, of_face.density, integrals.degree);
+    integrals.add_normal(normal, area);
+    if(const auto& a = of_face.metric)
+      integrals.diffusion =
+          integrals.diffusion.value_or(0) + area * ((*a)[0] + (*a)[1] + (*a)[2]) / 2;
   }
 }
 
@@ -225,18 +231,18 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE void Patch_cubature::add_nodes(std::size_t sh
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
-Patch_cubature::add_moments(std::size_t sheet, const internal::Face_weight* weight,
+Patch_cubature::add_moments(std::size_t sheet, const internal::Factors_of_face* factors,
                             internal::Sheet_integrals& integrals) const {
   const Triangulated_surface_3& pieces = m_octree->pieces();
   const Cell_3 cell = m_octree->cell(m_octree->depth(), sheet);
   internal::Moment_nodes nodes;
   for(std::uint32_t piece : m_octree->faces(sheet)) {
-    const double factor = weight ? (*weight)(m_octree->division()->face(piece)) : 1;
+    const double weight = factors ? (*factors)(m_octree->division()->face(piece)).mass_weight : 1;
     if(m_octree->division()->is_flat(piece)) {
       const Fragment fragment = m_octree->fragment(cell, piece);
       const Vector_3 normal = pieces.normal(piece);
       internal::add_fragment(fragment, cell.index, tangent_projector(normal), integrals.moments,
-                             factor, integrals.degree);
+                             weight, 1, integrals.degree);
       integrals.add_normal(normal, fragment.double_area() / 2);
       continue;
     }
@@ -246,7 +252,7 @@ Patch_cubature::add_moments(std::size_t sheet, const internal::Face_weight* weig
             internal::add_moments(nodes, integrals.moments);
             nodes.size = 0;
           }
-          internal::append(own, factor, nodes, integrals.normals);
+          internal::append(own, weight, nodes, integrals.normals);
         });
   }
   internal::add_moments(nodes, integrals.moments);

@@ -6,12 +6,14 @@
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/integration/Integration_nodes.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/stabilization.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_location.h>
+#include <CGAL/Restricted_laplacian_3/surface/surface_functions.h>
 
 #include <array>
 #include <cmath>
@@ -170,6 +172,26 @@ Curvature_field estimate_curvature(const Spline_space_3& space,
 Curvature_field estimate_curvature(const Spline_space_3& space,
                                    const Surface_function_view& normals,
                                    const Curvature_options& options = {});
+
+/// \ingroup PkgRestrictedLaplacian3Problems
+/// A diffusion that follows the curvature, for anisotropic operators \cgalCite{ARAC14}: with
+/// principal directions \f$t_1, t_2\f$ whose curvatures have
+/// \f$\lvert \kappa_1 \rvert \ge \lvert \kappa_2 \rvert\f$
+///
+/// \f[ D = e^{-a_1 \lvert \kappa_2 \rvert}\, t_1 t_1^T
+///        + e^{-a_2 \lvert \kappa_1 \rvert}\, t_2 t_2^T, \f]
+/// but with factors not below \f$10^{-4}\f$. On a cylinder of radius \f$r\f$ it is 1 around the
+/// axis and \f$e^{-a_2 / r}\f$ along it. It is constant on each face, with the curvature in its
+/// middle, and the same whatever the orientation of the surface is.
+/// \param curvature by one of the methods that fit normals
+/// \param anisotropy \f$a_1, a_2\f$, not negative, in units of length; as a rule the same number
+/// twice
+/// \return for each face the tensor: what `Surface_material::set_diffusion()` and the named
+/// parameter `diffusion` take
+/// \throws Parameter_error if a number is negative or not finite
+/// \throws Input_error the field is of `Curvature_method::coordinates`, which knows no directions
+Face_function<Symmetric_tensor_3> curvature_diffusion(const Curvature_field& curvature,
+                                                      const std::array<double, 2>& anisotropy);
 
 namespace internal {
 

@@ -6,7 +6,9 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/Boundary_integration.h>
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
+#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_material.h>
 #include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/search_depth.h>
@@ -16,9 +18,12 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -217,6 +222,38 @@ estimate_curvature(const Spline_space_3& space, const Surface_function_view& nor
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Curvature_field
 estimate_curvature(const Spline_space_3& space, const Curvature_options& options) {
   return internal::curvature_of_fit(space, internal::fit_for_curvature(space, nullptr, options));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Face_function<Symmetric_tensor_3>
+curvature_diffusion(const Curvature_field& curvature, const std::array<double, 2>& anisotropy) {
+  constexpr double smallest_factor = 1e-4;
+  for(const double a : anisotropy)
+    if(!(a >= 0 && std::isfinite(a)))
+      throw Parameter_error("anisotropy", "is " + std::to_string(a) +
+                                              ", but must be a finite number that is not negative");
+  if(curvature.functions().number_of_functions() != 3)
+    throw Input_error("the curvature is of coordinates, which knows no principal directions");
+  const Triangulated_surface_3& surface = curvature.functions().space().surface();
+  std::vector<Surface_location> centers;
+  for(std::size_t face = 0; face < surface.number_of_faces(); ++face)
+    if(!surface.is_degenerate(face))
+      centers.push_back(internal::center_of_face(surface, face));
+  const std::vector<Surface_curvature> curvatures = curvature.at_locations(centers);
+  std::vector<Symmetric_tensor_3> tensors(surface.number_of_faces(),
+                                          Symmetric_tensor_3{1, 1, 1, 0, 0, 0});
+  for(std::size_t i = 0; i < centers.size(); ++i) {
+    const Surface_curvature& c = curvatures[i];
+    if(!std::isfinite(c.mean))
+      continue; // where a fit of normals is 0
+    const bool is_first_larger = std::abs(c.principal_values[0]) >= std::abs(c.principal_values[1]);
+    std::array<double, 2> factors;
+    for(int k = 0; k < 2; ++k) {
+      const double a = anisotropy[k == 0 ? !is_first_larger : is_first_larger];
+      factors[k] = (std::max)(std::exp(-a * std::abs(c.principal_values[1 - k])), smallest_factor);
+    }
+    tensors[centers[i].face] = directional_tensor(c.principal_directions, factors);
+  }
+  return Face_function<Symmetric_tensor_3>(std::move(tensors));
 }
 
 } // namespace Restricted_laplacian_3

@@ -4,12 +4,14 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_DIFFUSION_SOLVER_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_PROBLEMS_DIFFUSION_SOLVER_H
 
+#include <CGAL/Restricted_laplacian_3/assembly/Dirichlet_boundary.h>
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/search_depth.h>
 #include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
+#include <CGAL/Restricted_laplacian_3/spectra/shared/Factorized_matrix.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 #include <CGAL/Restricted_laplacian_3/surface/Surface_function_view.h>
 
@@ -43,6 +45,9 @@ struct Diffusion_options {
   std::optional<double> stabilization;
   /// largest number of linear systems for each function
   int maximum_iterations = 100;
+  /// whether the matrix is factorized, which takes more memory, instead of multigrid; without a
+  /// value up to 150,000 unknowns, or 50,000 without CHOLMOD
+  std::optional<bool> factorize;
 
   /// the defaults
   Diffusion_options() = default;
@@ -68,12 +73,11 @@ struct Diffused_functions : Solve_report {
 ///
 /// There are no steps in time. \f$u(t) = e^{-t A}\, u(0)\f$ with \f$A = M^{-1} S\f$ is found in the
 /// Krylov space of \f$(M + \gamma S)^{-1} M\f$ with \f$\gamma = t / 4\f$, by a Lanczos iteration:
-/// the exponential function of the small matrix that it makes of \f$A\f$ (J. van den Eshof, M.
-/// Hochbruck, *Preconditioning Lanczos approximations to the matrix exponential*, SIAM J. Sci.
-/// Comput. 27, 2006). Each vector takes one screened Poisson problem, all of them with the same
-/// multigrid hierarchy; \f$5 + 3 n\f$ of them, or fewer, give \f$n\f$ digits, however rough the
-/// function is and however many steps an explicit method would take. The iteration ends when the
-/// last vector changes the result by less than the tolerance.
+/// the exponential function of the small matrix that it makes of \f$A\f$ \cgalCite{EH06}. Each
+/// vector takes one screened Poisson problem, all of them with one Cholesky factor, or in large
+/// spaces with one multigrid hierarchy. \f$5 + 3 n\f$ of them, or fewer, give \f$n\f$ digits,
+/// however rough the function is and however many steps an explicit method would take. The
+/// iteration ends when the last vector changes the result by less than the tolerance.
 ///
 /// *Means.* Unless values are prescribed, the mean over each connected component of the surface,
 /// with the density as weight, is kept up to rounding. What the tolerance is relative to is the
@@ -129,6 +133,12 @@ public:
 private:
   class Krylov_spaces;
 
+  /// sets up the solver of \f$(S + M / \gamma)\, x = b\f$
+  void set_up(const Diffusion_options& options, const Dirichlet_boundary* boundary);
+  /// solves it for each column, and reports how
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b, Solve_report& report) const;
+  /// calls `body(k)` for the columns of matrices, on several threads if the space is so
+  template <class Body> void for_each_column(std::size_t number, const Body& body) const;
   /// the means over the components of functions given by their loads
   Eigen::MatrixXd means_of(const Eigen::MatrixXd& loads) const;
   /// adds `sign` times `factors`, numbers of the elements, times the value of each component
@@ -143,7 +153,9 @@ private:
   std::vector<int> m_component; // of each element
   int m_number_of_components = 0;
   double m_setup_seconds = 0;
-  std::optional<Poisson_solver> m_solver;
+  // one of both
+  std::optional<Poisson_solver> m_multigrid;
+  std::optional<internal::Factorized_matrix> m_factor;
 };
 
 namespace internal {

@@ -8,6 +8,7 @@
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
+#include <CGAL/Restricted_laplacian_3/foundation/internal/parallel_for.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/symmetric_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/problems/Diffusion_solver.h>
 #include <CGAL/Restricted_laplacian_3/problems/internal/require_enough_points.h>
@@ -81,19 +82,10 @@ Diffusion_solver::Diffusion_solver(const Spline_space_3& space, double time,
   if(m_most_vectors < 2)
     throw Parameter_error("maximum_iterations",
                           "is " + std::to_string(m_most_vectors) + ", but must be at least 2");
-  constexpr double smallest_tolerance = 1e-13;
-  Poisson_solver_options of_solver;
-  of_solver.tolerance = (std::max)(0.1 * m_tolerance, smallest_tolerance);
-  of_solver.is_parallel = space.options().is_parallel;
   std::optional<Dirichlet_boundary> boundary;
   if(boundary_values)
     boundary.emplace(space);
-  internal::Elliptic_system system;
-  system.elliptic.reaction = 1 / (internal::part_of_diffusion_time * m_time);
-  system.elliptic.stabilization = options.stabilization.value_or(default_stabilization(space));
-  system.boundary = boundary ? &*boundary : nullptr;
-  system.mass = &m_mass;
-  m_solver.emplace(space, system, of_solver);
+  set_up(options, boundary ? &*boundary : nullptr);
   m_integrals = assemble_element_integrals(space);
   if(boundary)
     m_boundary_load = boundary->load(*boundary_values);
@@ -108,6 +100,45 @@ Diffusion_solver::Diffusion_solver(const Spline_space_3& space, double time,
     }
   }
   m_setup_seconds = timer.time();
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE void
+Diffusion_solver::set_up(const Diffusion_options& options, const Dirichlet_boundary* boundary) {
+  internal::Elliptic_system system;
+  system.elliptic.reaction = 1 / (internal::part_of_diffusion_time * m_time);
+  system.elliptic.stabilization = options.stabilization.value_or(default_stabilization(m_space));
+  system.boundary = boundary;
+  system.mass = &m_mass;
+  if(options.factorize.value_or(m_space.dimension() <=
+                                internal::Factorized_matrix::largest_dimension(true))) {
+    internal::System_matrices matrices =
+        internal::assemble_system(m_space, m_space.depth(), system.elliptic,
+                                  internal::Stored_entries::all, internal::Progress(), &m_mass);
+    if(boundary)
+      boundary->add_to_matrix(matrices.matrices.back());
+    m_factor.emplace(matrices.matrices.back());
+    if(*m_factor)
+      return;
+    m_factor.reset(); // without a stabilization it may not be positive definite
+  }
+  constexpr double smallest_tolerance = 1e-13;
+  Poisson_solver_options of_solver;
+  of_solver.tolerance = (std::max)(0.1 * m_tolerance, smallest_tolerance);
+  of_solver.is_parallel = m_space.options().is_parallel;
+  m_multigrid.emplace(m_space, system, of_solver);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
+Diffusion_solver::solve(const Eigen::MatrixXd& b, Solve_report& report) const {
+  CGAL::Real_timer timer;
+  timer.start();
+  Eigen::MatrixXd x;
+  if(m_factor)
+    x = m_factor->solve(b, m_space.options().is_parallel);
+  else if(const Solve_report of_systems = m_multigrid->solve(b, x); !of_systems.converged)
+    report.worsen_status(of_systems.status);
+  report.solve_seconds += timer.time();
+  return x;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
@@ -130,6 +161,15 @@ Diffusion_solver::add_constants(const Eigen::MatrixXd& of_components, double sig
     const auto row = static_cast<Eigen::Index>(i);
     to.row(row) += sign * factors[row] * of_components.row(m_component[i]);
   }
+}
+
+template <class Body>
+void Diffusion_solver::for_each_column(std::size_t number, const Body& body) const {
+  internal::parallel_for(m_space.options().is_parallel, 0, number, 1,
+                         [&](std::size_t begin, std::size_t end) {
+                           for(std::size_t k = begin; k < end; ++k)
+                             body(static_cast<Eigen::Index>(k));
+                         });
 }
 
 /// The Krylov spaces of some functions, which share each solve.
@@ -171,61 +211,54 @@ private:
 
   /// \f$K^{-1} b\f$ with \f$K = M + \gamma S\f$
   Eigen::MatrixXd solve(const Eigen::MatrixXd& loads, Solve_report& report) const {
-    Eigen::MatrixXd x;
-    const Solve_report of_systems = m_diffusion.m_solver->solve(loads, x);
-    report.solve_seconds += of_systems.solve_seconds;
-    if(!of_systems.converged)
-      report.worsen_status(of_systems.status);
-    return x / (internal::part_of_diffusion_time * m_diffusion.m_time);
+    return m_diffusion.solve(loads, report) /
+           (internal::part_of_diffusion_time * m_diffusion.m_time);
   }
 
   void start(const Eigen::MatrixXd& loads, Solve_report& report) {
     m_basis.assign(1, solve(loads, report));
-    m_with_mass = m_diffusion.loads_of(m_basis[0]);
+    m_with_mass.assign(1, m_diffusion.loads_of(m_basis[0]));
     m_functions.assign(static_cast<std::size_t>(loads.cols()), {});
     for(Eigen::Index k = 0; k < loads.cols(); ++k) {
       Function_space& f = m_functions[k];
-      f.norm = std::sqrt((std::max)(m_basis[0].col(k).dot(m_with_mass.col(k)), 0.));
+      f.norm = std::sqrt((std::max)(m_basis[0].col(k).dot(m_with_mass[0].col(k)), 0.));
       if(!(f.norm > std::numeric_limits<double>::min()))
         continue;
       m_basis[0].col(k) /= f.norm;
-      m_with_mass.col(k) /= f.norm;
+      m_with_mass[0].col(k) /= f.norm;
       m_active.push_back(k);
     }
   }
 
   /// one more vector for each function that has not converged
   void add_vectors(Solve_report& report) {
-    Eigen::MatrixXd loads(m_with_mass.rows(), static_cast<Eigen::Index>(m_active.size()));
+    Eigen::MatrixXd loads(m_with_mass[0].rows(), static_cast<Eigen::Index>(m_active.size()));
     for(std::size_t i = 0; i < m_active.size(); ++i)
-      loads.col(static_cast<Eigen::Index>(i)) = m_with_mass.col(m_active[i]);
+      loads.col(static_cast<Eigen::Index>(i)) = m_with_mass.back().col(m_active[i]);
     Eigen::MatrixXd w = solve(loads, report);
-    std::vector<double> diagonal(m_active.size(), 0);
-    for(int pass = 0; pass < 2; ++pass) { // the second one for what rounding leaves
-      const Eigen::MatrixXd with_mass = m_diffusion.loads_of(w);
-      for(std::size_t i = 0; i < m_active.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
+    m_diffusion.for_each_column(m_active.size(), [&](Eigen::Index i) {
+      Function_space& f = m_functions[m_active[i]];
+      f.diagonal.push_back(0);
+      for(int pass = 0; pass < 2; ++pass) // the second one for what rounding leaves
         for(std::size_t j = 0; j < m_basis.size(); ++j) {
-          const double product = m_basis[j].col(m_active[i]).dot(with_mass.col(column));
-          w.col(column) -= product * m_basis[j].col(m_active[i]);
+          const double product = m_with_mass[j].col(m_active[i]).dot(w.col(i));
+          w.col(i) -= product * m_basis[j].col(m_active[i]);
           if(j + 1 == m_basis.size())
-            diagonal[i] += product;
+            f.diagonal.back() += product;
         }
-      }
-    }
+    });
     const Eigen::MatrixXd with_mass = m_diffusion.loads_of(w);
-    Eigen::MatrixXd next = Eigen::MatrixXd::Zero(w.rows(), m_basis[0].cols());
+    m_basis.push_back(Eigen::MatrixXd::Zero(w.rows(), m_basis[0].cols()));
+    m_with_mass.push_back(m_basis.back());
     for(std::size_t i = 0; i < m_active.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       const double norm = std::sqrt((std::max)(w.col(column).dot(with_mass.col(column)), 0.));
-      m_functions[m_active[i]].diagonal.push_back(diagonal[i]);
       m_functions[m_active[i]].beside.push_back(norm);
       if(norm > 0) {
-        next.col(m_active[i]) = w.col(column) / norm;
-        m_with_mass.col(m_active[i]) = with_mass.col(column) / norm;
+        m_basis.back().col(m_active[i]) = w.col(column) / norm;
+        m_with_mass.back().col(m_active[i]) = with_mass.col(column) / norm;
       }
     }
-    m_basis.push_back(std::move(next));
   }
 
   /// new results, and which functions have converged
@@ -269,14 +302,17 @@ private:
   internal::Diffusion_function m_function;
   std::vector<Function_space> m_functions;
   std::vector<Eigen::Index> m_active;
-  std::vector<Eigen::MatrixXd> m_basis; // a vector of each function
-  Eigen::MatrixXd m_with_mass;          // the last ones
+  std::vector<Eigen::MatrixXd> m_basis, m_with_mass; // a vector of each function, and M times it
   double m_last_change = 0;
 };
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigen::MatrixXd
 Diffusion_solver::loads_of(const Eigen::MatrixXd& coefficients) const {
-  return m_mass.selfadjointView<Eigen::Upper>() * coefficients;
+  Eigen::MatrixXd loads(coefficients.rows(), coefficients.cols());
+  for_each_column(static_cast<std::size_t>(coefficients.cols()), [&](Eigen::Index k) {
+    loads.col(k) = m_mass.selfadjointView<Eigen::Upper>() * coefficients.col(k);
+  });
+  return loads;
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Diffused_functions
@@ -308,7 +344,7 @@ Diffusion_solver::diffuse_loads(const Eigen::MatrixXd& initial, const Eigen::Mat
        (loads->rows() != m_integrals.size() || loads->cols() != initial.cols()))
       throw Parameter_error(loads == &initial ? "initial" : "source",
                             "does not have the size of the space, or of the functions");
-  constexpr Eigen::Index functions_at_once = 8;
+  constexpr Eigen::Index functions_at_once = 16;
   const internal::Progress own(progress);
   own(0);
   Diffused_functions result;
@@ -374,7 +410,10 @@ diffuse_in_space(const Spline_space_3& space, const Diffusion_problem& problem) 
   const auto pointer = [](const std::optional<Surface_function_view>& f) {
     return f ? &*f : nullptr;
   };
-  return Diffusion_solver(space, problem.time, problem.options, pointer(problem.boundary_values))
+  Diffusion_options options = problem.options;
+  options.factorize =
+      space.dimension() <= Factorized_matrix::largest_dimension(problem.initial.components() > 1);
+  return Diffusion_solver(space, problem.time, options, pointer(problem.boundary_values))
       .diffuse(problem.initial, pointer(problem.source), problem.progress);
 }
 

@@ -32,6 +32,8 @@ public:
   Eigen::VectorXd solve_upper(const Eigen::VectorXd& b) const {
     return m_factor.permutationPinv() * Eigen::VectorXd(m_factor.matrixU().solve(b));
   }
+  /// \f$K^{-1} b\f$, for each column of \f$b\f$
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const { return m_factor.solve(b); }
 
 private:
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> m_factor;
@@ -45,6 +47,11 @@ private:
 /// \cgalModels `SparseCholesky_3`
 class Cholmod_cholesky {
 public:
+  /// \cond
+  // With the AMD ordering only: others are tried by default, which takes longer than what they save
+  // in less than a hundred solves.
+  void order_by_amd() { m_factor.order_by_amd(); }
+  /// \endcond
   /// factorizes \f$K\f$
   void compute(const Eigen::SparseMatrix<double>& k) { m_factor.compute(k); }
   /// whether that succeeded
@@ -57,6 +64,8 @@ public:
   Eigen::VectorXd solve_upper(const Eigen::VectorXd& b) const {
     return m_factor.step(CHOLMOD_Pt, m_factor.step(CHOLMOD_Lt, b));
   }
+  /// \f$K^{-1} b\f$, for each column of \f$b\f$
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const { return m_factor.step(CHOLMOD_A, b); }
 
 private:
   /// Eigen's interface offers the whole solve only.
@@ -64,17 +73,28 @@ private:
     // By default CHOLMOD writes a warning to the standard output when a factorization fails.
     Factor() { this->cholmod().print = 0; }
 
-    Eigen::VectorXd step(int system, Eigen::VectorXd b) const {
-      // a solve changes only statistics and work space in there
-      cholmod_common& common = const_cast<Factor*>(this)->cholmod();
+    void order_by_amd() {
+      this->cholmod().nmethods = 1;
+      this->cholmod().method[0].ordering = CHOLMOD_AMD;
+      this->cholmod().postorder = 1;
+    }
+
+    /// \tparam Columns a vector or a matrix
+    template <class Columns> Columns step(int system, Columns b) const {
+      // of this call alone, so that several threads may solve at once
+      cholmod_common common;
+      cholmod_start(&common);
+      common.print = 0;
       cholmod_dense view = Eigen::viewAsCholmod(b);
       cholmod_dense* x = cholmod_solve(system, this->m_cholmodFactor, &view, &common);
-      if(!x)
-        throw Numerical_error("CHOLMOD could not solve a triangular system");
-      const Eigen::VectorXd result =
-          Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(x->x), b.size());
+      if(x)
+        b = Eigen::Map<const Columns>(static_cast<const double*>(x->x), b.rows(), b.cols());
+      const bool is_solved = x != nullptr;
       cholmod_free_dense(&x, &common);
-      return result;
+      cholmod_finish(&common);
+      if(!is_solved)
+        throw Numerical_error("CHOLMOD could not solve a system");
+      return b;
     }
   };
 

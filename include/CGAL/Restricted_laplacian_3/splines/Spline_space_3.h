@@ -319,9 +319,7 @@ private:
   /// \param integration without a material
   void set_integration(const Surface_integration& integration) {
     m_with_material =
-        m_options.material.is_trivial()
-            ? integration
-            : Surface_integration(internal::Material_integration(integration, m_options.material));
+        internal::integration_with_material(integration, m_options.material, surface());
     m_integration = integration;
   }
 

@@ -300,6 +300,18 @@ Triangulated_surface_3::scaled_normal(std::size_t face) const {
   return {product / length, length / 2};
 }
 
+namespace internal {
+
+/// the point in the middle of a face
+inline Surface_point center_of_face(const Triangulated_surface_3& surface, std::size_t face) {
+  Surface_location center;
+  center.face = face;
+  center.barycentric.fill(1. / 3);
+  return surface.surface_point(center);
+}
+
+} // namespace internal
+
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
 

@@ -27,12 +27,14 @@ namespace internal {
 /// Visits the nodes on a sheet of `level` in blocks, with local coordinates in its cell; weights
 /// are in units of the squared width of the finest cells.
 /// \param degree of what is integrated
-inline void visit_nodes_of_level(const Spline_space_3& space, int level, std::size_t sheet,
-                                 int degree, const Integration_nodes::Consumer& visit) {
+inline void visit_nodes_of_level(const Spline_space_3& space,
+                                 const Surface_integration& integration, int level,
+                                 std::size_t sheet, int degree,
+                                 const Integration_nodes::Consumer& visit) {
   const Octree_3& octree = space.octree();
   const int depth = octree.depth();
   if(level == depth)
-    return space.integration_with_material().visit_nodes(sheet, degree, visit);
+    return integration.visit_nodes(sheet, degree, visit);
   std::vector<std::uint32_t> descendants(1, static_cast<std::uint32_t>(sheet)), next;
   for(int l = level; l < depth; ++l, descendants.swap(next)) {
     next.clear();
@@ -44,7 +46,7 @@ inline void visit_nodes_of_level(const Spline_space_3& space, int level, std::si
   const double scale = std::ldexp(1., level - depth);
   for(std::uint32_t s : descendants) {
     const Cell_3 fine = octree.cell(depth, s);
-    space.integration_with_material().visit_nodes(s, degree, [&](Integration_node_block& block) {
+    integration.visit_nodes(s, degree, [&](Integration_node_block& block) {
       for(int axis = 0; axis < 3; ++axis) {
         const double offset = fine.index[axis] - (coarse.index[axis] << (depth - level));
         for(std::size_t i = 0; i < block.size; ++i)
@@ -58,10 +60,12 @@ inline void visit_nodes_of_level(const Spline_space_3& space, int level, std::si
 /// adds a function on a sheet of `level`
 inline void add_function(const Spline_space_3& space, int level, std::size_t sheet,
                          Function_moments& moments) {
-  const Surface_integration& integration = space.integration_with_material();
+  // loads have the density as weight, and nothing of the diffusion
+  const Surface_integration& integration =
+      space.material().has_density() ? space.integration_with_material() : space.integration();
   if(level == space.depth() && integration.adds_linear_functions() && moments.is_linear())
     return integration.add_linear_function(sheet, moments);
-  visit_nodes_of_level(space, level, sheet, moments.degree(),
+  visit_nodes_of_level(space, integration, level, sheet, moments.degree(),
                        [&](Integration_node_block& block) { moments.add(block); });
 }
 

@@ -43,16 +43,13 @@ inline void add_sheet_integrals(const Triangulated_surface_3& surface,
   if(integration.adds_moments() && !weight)
     return integration.add_moments(sheet, nullptr, integrals);
   if(integration.adds_moments() && weight->function.degree() == 0) {
-    const auto weight_of_face = [&](std::size_t face) {
-      Surface_location center;
-      center.face = face;
-      center.barycentric.fill(1. / 3);
-      const Surface_point point = surface.surface_point(center);
-      double value;
-      (*weight)(&point, 1, &value);
-      return value;
+    const auto factors_of_face = [&](std::size_t face) {
+      const Surface_point point = center_of_face(surface, face);
+      Face_factors factors;
+      (*weight)(&point, 1, &factors.mass_weight);
+      return factors;
     };
-    const Face_weight view(weight_of_face);
+    const Factors_of_face view(factors_of_face);
     return integration.add_moments(sheet, &view, integrals);
   }
   integration.visit_nodes(sheet, integrals.degree, [&](Integration_node_block& block) {

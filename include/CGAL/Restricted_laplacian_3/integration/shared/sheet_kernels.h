@@ -103,7 +103,7 @@ namespace plain {
 
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
                          const Symmetric_tensor_3& metric, Sheet_moments& moments,
-                         double mass_weight, int degree) {
+                         double mass_weight, double density, int degree) {
   Sheet_moments::Component own = {};
   const Padded_rule& rule = Padded_rule::of_degree(degree);
   for(const auto& [corners, area] : Cell_triangles(fragment, cell))
@@ -119,8 +119,8 @@ inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cel
   for(int i = 0; i < number_of_moments; ++i) {
     for(int k = 0; k < 6; ++k)
       moments.values[i][k] += metric[k] * own[i];
-    moments.values[i][Sheet_moments::mass] += mass_weight * own[i];
-    moments.values[i][Sheet_moments::area] += own[i];
+    moments.values[i][Sheet_moments::mass] += mass_weight * density * own[i];
+    moments.values[i][Sheet_moments::area] += density * own[i];
   }
 }
 
@@ -276,7 +276,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION void add_triangle(const Cell_triangle
 CGAL_RESTRICTED_LAPLACIAN_3_LANES_FUNCTION inline void
 add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
              const Symmetric_tensor_3& metric, Sheet_moments& moments, double mass_weight,
-             int degree) {
+             double density, int degree) {
   // padded to whole groups of four
   Lanes sums[number_of_moments + 3] = {};
   const bool is_small = degree <= 10;
@@ -284,7 +284,7 @@ add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
   for(const Cell_triangle& triangle : Cell_triangles(fragment, cell))
     is_small ? add_triangle<6>(triangle, rule, sums) : add_triangle<8>(triangle, rule, sums);
   const Lanes low = {metric[0], metric[1], metric[2], metric[3]},
-              high = {metric[4], metric[5], mass_weight, 1};
+              high = {metric[4], metric[5], mass_weight * density, density};
   for(int i = 0; i < number_of_moments; i += 4) {
     Lanes four;
     sum_components(sums[i], sums[i + 1], sums[i + 2], sums[i + 3], four);
@@ -438,12 +438,13 @@ mass_blocks(const std::array<const Sheet_moments*, 4>& sheets, Packed_blocks& bl
 /// \param cell the cell that owns the fragment
 /// \param metric the same on all of the fragment
 /// \param mass_weight factor of the moments of the mass; the others do not have it
+/// \param density factor of both
 /// \param degree 12, or 10 if there will be no mass matrix
 inline void add_fragment(const Fragment& fragment, const std::array<int, 3>& cell,
                          const Symmetric_tensor_3& metric, Sheet_moments& moments,
-                         double mass_weight, int degree) {
+                         double mass_weight, double density, int degree) {
   CGAL_RESTRICTED_LAPLACIAN_3_BEST(
-      add_fragment(fragment, cell, metric, moments, mass_weight, degree));
+      add_fragment(fragment, cell, metric, moments, mass_weight, density, degree));
 }
 
 /// Adds nodes.
