@@ -22,6 +22,7 @@
 #include <CGAL/Restricted_laplacian_3/integration/Weighted_integration.h>
 #include <CGAL/Restricted_laplacian_3/integration/triangle_quadrature.h>
 #include <CGAL/Restricted_laplacian_3/laplace_spectrum.h>
+#include <CGAL/Restricted_laplacian_3/mean_curvature_flow.h>
 #include <CGAL/Restricted_laplacian_3/octree/Surface_windows.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>

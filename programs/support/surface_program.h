@@ -100,6 +100,8 @@ struct Outcome {
   Values_at values_at;
   double cell_width = 0;
   Page_contents page;
+  // in place of the surface, in --output and --html, if its vertices have moved
+  std::shared_ptr<const RL::Triangulated_surface_3> moved_surface;
   // writes a table of something else; by default it is that of the values
   std::function<void(const std::string& file, const Summary& summary)> write_table;
   // writes more files
@@ -271,8 +273,10 @@ inline void write_html(const std::string& program, const Common_options& o,
 }
 
 inline void write_results(const std::string& program, const Common_options& o,
-                          const Summary& summary, const RL::Triangulated_surface_3& surface,
+                          const Summary& summary, const RL::Triangulated_surface_3& first_surface,
                           const Outcome& outcome) {
+  const RL::Triangulated_surface_3& surface =
+      outcome.moved_surface ? *outcome.moved_surface : first_surface;
   if(!o.csv.empty() && outcome.write_table)
     outcome.write_table(o.csv, summary);
   else if(!o.csv.empty())

@@ -182,7 +182,6 @@ def cotangent_operators(V: Any, F: Any = None, *, lumped_mass: bool = False) -> 
     return Operators(_csr(stiffness, True), _csr(mass, True))
 
 
-@shown("depth", "dimension", "number_of_vertices", "number_of_faces", "components", "area")
 def _tensors(directions: Any, factors: Any) -> np.ndarray:
     """Symmetric matrices with two factors along two directions."""
     d, w = numbers(directions, "diffusion", np.float64), numbers(factors, "diffusion", np.float64)
@@ -192,6 +191,7 @@ def _tensors(directions: Any, factors: Any) -> np.ndarray:
     return np.einsum("nk,nki,nkj->nij", w / (d ** 2).sum(axis=2), d, d)
 
 
+@shown("depth", "dimension", "number_of_vertices", "number_of_faces", "components", "area")
 class Space:
     """B-splines of degree 2 on an octree, restricted to a surface.
 
@@ -324,14 +324,14 @@ class Space:
         if isinstance(diffusion, tuple) and len(diffusion) == 2:
             diffusion = _tensors(*diffusion)
         matrices = diffusion is not None and not callable(diffusion) and np.ndim(diffusion) == 3
-        lengths = None
+        lengths: Optional[list[float]] = None
         if anisotropy is not None:
             if diffusion is not None:
                 raise argument_error("anisotropy", "is in place of a diffusion, which is given")
-            lengths = numbers(anisotropy, "anisotropy", np.float64).ravel()
-            if len(lengths) not in (1, 2):
-                raise argument_error("anisotropy", f"must be one number or two, and is {len(lengths)}")
-            lengths = [float(lengths[0]), float(lengths[-1])]
+            given = numbers(anisotropy, "anisotropy", np.float64).ravel()
+            if len(given) not in (1, 2):
+                raise argument_error("anisotropy", f"must be one number or two, and is {len(given)}")
+            lengths = [float(given[0]), float(given[-1])]
         self._space = self._space.with_material(
             None if diffusion is None else self._function(diffusion, "diffusion", bool(matrices)),
             None if density is None else self._function(density, "density"), lengths)

@@ -92,6 +92,7 @@ NB_MODULE(_core, m) {
   python::add_surfaces(m);
   python::add_distances(m);
   python::add_problems(m);
+  python::add_flows(m);
   python::add_spectra(m);
   python::add_textures(m);
   python::add_views(m);

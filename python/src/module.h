@@ -155,6 +155,7 @@ template <class Work> auto run(int threads, const nb::object& progress, Work&& w
 
 // parts of the module
 void add_distances(nb::module_& m);
+void add_flows(nb::module_& m);
 void add_surfaces(nb::module_& m);
 void add_problems(nb::module_& m);
 void add_spectra(nb::module_& m);

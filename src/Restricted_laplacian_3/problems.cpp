@@ -5,6 +5,8 @@
 #include <CGAL/Restricted_laplacian_3/problems/Diffusion_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Function_fitter_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter_impl.h>
+#include <CGAL/Restricted_laplacian_3/problems/Mean_curvature_flow_impl.h>
+#include <CGAL/Restricted_laplacian_3/problems/Moved_integration_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients_impl.h>

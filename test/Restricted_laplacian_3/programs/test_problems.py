@@ -3,6 +3,7 @@
 
 """What the programs compute: solutions that are known, on spheres and small surfaces."""
 
+import os
 import pathlib
 import re
 
@@ -214,6 +215,35 @@ def test_diffusion():
             "--property x --time 1 --stabilization -1": "stabilization"}.items():
         fails(pattern, f"diffuse data.ply {words}")
     fails("boundary", "diffuse data.ply --property x --time 1 --boundary-property two")
+
+
+def test_flow():
+    """Spheres shrink as sqrt(1 - 4 t), or remain if their area is kept."""
+    def radii(options, mesh="sphere.off"):
+        result = succeeds(f"flow_surface {mesh} --depth 3 {options} --csv p.csv --output p.ply")
+        table = Table("p.csv")
+        table.check("vertex,x,y,z")
+        assert table.comment("steps") == result.entry("steps")
+        assert table.comment("time") == pytest.approx(result.entry("time"))
+        return np.linalg.norm(table.values[:, 1:], axis=1)
+    first = np.linalg.norm(SPHERE[0], axis=1)
+    assert radii("--steps 20 --time-step 0.005") == pytest.approx(np.sqrt(1 - 0.4) * first, abs=0.01)
+    assert "property double displacement" in header_of("p.ply")
+    os.rename("p.ply", "moved.ply")
+    assert radii("--steps 1 --time-step 0.01", "moved.ply").mean() < 0.78, "the moved mesh is written"
+    assert radii("--steps 3 --time-step 0.1 --conformal") == pytest.approx(first, abs=5e-3)
+    assert radii("--steps 3 --time-step 0.01 --rescaling volume") == pytest.approx(first, abs=5e-3)
+    write_off("egg.off", SPHERE[0] * [1.5, 1, 0.8], SPHERE[1])
+    result = succeeds("flow_surface egg.off --depth 3 --steps 30 --time-step 0.2 --conformal")
+    assert result.entry("sphere_deviation") < 3e-3 and result.entry("mean_distortion") < 1.01
+    result = run("flow_surface sphere.off --depth 3 --steps 100 --time-step 0.01 --csv p.csv")
+    assert result.status == 2 and re.search("after [0-9]+ steps.*collapses near face", result.err), result
+    assert Table("p.csv").comment("time") < 0.35 and np.isfinite(Table("p.csv").values).all()
+    for words, pattern in {
+            "": "time-step", "--time-step 0": "time-step.*positive", "--time-step nan": "time-step.*positive",
+            "--time-step 1 --steps 0": "steps.*positive", "--time-step 1 --rescaling x": "rescaling",
+            "--time-step 1 --tolerance 2": "tolerance"}.items():
+        fails(pattern, f"flow_surface sphere.off {words}")
 
 
 def test_refinement():

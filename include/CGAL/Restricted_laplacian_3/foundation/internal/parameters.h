@@ -49,6 +49,9 @@
   PARAMETER(has_boundary_value)                                                                    \
   PARAMETER(boundary_flux)                                                                         \
   PARAMETER(source_term)                                                                           \
+  PARAMETER(conformal)                                                                             \
+  PARAMETER(rescaling)                                                                             \
+  PARAMETER(fixed_boundary)                                                                        \
   PARAMETER(constraints)                                                                           \
   PARAMETER(constraint_weight)                                                                     \
   PARAMETER(area_map)                                                                              \

@@ -1,0 +1,180 @@
+# Copyright (c) 2026 The Restricted_laplacian_3 developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Surfaces that move."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+
+from . import _core
+from ._errors import Canceled, argument_error
+from ._input import Progress, listener, number_of_threads, takes_surface
+from ._show import shown
+from ._space import Report, Space, SplineFunction, checked, space_of
+
+__all__ = ["MeanCurvatureFlow", "mean_curvature_flow"]
+
+
+@shown("time", "space")
+class MeanCurvatureFlow:
+    """Mean-curvature flow of a surface, step by step: dx/dt = Laplacian x.
+
+    Positions are splines on the first surface, with the metric of the moved one.
+
+    Parameters
+    ----------
+    V, F, depth, joining_tolerance, geometry : as for Space
+        The first surface: points (n, 3) and triangles (m, 3); or a pair of them, a mesh of another library, or a
+        `Space` as `V` alone.
+    conformal : bool, default False
+        The energy remains that of the first surface: this flow passes where the other one collapses, and makes a
+        sphere of each surface without holes and handles (Kazhdan, Solomon and Ben-Chen 2012).
+    rescaling : {"none", "area", "volume"}, optional
+        What is kept by scaling about the centroid after each step: by default the area if `conformal`, and nothing
+        else.
+    fixed_boundary : bool, default True
+        Whether the boundary stays where it is; it is free otherwise.
+    tolerance : float, optional
+        Of the linear systems, 1e-6 by default.
+    stabilization : float, optional
+        1e-3 by default.
+    threads : int, optional
+        By default all processors. Results do not depend on it.
+
+    Examples
+    --------
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> flow = rl.MeanCurvatureFlow(V, F, depth=4)
+    >>> for _ in range(10):
+    ...     report = flow.step(0.005)
+    >>> radius = np.linalg.norm(flow.positions, axis=1)  # sqrt(1 - 4 t), up to the steps
+    >>> bool(abs(radius - np.sqrt(1 - 4 * flow.time)).max() < 5e-3)
+    True
+    """
+
+    @takes_surface
+    def __init__(self, V: Any, F: Any = None, *, conformal: bool = False, rescaling: Optional[str] = None,
+                 fixed_boundary: bool = True, tolerance: Optional[float] = None,
+                 stabilization: Optional[float] = None, depth: Optional[int] = None,
+                 joining_tolerance: Optional[float] = None, geometry: Any = None,
+                 threads: Optional[int] = None) -> None:
+        if rescaling not in ("none", "area", "volume", None):
+            raise argument_error("rescaling", f"must be none, area or volume, and is {rescaling!r}")
+        self.space: Space = space_of(V, F, threads, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry)
+        self._threads = number_of_threads(threads)
+        self._flow = _core.Flow.make(self.space._space, bool(conformal), rescaling, bool(fixed_boundary), tolerance,
+                                     stabilization, self._threads)
+
+    def step(self, time_step: float, *, check: bool = True) -> Report:
+        """Go on by a time, unless that makes the surface collapse.
+
+        Parameters
+        ----------
+        time_step : float
+            In units of squared length.
+        check : bool, default True
+            Whether it is an error if the solver does not converge.
+
+        Returns
+        -------
+        Report
+            Of the linear systems; and ``time`` since the beginning, ``area``, ``volume`` inside, ``smallest_angle``
+            in degrees of the triangles, ``mean_distortion`` and ``largest_distortion``, (a + 1 / a) / 2 of the ratio a
+            of the two stretches of a triangle, 1 if the map is conformal; ``sphere_deviation``, the mean deviation of
+            the distance from the centroid, relative; and ``collapse``, why the flow has ended, or an empty string: the
+            positions are those before the step then.
+        """
+        report = self._flow.step(float(time_step), self._threads)
+        return checked(None, report, check, True)[1]  # type: ignore[no-any-return]
+
+    @property
+    def time(self) -> float:
+        """Since the beginning, in units of squared length."""
+        return float(self._flow.time)
+
+    @property
+    def positions(self) -> np.ndarray:
+        """Of the vertices, (n, 3)."""
+        return np.ascontiguousarray(self._flow.positions())
+
+    def function(self) -> SplineFunction:
+        """The positions as functions on the first surface.
+
+        Returns
+        -------
+        SplineFunction
+            Three functions.
+        """
+        return SplineFunction(self.space, self._flow.coefficients())
+
+
+@takes_surface
+def mean_curvature_flow(V: Any, F: Any = None, time_step: Optional[float] = None, *, steps: int = 1,
+                        conformal: bool = False, rescaling: Optional[str] = None, fixed_boundary: bool = True,
+                        tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+                        depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
+                        geometry: Any = None, threads: Optional[int] = None, progress: Progress = None,
+                        check: bool = True, return_report: bool = False) -> Any:
+    """Move a surface by mean-curvature flow.
+
+    Parameters
+    ----------
+    V, F, depth, joining_tolerance, geometry : as for Space
+        The surface.
+    time_step : float
+        In units of squared length.
+    steps : int, default 1
+        How many; fewer are made if the surface collapses, which the report says.
+    conformal, rescaling, fixed_boundary, tolerance, stabilization, threads : as for MeanCurvatureFlow
+        Which flow it is, and how it is done.
+    progress, check, return_report : as for solve_poisson
+        What is told, and returned.
+
+    Returns
+    -------
+    positions : numpy.ndarray, (n, 3)
+        Of the vertices.
+    report : Report
+        If `return_report`: that of the last step, see `MeanCurvatureFlow.step`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`.
+    Canceled
+        A callback of `progress` returned False.
+
+    Examples
+    --------
+    A conformal map to a sphere, whose area is that of the surface:
+
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(3)
+    >>> V = V * [1, 0.6, 0.4]
+    >>> area = rl.Space(V, F).area
+    >>> X, report = rl.mean_curvature_flow(V, F, 0.02 * area, steps=30, conformal=True, depth=4, return_report=True)
+    >>> report.sphere_deviation < 0.01, report.mean_distortion < 1.02
+    (True, True)
+    """
+    if time_step is None:
+        raise argument_error("time_step", "is missing")
+    if int(steps) != steps or steps < 1:
+        raise argument_error("steps", f"is {steps}, but must be at least 1")
+    flow = MeanCurvatureFlow(V, F, conformal=conformal, rescaling=rescaling, fixed_boundary=fixed_boundary,
+                             tolerance=tolerance, stabilization=stabilization, depth=depth,
+                             joining_tolerance=joining_tolerance, geometry=geometry, threads=threads)
+    tell = listener(progress)
+    report = Report()
+    for i in range(int(steps)):
+        report = flow.step(time_step, check=check)
+        if tell is not None and tell((i + 1) / steps) is False:
+            raise Canceled("canceled by progress")
+        if report.collapse:
+            break
+    return (flow.positions, report) if return_report else flow.positions
