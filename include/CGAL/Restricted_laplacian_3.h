@@ -31,6 +31,7 @@
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/sparse_cholesky.h>
 #include <CGAL/Restricted_laplacian_3/spectral_descriptors.h>
+#include <CGAL/Restricted_laplacian_3/spherical_parameterization.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/estimate_memory.h>
 #include <CGAL/Restricted_laplacian_3/splines/evaluation_matrix.h>

@@ -17,7 +17,7 @@ from ._distances import (DistanceFunction, Distances, Geodesics, Path, farthest_
                          geodesic_distance, shortest_path)
 from ._errors import Canceled, ConvergenceError, InputError
 from ._files import read_mesh, read_vertex_properties
-from ._flows import MeanCurvatureFlow, mean_curvature_flow
+from ._flows import MeanCurvatureFlow, mean_curvature_flow, spherical_parameterization
 from ._input import Corners
 from ._problems import (Curvature, curvature, diffuse, fit_function, integrate_gradient, smooth,
                         solve_poisson, solve_screened_poisson)
@@ -39,6 +39,7 @@ __all__ = [
     "farthest_points", "fit_function", "geodesic_distance", "global_point_signature",
     "heat_kernel_signature", "heat_kernel_times", "heat_trace", "icosphere",
     "integrate_gradient", "laplace_spectrum", "mean_curvature_flow", "number_of_zero_eigenvalues", "read_mesh",
-    "read_vertex_properties", "shape_dna", "shortest_path", "smooth", "solve_poisson", "solve_screened_poisson", "stitch_colors",
+    "read_vertex_properties", "shape_dna", "shortest_path", "smooth", "solve_poisson", "solve_screened_poisson",
+    "spherical_parameterization", "stitch_colors",
     "to_polyscope", "wave_kernel_signature",
 ]

@@ -15,7 +15,7 @@ from ._input import Progress, listener, number_of_threads, takes_surface
 from ._show import shown
 from ._space import Report, Space, SplineFunction, checked, space_of
 
-__all__ = ["MeanCurvatureFlow", "mean_curvature_flow"]
+__all__ = ["MeanCurvatureFlow", "mean_curvature_flow", "spherical_parameterization"]
 
 
 @shown("time", "space")
@@ -178,3 +178,59 @@ def mean_curvature_flow(V: Any, F: Any = None, time_step: Optional[float] = None
         if report.collapse:
             break
     return (flow.positions, report) if return_report else flow.positions
+
+
+@takes_surface
+def spherical_parameterization(V: Any, F: Any = None, *, tolerance: Optional[float] = None,
+                               maximum_iterations: Optional[int] = None, stabilization: Optional[float] = None,
+                               depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
+                               geometry: Any = None, threads: Optional[int] = None, progress: Progress = None,
+                               check: bool = True, return_report: bool = False) -> Any:
+    """Map a closed surface without holes and handles to the unit sphere, conformally.
+
+    By the conformal flow until the surface is round, and then by the Moebius transformation for which the mean of the
+    map over the surface is the center: so it is unique up to rotations.
+
+    Parameters
+    ----------
+    V, F, depth, joining_tolerance, geometry : as for Space
+        The surface.
+    tolerance : float, optional
+        How far the moved surface may be from a sphere, 1e-3 by default: the mean deviation of the distance from its
+        centroid, relative.
+    maximum_iterations : int, optional
+        Largest number of steps of the flow, 200 by default.
+    stabilization : float, optional
+        1e-3 by default.
+    threads, progress, check, return_report : as for solve_poisson
+        How the work is done, and what is returned.
+
+    Returns
+    -------
+    positions : numpy.ndarray, (n, 3)
+        Of the vertices, on the unit sphere.
+    report : Report
+        If `return_report`: that of `MeanCurvatureFlow.step`, and ``folded_faces``, how many are turned over on the
+        sphere.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument, or says that there is no such map.
+    ConvergenceError
+        A `RuntimeError`: the flow did not end at a sphere.
+    Canceled
+        A callback of `progress` returned False.
+
+    Examples
+    --------
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> X, report = rl.spherical_parameterization(V * [1, 0.6, 0.5], F, depth=4, return_report=True)
+    >>> report.folded_faces, report.mean_distortion < 1.01, bool(abs(np.linalg.norm(X, axis=1) - 1).max() < 1e-12)
+    (0, True, True)
+    """
+    space = space_of(V, F, threads, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry)
+    X, report = _core.map_to_sphere(space._space, tolerance, maximum_iterations, stabilization,
+                                    number_of_threads(threads), listener(progress))
+    return checked(np.ascontiguousarray(X), report, check, return_report)

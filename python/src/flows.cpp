@@ -6,6 +6,7 @@
 #include "functions.h"
 
 #include <CGAL/Restricted_laplacian_3/problems/Mean_curvature_flow.h>
+#include <CGAL/Restricted_laplacian_3/problems/map_to_sphere.h>
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -35,9 +36,7 @@ Flow make_flow(const RL::Spline_space_3& space, bool conformal,
   return run(threads, nb::none(), [&](const auto&) { return Flow(space, o); });
 }
 
-nb::dict step(Flow& flow, double time_step, int threads) {
-  const RL::Flow_report r =
-      run(threads, nb::none(), [&](const auto&) { return flow.step(time_step); });
+nb::dict flow_report_of(const RL::Flow_report& r) {
   nb::dict report = report_of(r);
   report["time"] = r.time;
   report["area"] = r.area;
@@ -50,9 +49,33 @@ nb::dict step(Flow& flow, double time_step, int threads) {
   return report;
 }
 
+nb::dict step(Flow& flow, double time_step, int threads) {
+  return flow_report_of(
+      run(threads, nb::none(), [&](const auto&) { return flow.step(time_step); }));
+}
+
+// (positions, report)
+nb::tuple map_to_sphere(const RL::Spline_space_3& space, std::optional<double> tolerance,
+                        std::optional<int> maximum_iterations, std::optional<double> stabilization,
+                        int threads, const nb::object& progress) {
+  RL::Sphere_map_options o;
+  o.tolerance = tolerance.value_or(o.tolerance);
+  o.maximum_iterations = maximum_iterations.value_or(o.maximum_iterations);
+  o.stabilization = stabilization;
+  RL::Sphere_map map = run(threads, progress, [&](const auto& callback) {
+    o.progress = callback;
+    return RL::map_to_sphere(space, o);
+  });
+  nb::dict report = flow_report_of(map);
+  report["folded_faces"] = map.folded_faces;
+  return nb::make_tuple(array_of_matrix(std::move(map.positions)), report);
+}
+
 } // namespace
 
 void add_flows(nb::module_& m) {
+  m.def("map_to_sphere", &map_to_sphere, "space"_a, "tolerance"_a.none(),
+        "maximum_iterations"_a.none(), "stabilization"_a.none(), "threads"_a, "progress"_a.none());
   nb::class_<Flow>(m, "Flow")
       .def_static("make", &make_flow, "space"_a, "conformal"_a, "rescaling"_a.none(),
                   "fixed_boundary"_a, "tolerance"_a.none(), "stabilization"_a.none(), "threads"_a)

@@ -64,3 +64,25 @@ def test_what_is_refused(mesh):
     V2 = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0]])
     with pytest.raises(rl.InputError, match="boundary"):
         rl.mean_curvature_flow(V2, [[0, 1, 2]], 0.1, rescaling="volume", depth=DEPTH)
+
+
+def test_spherical_parameterization(mesh):
+    V, F = mesh
+    W = V * [2, 1, 0.6] + 9
+    X, report = rl.spherical_parameterization(W, F, depth=DEPTH, return_report=True)
+    assert np.allclose(np.linalg.norm(X, axis=1), 1) and report.folded_faces == 0 and report.mean_distortion < 1.02
+    weights = np.bincount(F.ravel(), np.repeat(np.linalg.norm(np.cross(W[F[:, 1]] - W[F[:, 0]], W[F[:, 2]] - W[F[:, 0]]),
+                                                              axis=1), 3))
+    assert np.abs(weights @ X).max() < 1e-8 * weights.sum()
+    # angles of triangles are kept: those of the mesh and of the sphere
+    def angles(P):
+        p = P[F]
+        u, v = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]
+        return np.arctan2(np.linalg.norm(np.cross(u, v), axis=1), (u * v).sum(1))
+    assert np.abs(angles(X) - angles(W)).mean() < 0.03 < np.abs(angles(V) - angles(W)).mean()
+    with pytest.raises(rl.ConvergenceError):
+        rl.spherical_parameterization(W, F, depth=DEPTH, maximum_iterations=1)
+    with pytest.raises(rl.InputError, match="Euler"):
+        rl.spherical_parameterization(V, F[5:], depth=DEPTH)
+    with pytest.raises(rl.InputError, match="tolerance"):
+        rl.spherical_parameterization(V, F, depth=DEPTH, tolerance=-1)

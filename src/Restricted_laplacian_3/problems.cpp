@@ -10,5 +10,6 @@
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_problem_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/integrate_gradients_impl.h>
+#include <CGAL/Restricted_laplacian_3/problems/map_to_sphere_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/multigrid_levels_impl.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/search_depth_impl.h>

@@ -7,8 +7,8 @@
 #include <CGAL/Restricted_laplacian_3/foundation/Sparse_matrix.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/compiled.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
+#include <CGAL/Restricted_laplacian_3/problems/Flow_report.h>
 #include <CGAL/Restricted_laplacian_3/problems/Moved_integration.h>
-#include <CGAL/Restricted_laplacian_3/solvers/Solve_report.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_functions_3.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
 
@@ -58,31 +58,6 @@ struct Mean_curvature_flow_options {
     internal::read_parameter(np, internal_np::tolerance, tolerance);
     internal::read_parameter(np, internal_np::stabilization, stabilization);
   }
-};
-
-/// \ingroup PkgRestrictedLaplacian3Problems
-/// What a step of a `Mean_curvature_flow` did: of the linear systems, and of the triangles whose
-/// corners are the moved vertices.
-struct Flow_report : Solve_report {
-  /// since the beginning, in units of squared length
-  double time = 0;
-  /// of the triangles
-  double area = 0;
-  /// inside of the triangles, signed; 0 for an open surface
-  double volume = 0;
-  /// in degrees
-  double smallest_angle = 0;
-  /// \f$(\sigma_1 / \sigma_2 + \sigma_2 / \sigma_1) / 2\f$ of the singular values of the map from
-  /// the first triangles to the moved ones: its mean over the first surface; 1 if the map is
-  /// conformal
-  double mean_distortion = 1;
-  /// the largest one
-  double largest_distortion = 1;
-  /// how far the surface is from a sphere: the mean over it of the deviation of the distance from
-  /// its centroid, relative to the mean of this distance
-  double sphere_deviation = 0;
-  /// why the flow has ended: the surface remains that before the step; empty if it can go on
-  std::string collapse;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -143,8 +118,6 @@ public:
 private:
   /// of coefficients, at the vertices
   Eigen::MatrixXd at_vertices(const Eigen::MatrixXd& positions) const;
-  /// area, volume, angles and distortion of the triangles
-  void measure(Flow_report& report) const;
   /// why the vertices cannot move there, empty if they can
   std::string collapse(const Eigen::MatrixXd& after) const;
   /// scales positions, and those at the vertices, about the centroid
