@@ -415,6 +415,19 @@ def diffusion(shape: Shape) -> float:
     return float(np.abs(u - np.exp(-1) * u0(shape.V)).max() / 0.02)
 
 
+def flow(shape: Shape) -> float:
+    """What is flat stays, and spheres shrink; the rest is finite."""
+    step = 1e-3 * shape.extent ** 2
+    X = rl.mean_curvature_flow(shape.V, shape.F, step, steps=2)
+    finite("positions", X)
+    if shape.rectangle and shape.to_plane:
+        return float(np.abs(X - shape.V).max() / (1e-3 * shape.extent))
+    if shape.radius and shape.size >= 3:
+        r = np.linalg.norm(X, axis=1) / np.linalg.norm(shape.V, axis=1)
+        return float(np.abs(r - np.sqrt(1 - 8 * step)).max() / 0.02)
+    return 0.0
+
+
 def anisotropic(shape: Shape) -> float:
     a = shape.extent / 10
     values = rl.eigs(shape.V, shape.F, 7, anisotropy=a)[0]
@@ -503,7 +516,7 @@ def exact_distance(shape: Shape) -> float:
 
 APPLICATIONS: Dict[str, Callable] = {
     "poisson": poisson, "screened": screened, "fit": fit, "curvature": curvature, "gradient": gradient,
-    "diffusion": diffusion, "anisotropic": anisotropic,
+    "diffusion": diffusion, "anisotropic": anisotropic, "flow": flow,
     "distance": distance, "exact_distance": exact_distance,
     **{f"spectrum_{k}": lambda shape, k=k: spectrum(shape, k) for k in (7, 20, 31, 64, 128)}}
 

@@ -143,7 +143,13 @@ def test_command_line(tmp_path, sphere):
     assert run("--version").stdout.strip() == rl.__version__
 
 
-def test_an_accuracy_of_operators(sphere):
+def test_an_accuracy_of_operators(sphere, monkeypatch):
+    # small meshes have a depth of their own
+    of_default = learning.precompute(*sphere, count=5).eigenvalues
+    assert np.array_equal(of_default, learning.precompute(*sphere, count=5, depth=4).eigenvalues)
+    monkeypatch.setattr(learning, "_SMALL_NUMBER_OF_FACES", 10)
+    assert np.array_equal(learning.precompute(*sphere, count=5).eigenvalues, rl.laplace_spectrum(*sphere, 5).eigenvalues)
+    assert rl.Space(*sphere).depth != 4
     found = learning.precompute(*sphere, count=25, accuracy=1e-5, depth=2, check=False).eigenvalues
     expected = rl.laplace_spectrum(*sphere, 25, accuracy=1e-5, depth=2, check=False)
     assert np.array_equal(found, expected.eigenvalues) and expected.space.depth > 4

@@ -109,8 +109,10 @@ Diffusion_solver::set_up(const Diffusion_options& options, const Dirichlet_bound
   system.elliptic.stabilization = options.stabilization.value_or(default_stabilization(m_space));
   system.boundary = boundary;
   system.mass = &m_mass;
-  if(options.factorize.value_or(m_space.dimension() <=
-                                internal::Factorized_matrix::largest_dimension(true))) {
+  // without a stabilization the matrix is nearly singular, which multigrid can bear
+  if(options.factorize.value_or(system.elliptic.stabilization > 0 &&
+                                m_space.dimension() <=
+                                    internal::Factorized_matrix::largest_dimension(true))) {
     internal::System_matrices matrices =
         internal::assemble_system(m_space, m_space.depth(), system.elliptic,
                                   internal::Stored_entries::all, internal::Progress(), &m_mass);
@@ -119,7 +121,7 @@ Diffusion_solver::set_up(const Diffusion_options& options, const Dirichlet_bound
     m_factor.emplace(matrices.matrices.back());
     if(*m_factor)
       return;
-    m_factor.reset(); // without a stabilization it may not be positive definite
+    m_factor.reset(); // it is not positive definite, up to rounding
   }
   constexpr double smallest_tolerance = 1e-13;
   Poisson_solver_options of_solver;
@@ -344,7 +346,7 @@ Diffusion_solver::diffuse_loads(const Eigen::MatrixXd& initial, const Eigen::Mat
        (loads->rows() != m_integrals.size() || loads->cols() != initial.cols()))
       throw Parameter_error(loads == &initial ? "initial" : "source",
                             "does not have the size of the space, or of the functions");
-  constexpr Eigen::Index functions_at_once = 16;
+  const Eigen::Index functions_at_once = m_factor ? 16 : 8;
   const internal::Progress own(progress);
   own(0);
   Diffused_functions result;
@@ -411,8 +413,9 @@ diffuse_in_space(const Spline_space_3& space, const Diffusion_problem& problem) 
     return f ? &*f : nullptr;
   };
   Diffusion_options options = problem.options;
-  options.factorize =
-      space.dimension() <= Factorized_matrix::largest_dimension(problem.initial.components() > 1);
+  if(!options.factorize && problem.initial.components() == 1 &&
+     space.dimension() > Factorized_matrix::largest_dimension(false))
+    options.factorize = false;
   return Diffusion_solver(space, problem.time, options, pointer(problem.boundary_values))
       .diffuse(problem.initial, pointer(problem.source), problem.progress);
 }
