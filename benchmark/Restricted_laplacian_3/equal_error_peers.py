@@ -7,8 +7,9 @@ FOLDER holds the meshes, MESH are their names without .ply. Needs what python_pe
 
 For each mesh 50 and 100 eigenpairs, and the Poisson problem with f = z at the vertices; seconds from
 arrays to arrays, on one thread, the least of up to three runs. Errors are against the package two levels
-deeper than its default: the largest relative one of the eigenvalues that are not 0, and the one in the
-mean square over the surface. Peers take scipy's eigsh with a shift and CHOLMOD, and the mesh as it is.
+deeper than its default, at depth 9 at most: the largest relative one of the eigenvalues that are not 0,
+and the one in the mean square over the surface. Peers take scipy's eigsh with a shift and CHOLMOD, and
+the mesh as it is.
 
 Each run of the package gives two rows, one for the eigenvalues and one for the extrapolated ones.
 

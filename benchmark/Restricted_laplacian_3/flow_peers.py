@@ -7,14 +7,13 @@ FOLDER holds the meshes, MESH are their names without .ply. Needs what python_pe
 Linear elements take cotangent weights, Voronoi areas, positions at the vertices, the same implicit steps,
 and CHOLMOD, which factorizes in each step, since the matrix changes.
 
-Three tables:
+Two tables:
 
     steps of the conformal flow of a hundredth of the area: seconds for one, and after 10 and 30 of them the
         deviation from a sphere and the mean distortion, see MeanCurvatureFlow.step
-    plain flow for a thousandth of the area in ten steps, of the mesh and of what quadric simplification
-        leaves at 30 % of the triangles: the mean distance of the vertices of one result from the other one,
-        over the diameter; before is that of the two meshes themselves
-    the same of the mesh with two thirds of its edges flipped, where that is possible
+    plain flow for a thousandth of the area in ten steps, of the mesh and of other triangles: what quadric
+        simplification leaves of 30 % of them, or the same vertices with edges flipped. The mean distance of
+        the vertices of one result from the other one, over the diameter; before is that of the meshes
 """
 
 import os

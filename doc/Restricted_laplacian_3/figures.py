@@ -484,6 +484,13 @@ for problem in ("eigenpairs_50", "eigenpairs_100", "poisson"):
     add_table("equal_error_" + problem, lambda p=problem: equal_error(p), [],
               {"Mesh": "mesh", "Vertices": lambda r: whole(r["vertices"])}, "column", "value",
               lambda x: "-" if math.isinf(x) else seconds(x), 1)
+SEARCHES = {0.01: "1e-2", 0.003: "3e-3", 0.001: "1e-3"}
+for name, value, text in [("seconds", "seconds", seconds), ("errors", "error", error)]:
+    add_table("equal_error_search_" + name, "equal_error_peers", EQUAL_ERROR,
+              {"Mesh": "mesh", "Problem": lambda r: {"eigenpairs_50": "50 pairs", "poisson": "Poisson"}[r["problem"]]},
+              lambda r: SEARCHES.get(r["parameter"], r["parameter"]), value, text, 2, ["default", *SEARCHES.values()],
+              lambda r: r["method"] == "restricted" and r["problem"] != "eigenpairs_100" and (
+                  r["parameter"] == "default" or r["parameter"] in SEARCHES))
 add_table("equal_error_of_peers", "equal_error_peers", EQUAL_ERROR, {"Mesh": "mesh", "Problem": lambda r: {
     "eigenpairs_50": "50 pairs", "eigenpairs_100": "100 pairs", "poisson": "Poisson"}[r["problem"]]},
           lambda r: {"robust": "robust-laplacian", "lapy": "LaPy"}.get(r["method"], r["method"]), "error", error, 2,

@@ -69,7 +69,7 @@ Triangles thin_torus() {
 
 /// two balls with a thin neck between them
 Triangles dumbbell() {
-  Triangles t = shapes::sphere(5);
+  Triangles t = shapes::sphere(4);
   for(RL::Point_3& p : t.points) {
     const double r = 0.2 + 0.8 * std::pow(std::abs(p.x()), 1.5),
                  s = std::sqrt(p.y() * p.y() + p.z() * p.z());
@@ -119,11 +119,11 @@ TEST_CASE("moved_surface_has_its_own_metric", "[flow]") {
 
 TEST_CASE("sphere_shrinks_as_it_should", "[flow]") {
   // r^2 = 1 - 4 t, and the error is of first order in the step, in any unit of length
-  for(const double unit : {1e-6, 1., 1e6}) {
+  for(const double unit : {1e-6, 1e6}) {
     const RL::Spline_space_3 space = round_sphere(unit, 3);
     std::vector<double> errors;
     const double end = 0.12;
-    for(const int steps : {12, 24}) {
+    for(const int steps : {8, 16}) {
       RL::Mean_curvature_flow flow(space);
       for(int i = 0; i < steps; ++i) {
         const RL::Flow_report report = flow.step(end / steps * unit * unit);
@@ -190,20 +190,20 @@ TEST_CASE("flows_that_end_and_flows_that_pass", "[flow]") {
   RL::Flow_report report;
   int steps = 0;
   for(; steps < 100 && report.collapse.empty(); ++steps)
-    report = flow.step(1e-3);
+    report = flow.step(2e-3);
   INFO("torus: " << flow.time() << ", " << report.collapse);
   CHECK(report.collapse.find("face") != std::string::npos);
-  CHECK(std::abs(flow.time() - 0.25 * 0.25 / 2) < 5e-3);
+  CHECK(std::abs(flow.time() - 0.25 * 0.25 / 2) < 8e-3);
   CHECK(flow.vertex_positions().allFinite());
   const Eigen::MatrixXd last = flow.vertex_positions();
-  CHECK(!flow.step(1e-3).collapse.empty());
+  CHECK(!flow.step(2e-3).collapse.empty());
   CHECK(flow.vertex_positions() == last); // the last good state
   // a dumbbell breaks, and passes conformally
   const RL::Spline_space_3 bell = flow_space(dumbbell(), 5);
   RL::Mean_curvature_flow plain(bell), conformal(bell, params::conformal(true));
   report = RL::Flow_report();
   for(int i = 0; i < 200 && report.collapse.empty(); ++i)
-    report = plain.step(2e-3);
+    report = plain.step(4e-3);
   CHECK(!report.collapse.empty());
   CHECK(report.area > 0.2 * bell.surface().area()); // the balls are still there
   for(int i = 0; i < 40; ++i)
