@@ -6,7 +6,10 @@
 
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_space.h>
 #include <CGAL/Restricted_laplacian_3/distributed/Distributed_surface.h>
+#include <CGAL/Restricted_laplacian_3/integration/Surface_material.h>
 #include <CGAL/Restricted_laplacian_3/splines/Spline_space_3.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <utility>
@@ -37,18 +40,37 @@ slice_of(const CGAL::Restricted_laplacian_3::Triangulated_surface_3& surface,
   return slice;
 }
 
+/// a tensor that is not tangential, and a density, both of the point and thus the same on all ranks
+inline CGAL::Restricted_laplacian_3::Surface_material some_material() {
+  using CGAL::Restricted_laplacian_3::Surface_point;
+  CGAL::Restricted_laplacian_3::Surface_material result;
+  result.set_diffusion([](const Surface_point& p) {
+    const Eigen::Vector3d direction(p.point.y(), 1, -0.5);
+    return Eigen::Matrix3d(Eigen::Matrix3d::Identity() +
+                           3 * direction * direction.transpose() / direction.squaredNorm());
+  });
+  result.set_density([](const Surface_point& p) { return 1.5 + p.point.x(); });
+  return result;
+}
+
 /// a space that ranks have divided, and the same of one process
 struct Spaces {
   using Surface = CGAL::Restricted_laplacian_3::Triangulated_surface_3;
   using Communicator = CGAL::Restricted_laplacian_3::Communicator;
 
-  Spaces(const Surface& s, int depth, const Communicator& communicator = Communicator())
-    : surface(s), distributed_surface(communicator, slice_of(s, communicator)),
-      distributed(distributed_surface, options_of(depth)), whole(surface, options_of(depth)) {}
+  using Material = CGAL::Restricted_laplacian_3::Surface_material;
 
-  static CGAL::Restricted_laplacian_3::Spline_space_options options_of(int depth) {
+  Spaces(const Surface& s, int depth, const Communicator& communicator = Communicator(),
+         const Material& material = {})
+    : surface(s), distributed_surface(communicator, slice_of(s, communicator)),
+      distributed(distributed_surface, options_of(depth, material)),
+      whole(surface, options_of(depth, material)) {}
+
+  static CGAL::Restricted_laplacian_3::Spline_space_options options_of(int depth,
+                                                                       const Material& material) {
     CGAL::Restricted_laplacian_3::Spline_space_options options;
     options.depth = depth;
+    options.material = material;
     return options;
   }
 

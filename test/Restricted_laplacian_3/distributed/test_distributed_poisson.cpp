@@ -38,9 +38,11 @@ struct Result {
 double f(const RL::Surface_point& p) { return p.point.x() + 0.3 * p.point.y() * p.point.z(); }
 
 Result solve(const RL::Triangulated_surface_3& surface, int depth, double alpha, double tolerance,
-             const RL::Communicator& communicator = RL::Communicator()) {
+             const RL::Communicator& communicator = RL::Communicator(),
+             const RL::Surface_material& material = {}) {
   RL::Spline_space_options options;
   options.depth = depth;
+  options.material = material;
   const RL::Distributed_surface distributed(communicator, slice_of(surface, communicator));
   const RL::Distributed_space space(distributed, options);
   RL::Poisson_solver_options solver_options;
@@ -113,6 +115,24 @@ TEST_CASE("many_components_on_ranks", "[shapes]") {
     CHECK(result.difference <= 1e-7);
     CHECK(result.iterations <= result.iterations_of_one + 2);
   }
+}
+
+TEST_CASE("materials_on_ranks", "[shapes]") {
+  const RL::Triangulated_surface_3 sphere = surface_of(shapes::sphere(3));
+  for(int depth : {3, 5})
+    for(double alpha : {0., 2.}) {
+      INFO("depth " << depth << ", alpha " << alpha);
+      const Result result = solve(sphere, depth, alpha, 1e-10, RL::Communicator(), some_material());
+      CHECK(result.difference <= 1e-7);
+      CHECK(result.iterations <= (std::max)(result.iterations_of_one + 1, 8));
+    }
+  // property maps belong to a mesh that no rank has as a whole
+  RL::Spline_space_options options;
+  options.depth = 3;
+  options.has_material_of_maps = true;
+  const RL::Communicator communicator;
+  const RL::Distributed_surface surface(communicator, slice_of(sphere, communicator));
+  CHECK_THROWS_WITH(RL::Distributed_space(surface, options), Catch::Contains("not a property map"));
 }
 
 TEST_CASE("iterations_do_not_depend_on_the_number_of_ranks", "[shapes]") {

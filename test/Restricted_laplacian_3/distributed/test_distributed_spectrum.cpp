@@ -129,6 +129,16 @@ TEST_CASE("spectra_of_shapes_on_ranks", "[shapes]") {
   }
 }
 
+TEST_CASE("spectra_of_materials_on_ranks", "[shapes]") {
+  const Spaces spaces(surface_of(shapes::sphere(3)), 4, RL::Communicator(), some_material());
+  const RL::Distributed_spectrum spectrum =
+      RL::laplace_spectrum(spaces.distributed, 16, options_of(1e-6));
+  CHECK(spectrum.report.converged);
+  CHECK(difference_of_values(spaces.whole, spectrum, 16) <= 1e-10);
+  // in the density
+  CHECK(defect_of_orthonormality(spaces.distributed, spectrum.pairs) <= 1e-8);
+}
+
 TEST_CASE("eigenpairs_that_are_known_are_not_computed_again", "[shapes]") {
   const Spaces spaces(surface_of(shapes::box(1, 0.7, 0.4, 3, 1)), 5);
   const RL::Distributed_space& space = spaces.distributed;

@@ -23,7 +23,7 @@ namespace internal {
 
 /// The elliptic operator \f$u \mapsto \alpha u - \beta \Delta u\f$, whose matrix is
 /// \f$\beta S + M_\alpha\f$. A diffusion tensor is a matter of the integration, see
-/// `Diffusion_integration`.
+/// `Surface_material`.
 struct Elliptic_operator {
   /// \f$\beta\f$
   double diffusion = 1;
