@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Spots that form by themselves (Turing 1952, with the reaction of Schnakenberg 1979):
-// du/dt = D Laplacian u + a - u + u^2 v, dv/dt = 20 D Laplacian v + b - u^2 v. Their distance is a
-// length that is chosen, here 0.15 of the size of the surface, and does not depend on its triangles.
+// du/dt = D Laplacian u + a - u + u^2 v, dv/dt = 20 D Laplacian v + b - u^2 v. Their distance is
+// chosen, here 0.15 of the size of the surface, and does not depend on the triangles.
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/problems/Diffusion_solver.h>
