@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A wave on a surface, d^2 u / dt^2 = Laplacian u, from a bump at rest beside the first vertex. Steps
-// of the trapezoidal rule keep the energy (1/2) integral (du/dt)^2 + |grad u|^2; each solves one
-// screened Poisson problem, all with one multigrid hierarchy.
+// A wave on a surface, d^2 u / dt^2 = Laplacian u, from a bump at rest beside the first vertex.
+// Steps of the trapezoidal rule keep the energy (1/2) integral (du/dt)^2 + |grad u|^2; each solves
+// one screened Poisson problem, all with one multigrid hierarchy.
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
