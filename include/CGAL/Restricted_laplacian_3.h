@@ -10,6 +10,7 @@
 
 #include <CGAL/Restricted_laplacian_3/assembly/cotangent_operators.h>
 #include <CGAL/Restricted_laplacian_3/diffuse.h>
+#include <CGAL/Restricted_laplacian_3/edit_surface.h>
 #include <CGAL/Restricted_laplacian_3/estimate_curvature.h>
 #include <CGAL/Restricted_laplacian_3/files/read_mesh_file.h>
 #include <CGAL/Restricted_laplacian_3/fit_function.h>
@@ -27,6 +28,7 @@
 #include <CGAL/Restricted_laplacian_3/problems/Geodesic_fitter.h>
 #include <CGAL/Restricted_laplacian_3/problems/Multigrid_preconditioner.h>
 #include <CGAL/Restricted_laplacian_3/problems/monte_carlo_error.h>
+#include <CGAL/Restricted_laplacian_3/smooth_surface.h>
 #include <CGAL/Restricted_laplacian_3/solve_poisson.h>
 #include <CGAL/Restricted_laplacian_3/spectra/smallest_eigenpairs.h>
 #include <CGAL/Restricted_laplacian_3/spectra/sparse_cholesky.h>

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Restricted_laplacian_3 developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Surfaces that move."""
+"""Surfaces that move, and are edited."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from ._input import Progress, listener, number_of_threads, takes_surface
 from ._show import shown
 from ._space import Report, Space, SplineFunction, checked, space_of
 
-__all__ = ["MeanCurvatureFlow", "mean_curvature_flow", "spherical_parameterization"]
+__all__ = ["MeanCurvatureFlow", "SurfaceEditor", "edit_surface", "mean_curvature_flow", "sharpen_surface",
+           "smooth_surface", "spherical_parameterization"]
 
 
 @shown("time", "space")
@@ -234,3 +235,277 @@ def spherical_parameterization(V: Any, F: Any = None, *, tolerance: Optional[flo
     X, report = _core.map_to_sphere(space._space, tolerance, maximum_iterations, stabilization,
                                     number_of_threads(threads), listener(progress))
     return checked(np.ascontiguousarray(X), report, check, return_report)
+
+
+def _rows(signal: Any, space: Space) -> Optional[np.ndarray]:
+    """A signal at the vertices as rows, or None for the positions."""
+    if signal is None:
+        return None
+    rows = np.asarray(signal, dtype=float)
+    if rows.ndim not in (1, 2) or rows.shape[0] != space.number_of_vertices or rows.size == 0:
+        raise argument_error("signal", f"has the shape {rows.shape}, but there are {space.number_of_vertices} vertices")
+    return np.ascontiguousarray(rows.reshape(len(rows), -1))
+
+
+def _like(values: Any, signal: Any) -> np.ndarray:
+    """Rows in the shape of the signal."""
+    result = np.ascontiguousarray(values)
+    return result if signal is None else result.reshape(np.shape(signal))
+
+
+def _scale_details(V: Any, F: Any, length: Optional[float], factor: float, signal: Any, crease_angle: Optional[float],
+                   tolerance: Optional[float], stabilization: Optional[float], threads: Optional[int],
+                   progress: Progress, check: bool, return_report: bool, **of_space: Any) -> Any:
+    if length is None:
+        raise argument_error("length", "is missing")
+    has_depth = isinstance(V, Space) or of_space["depth"] is not None
+    space = space_of(V, F, threads, **of_space)
+    options = {"crease_angle": crease_angle, "tolerance": tolerance, "stabilization": stabilization}
+    values, report = _core.scale_details(space._space, has_depth, float(length), float(factor), _rows(signal, space),
+                                         options, number_of_threads(threads), listener(progress))
+    return checked(_like(values, signal), report, check, return_report)
+
+
+@takes_surface
+def smooth_surface(V: Any, F: Any = None, length: Optional[float] = None, *, crease_angle: Optional[float] = None,
+                   signal: Any = None, tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+                   depth: Optional[int] = None, joining_tolerance: Optional[float] = None, geometry: Any = None,
+                   threads: Optional[int] = None, progress: Progress = None, check: bool = True,
+                   return_report: bool = False) -> Any:
+    """Smooth a surface, or a signal on it: what is smaller than a length goes.
+
+    Waves of the length are halved, those of twice the length lose a seventeenth, whatever the unit and the triangles
+    are: 1 / (1 + (length / wave)^4) is what remains.
+
+    Parameters
+    ----------
+    V, F, depth, joining_tolerance, geometry : as for Space
+        The surface. Without a depth cells are not larger than a quarter of the length, and with a `crease_angle`
+        than half of the mean edge.
+    length : float
+        What goes, and what remains.
+    crease_angle : float, optional
+        Where normals turn by more degrees, creases are kept: the normals of faces are filtered, and the surface is
+        fitted to them.
+    signal : array_like, (n,) or (n, K), optional
+        Values at the vertices that are smoothed in place of the positions.
+    tolerance : float, optional
+        Of the linear systems, or of the filter: 1e-4 by default.
+    stabilization : float, optional
+        1e-3 by default.
+    threads, progress, check, return_report : as for solve_poisson
+        How the work is done, and what is returned.
+
+    Returns
+    -------
+    positions : numpy.ndarray, (n, 3)
+        Of the vertices, or the signal.
+    report : Report
+        If `return_report`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
+
+    See Also
+    --------
+    sharpen_surface, edit_surface, smooth
+
+    Examples
+    --------
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> noisy = V * (1 + 0.01 * np.random.default_rng(1).standard_normal((len(V), 1)))
+    >>> X = rl.smooth_surface(noisy, F, 0.5)
+    >>> deviation = np.std(np.linalg.norm(X, axis=1))
+    >>> bool(deviation < 0.003)
+    True
+    """
+    if crease_angle is not None and signal is not None:
+        raise argument_error("crease_angle", "is for positions: a signal has no normals")
+    return _scale_details(V, F, length, 0, signal, crease_angle, tolerance, stabilization, threads, progress, check,
+                          return_report, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry)
+
+
+@takes_surface
+def sharpen_surface(V: Any, F: Any = None, length: Optional[float] = None, factor: float = 2, *, signal: Any = None,
+                    tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+                    depth: Optional[int] = None, joining_tolerance: Optional[float] = None, geometry: Any = None,
+                    threads: Optional[int] = None, progress: Progress = None, check: bool = True,
+                    return_report: bool = False) -> Any:
+    """Multiply what is smaller than a length by a factor, and leave what is larger.
+
+    Parameters
+    ----------
+    V, F, depth, joining_tolerance, geometry : as for Space
+        The surface. Without a depth cells are not larger than a quarter of the length.
+    length : float
+        What is larger remains.
+    factor : float, default 2
+        Of what is smaller.
+    signal : array_like, (n,) or (n, K), optional
+        Values at the vertices that are sharpened in place of the positions.
+    tolerance, stabilization : as for smooth_surface
+        How well it is done.
+    threads, progress, check, return_report : as for solve_poisson
+        How the work is done, and what is returned.
+
+    Returns
+    -------
+    positions : numpy.ndarray, (n, 3)
+        Of the vertices, or the signal.
+    report : Report
+        If `return_report`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+    Canceled
+        A callback of `progress` returned False.
+
+    Examples
+    --------
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> bumps = np.sin(8 * V[:, 2])
+    >>> twice = rl.sharpen_surface(V, F, 10, 2, signal=bumps, depth=5)
+    >>> bool(abs(twice - (2 * bumps - bumps.mean())).max() < 0.1)
+    True
+    """
+    return _scale_details(V, F, length, factor, signal, None, tolerance, stabilization, threads, progress, check,
+                          return_report, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry)
+
+
+class SurfaceEditor:
+    """Edits the positions of a surface, or another signal x on it, by its gradient.
+
+    The result u minimizes the integral of abs(grad u - scale * grad x)^2 + alpha * abs(u - x)^2. What is much longer
+    than 2 pi / sqrt(alpha) remains; what is much shorter is multiplied by the scale.
+
+    Parameters
+    ----------
+    V, F, depth, joining_tolerance, geometry : as for Space
+        The surface.
+    alpha : float
+        Positive, in units of 1 / area.
+    anisotropic : float, default 0
+        How far it follows the curvature: the metric is that of the surface (x, w n) with its normals, w = anisotropic
+        / sqrt(alpha). Creases are wide in it, and survive.
+    signal : array_like, (n,) or (n, K), optional
+        x at the vertices, in place of the positions.
+    tolerance : float, optional
+        Of the linear systems, 1e-4 by default.
+    stabilization : float, optional
+        1e-3 by default.
+    threads : int, optional
+        By default all processors. Results do not depend on it.
+
+    Examples
+    --------
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> editor = rl.SurfaceEditor(V, F, 100)
+    >>> bool(np.allclose(editor.edit(1), V))
+    True
+    >>> radius = np.linalg.norm(editor.edit(0), axis=1)  # alpha / (alpha + 2) of it remains
+    >>> bool(abs(radius - 100 / 102).max() < 1e-3)
+    True
+    """
+
+    @takes_surface
+    def __init__(self, V: Any, F: Any = None, alpha: Optional[float] = None, *, anisotropic: float = 0,
+                 signal: Any = None, tolerance: Optional[float] = None, stabilization: Optional[float] = None,
+                 depth: Optional[int] = None, joining_tolerance: Optional[float] = None, geometry: Any = None,
+                 threads: Optional[int] = None) -> None:
+        if alpha is None:
+            raise argument_error("alpha", "is missing")
+        self.space: Space = space_of(V, F, threads, depth=depth, joining_tolerance=joining_tolerance, geometry=geometry)
+        self._signal = signal
+        self._threads = number_of_threads(threads)
+        options = {"anisotropic": anisotropic, "tolerance": tolerance, "stabilization": stabilization}
+        self._editor = _core.Editor.make(self.space._space, float(alpha), _rows(signal, self.space), options,
+                                         self._threads)
+
+    def edit(self, gradient_scale: Any, *, check: bool = True, return_report: bool = False) -> Any:
+        """The signal for a scale of its gradient.
+
+        Parameters
+        ----------
+        gradient_scale : float, array_like or callable
+            0 smooths, 1 changes nothing, 2 doubles details; a number for all of the surface, for which nothing has to
+            be solved; (n,) at the vertices; (m,) on the faces; or a callable on points.
+        check, return_report : as for solve_poisson
+            What is checked, and returned.
+
+        Returns
+        -------
+        positions : numpy.ndarray, (n, 3)
+            Of the vertices, or the signal.
+        report : Report
+            If `return_report`.
+        """
+        if np.ndim(gradient_scale) == 0 and not callable(gradient_scale):
+            values, report = self._editor.edit(float(gradient_scale))
+        else:
+            scale = self.space._function(gradient_scale, "gradient_scale")
+            values, report = self._editor.edit_by(scale, self._threads)
+        return checked(_like(values, self._signal), report, check, return_report)
+
+
+@takes_surface
+def edit_surface(V: Any, F: Any = None, gradient_scale: Any = None, alpha: Optional[float] = None, *,
+                 anisotropic: float = 0, signal: Any = None, tolerance: Optional[float] = None,
+                 stabilization: Optional[float] = None, depth: Optional[int] = None,
+                 joining_tolerance: Optional[float] = None, geometry: Any = None, threads: Optional[int] = None,
+                 check: bool = True, return_report: bool = False) -> Any:
+    """Edit a surface, or a signal on it, by its gradient: `SurfaceEditor` for one scale.
+
+    Parameters
+    ----------
+    V, F, depth, joining_tolerance, geometry : as for Space
+        The surface.
+    gradient_scale, alpha, anisotropic, signal, tolerance, stabilization, threads : as for SurfaceEditor
+        What is done.
+    check, return_report : as for solve_poisson
+        What is checked, and returned.
+
+    Returns
+    -------
+    positions : numpy.ndarray, (n, 3)
+        Of the vertices, or the signal.
+    report : Report
+        If `return_report`.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+    ConvergenceError
+        A `RuntimeError`, with what was found.
+
+    Examples
+    --------
+    Details of the upper half of a sphere go, those of the lower half remain:
+
+    >>> import numpy as np, restricted_laplacian as rl
+    >>> V, F = rl.icosphere(4)
+    >>> bumpy = V * (1 + 0.02 * np.sin(20 * V[:, :1]))
+    >>> X = rl.edit_surface(bumpy, F, np.where(V[:, 2] > 0, 0, 1), 200)
+    >>> change = np.linalg.norm(X - bumpy, axis=1)
+    >>> bool(change[V[:, 2] > 0.3].mean() > 10 * change[V[:, 2] < -0.3].mean())
+    True
+    """
+    if gradient_scale is None:
+        raise argument_error("gradient_scale", "is missing")
+    editor = SurfaceEditor(V, F, alpha, anisotropic=anisotropic, signal=signal, tolerance=tolerance,
+                           stabilization=stabilization, depth=depth, joining_tolerance=joining_tolerance,
+                           geometry=geometry, threads=threads)
+    return editor.edit(gradient_scale, check=check, return_report=return_report)

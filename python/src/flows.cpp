@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Surfaces that move.
+// Surfaces that move, and are edited.
 
 #include "functions.h"
+#include "options.h"
 
 #include <CGAL/Restricted_laplacian_3/problems/Mean_curvature_flow.h>
+#include <CGAL/Restricted_laplacian_3/problems/Surface_editor.h>
 #include <CGAL/Restricted_laplacian_3/problems/map_to_sphere.h>
+#include <CGAL/Restricted_laplacian_3/problems/scale_details.h>
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -71,9 +74,66 @@ nb::tuple map_to_sphere(const RL::Spline_space_3& space, std::optional<double> t
   return nb::make_tuple(array_of_matrix(std::move(map.positions)), report);
 }
 
+RL::Editing_options editing_options(const nb::dict& options) {
+  RL::Editing_options o;
+  o.tolerance = number_of(options, "tolerance").value_or(o.tolerance);
+  o.stabilization = number_of(options, "stabilization");
+  o.crease_angle = number_of(options, "crease_angle");
+  o.anisotropic = number_of(options, "anisotropic").value_or(o.anisotropic);
+  return o;
+}
+
+Eigen::MatrixXd signal_of(const std::optional<Rows>& signal) {
+  return signal ? matrix_of(*signal) : Eigen::MatrixXd();
+}
+
+nb::tuple edited(RL::Edited_signal result) {
+  const nb::dict report = report_of(result);
+  return nb::make_tuple(array_of_matrix(std::move(result.values)), report);
+}
+
+// (values, report)
+nb::tuple scale_details(const RL::Spline_space_3& given, bool has_depth, double length,
+                        double factor, const std::optional<Rows>& signal, const nb::dict& options,
+                        int threads, const nb::object& progress) {
+  RL::Editing_options o = editing_options(options);
+  const Eigen::MatrixXd x = signal_of(signal);
+  return edited(run(threads, progress, [&](const auto& callback) {
+    o.progress = callback;
+    const RL::Spline_space_3 space = RL::internal::space_for_details(given, length, has_depth, o);
+    return o.crease_angle ? RL::smooth_between_creases(space, length, o)
+                          : RL::scale_details(space, length, factor, o, x);
+  }));
+}
+
+RL::Surface_editor make_editor(const RL::Spline_space_3& space, double alpha,
+                               const std::optional<Rows>& signal, const nb::dict& options,
+                               int threads) {
+  const RL::Editing_options o = editing_options(options);
+  const Eigen::MatrixXd x = signal_of(signal);
+  return run(threads, nb::none(), [&](const auto&) {
+    return RL::Surface_editor(RL::internal::space_to_edit(space, alpha, o), alpha, o, x);
+  });
+}
+
 } // namespace
 
 void add_flows(nb::module_& m) {
+  m.def("scale_details", &scale_details, "space"_a, "has_depth"_a, "length"_a, "factor"_a,
+        "signal"_a.none(), "options"_a, "threads"_a, "progress"_a.none());
+  nb::class_<RL::Surface_editor>(m, "Editor")
+      .def_static("make", &make_editor, "space"_a, "alpha"_a, "signal"_a.none(), "options"_a,
+                  "threads"_a)
+      .def("edit",
+           [](const RL::Surface_editor& editor, double gradient_scale) {
+             return edited(editor.edit(gradient_scale));
+           })
+      .def("edit_by", [](const RL::Surface_editor& editor, const Function& gradient_scale,
+                         int threads) {
+        check_function(gradient_scale, editor.space().surface(), "gradient_scale", 1);
+        return edited(run(threads, nb::none(),
+                          [&](const auto&) { return editor.edit(gradient_scale); }));
+      });
   m.def("map_to_sphere", &map_to_sphere, "space"_a, "tolerance"_a.none(),
         "maximum_iterations"_a.none(), "stabilization"_a.none(), "threads"_a, "progress"_a.none());
   nb::class_<Flow>(m, "Flow")

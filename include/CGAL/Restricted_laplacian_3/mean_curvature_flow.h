@@ -9,12 +9,10 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/input/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/problems/Mean_curvature_flow.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/put_positions.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
-#include <CGAL/Restricted_laplacian_3/surface/shared/coordinates.h>
 
 #include <CGAL/Real_timer.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <string>
 
@@ -47,7 +45,6 @@ template <class Surface, class VertexPointMap,
 Flow_report mean_curvature_flow(const Surface& surface, double time_step, int number_of_steps,
                                 VertexPointMap positions,
                                 const NamedParameters& np = parameters::default_values()) {
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
   CGAL::Real_timer timer;
   timer.start();
   if(number_of_steps < 1)
@@ -64,10 +61,7 @@ Flow_report mean_curvature_flow(const Surface& surface, double time_step, int nu
     progress(static_cast<double>(i + 1) / number_of_steps);
   }
   report.space_seconds = space_seconds;
-  source.for_each_vertex([&](std::size_t i, const auto& v) {
-    const auto p = flow.vertex_positions().row(static_cast<Eigen::Index>(i));
-    internal::put_value_at(positions, v, Point(p[0], p[1], p[2]));
-  });
+  internal::put_positions(source, flow.vertex_positions(), positions);
   return report;
 }
 

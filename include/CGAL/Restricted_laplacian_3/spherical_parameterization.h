@@ -7,13 +7,10 @@
 #include <CGAL/Restricted_laplacian_3/foundation/internal/parameters.h>
 #include <CGAL/Restricted_laplacian_3/input/shared/Surface_source.h>
 #include <CGAL/Restricted_laplacian_3/problems/map_to_sphere.h>
+#include <CGAL/Restricted_laplacian_3/problems/shared/put_positions.h>
 #include <CGAL/Restricted_laplacian_3/problems/shared/space_of.h>
 
 #include <CGAL/Real_timer.h>
-
-#include <boost/property_map/property_map.hpp>
-
-#include <cstddef>
 
 namespace CGAL {
 namespace Restricted_laplacian_3 {
@@ -48,7 +45,6 @@ template <class Surface, class VertexPointMap,
 Sphere_map_report
 spherical_parameterization(const Surface& surface, VertexPointMap positions,
                            const NamedParameters& np = parameters::default_values()) {
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
   CGAL::Real_timer timer;
   timer.start();
   const auto source = internal::surface_source(surface);
@@ -56,10 +52,7 @@ spherical_parameterization(const Surface& surface, VertexPointMap positions,
   const double space_seconds = timer.time();
   Sphere_map map = map_to_sphere(space, np);
   map.space_seconds = space_seconds;
-  source.for_each_vertex([&](std::size_t i, const auto& v) {
-    const auto p = map.positions.row(static_cast<Eigen::Index>(i));
-    internal::put_value_at(positions, v, Point(p[0], p[1], p[2]));
-  });
+  internal::put_positions(source, map.positions, positions);
   return static_cast<const Sphere_map_report&>(map);
 }
 

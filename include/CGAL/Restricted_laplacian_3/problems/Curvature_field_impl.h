@@ -224,6 +224,26 @@ estimate_curvature(const Spline_space_3& space, const Curvature_options& options
   return internal::curvature_of_fit(space, internal::fit_for_curvature(space, nullptr, options));
 }
 
+namespace internal {
+
+/// calls `visit(face, curvature)` for the faces with an area and, in their middle, a curvature
+template <class Visitor>
+void visit_curvatures_of_faces(const Curvature_field& curvature, const Visitor& visit) {
+  if(curvature.functions().number_of_functions() != 3)
+    throw Input_error("the curvature is of coordinates, which knows no principal directions");
+  const Triangulated_surface_3& surface = curvature.functions().space().surface();
+  std::vector<Surface_location> centers;
+  for(std::size_t face = 0; face < surface.number_of_faces(); ++face)
+    if(!surface.is_degenerate(face))
+      centers.push_back(center_of_face(surface, face));
+  const std::vector<Surface_curvature> curvatures = curvature.at_locations(centers);
+  for(std::size_t i = 0; i < centers.size(); ++i)
+    if(std::isfinite(curvatures[i].mean)) // else a fit of normals is 0
+      visit(centers[i].face, curvatures[i]);
+}
+
+} // namespace internal
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Face_function<Symmetric_tensor_3>
 curvature_diffusion(const Curvature_field& curvature, const std::array<double, 2>& anisotropy) {
   constexpr double smallest_factor = 1e-4;
@@ -231,29 +251,41 @@ curvature_diffusion(const Curvature_field& curvature, const std::array<double, 2
     if(!(a >= 0 && std::isfinite(a)))
       throw Parameter_error("anisotropy", "is " + std::to_string(a) +
                                               ", but must be a finite number that is not negative");
-  if(curvature.functions().number_of_functions() != 3)
-    throw Input_error("the curvature is of coordinates, which knows no principal directions");
-  const Triangulated_surface_3& surface = curvature.functions().space().surface();
-  std::vector<Surface_location> centers;
-  for(std::size_t face = 0; face < surface.number_of_faces(); ++face)
-    if(!surface.is_degenerate(face))
-      centers.push_back(internal::center_of_face(surface, face));
-  const std::vector<Surface_curvature> curvatures = curvature.at_locations(centers);
-  std::vector<Symmetric_tensor_3> tensors(surface.number_of_faces(),
+  std::vector<Symmetric_tensor_3> tensors(curvature.functions().space().surface().number_of_faces(),
                                           Symmetric_tensor_3{1, 1, 1, 0, 0, 0});
-  for(std::size_t i = 0; i < centers.size(); ++i) {
-    const Surface_curvature& c = curvatures[i];
-    if(!std::isfinite(c.mean))
-      continue; // where a fit of normals is 0
+  internal::visit_curvatures_of_faces(curvature, [&](std::size_t face, const Surface_curvature& c) {
     const bool is_first_larger = std::abs(c.principal_values[0]) >= std::abs(c.principal_values[1]);
     std::array<double, 2> factors;
     for(int k = 0; k < 2; ++k) {
       const double a = anisotropy[k == 0 ? !is_first_larger : is_first_larger];
       factors[k] = (std::max)(std::exp(-a * std::abs(c.principal_values[1 - k])), smallest_factor);
     }
-    tensors[centers[i].face] = directional_tensor(c.principal_directions, factors);
-  }
+    tensors[face] = directional_tensor(c.principal_directions, factors);
+  });
   return Face_function<Symmetric_tensor_3>(std::move(tensors));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_material normal_metric(const Curvature_field& curvature,
+                                                                  double weight) {
+  if(!(weight >= 0 && std::isfinite(weight)))
+    throw Parameter_error("weight", "is " + std::to_string(weight) +
+                                        ", but must be a finite number that is not negative");
+  constexpr double largest_stretch = 1e2;
+  const std::size_t number = curvature.functions().space().surface().number_of_faces();
+  std::vector<Symmetric_tensor_3> tensors(number, Symmetric_tensor_3{1, 1, 1, 0, 0, 0});
+  std::vector<double> densities(number, 1);
+  internal::visit_curvatures_of_faces(curvature, [&](std::size_t face, const Surface_curvature& c) {
+    std::array<double, 2> stretches;
+    for(int k = 0; k < 2; ++k)
+      stretches[k] = (std::min)(std::hypot(1, weight * c.principal_values[k]), largest_stretch);
+    tensors[face] = directional_tensor(c.principal_directions,
+                                       {stretches[1] / stretches[0], stretches[0] / stretches[1]});
+    densities[face] = stretches[0] * stretches[1];
+  });
+  Surface_material result;
+  result.set_diffusion(Face_function<Symmetric_tensor_3>(std::move(tensors)));
+  result.set_density(Face_function<double>(std::move(densities)));
+  return result;
 }
 
 } // namespace Restricted_laplacian_3

@@ -120,6 +120,15 @@ public:
   Diffused_functions diffuse_loads(const Eigen::MatrixXd& initial, const Eigen::MatrixXd& source,
                                    const std::function<bool(double)>& progress = {}) const;
 
+  /// \cond
+  // What a filter of low pass makes of functions, f(A) with f = 1 / (1 + (lambda / alpha)^2) and
+  // alpha = 4 / t. They are given by their loads and those of their gradients, the integrals of
+  // <grad x, grad b_i>, and by what of these is due to the boundary; f(0) = 1, so means remain.
+  Diffused_functions low_pass(const Eigen::MatrixXd& loads, const Eigen::MatrixXd& gradient_loads,
+                              const Eigen::MatrixXd& boundary_loads,
+                              const std::function<bool(double)>& progress = {}) const;
+  /// \endcond
+
   /// \f$M\f$ times coefficients: loads of what was found, to go on from there
   Eigen::MatrixXd loads_of(const Eigen::MatrixXd& coefficients) const;
 

@@ -48,14 +48,17 @@ inline double checked_tolerance_of_diffusion(const Diffusion_options& options) {
 }
 
 /// What is computed of the operator \f$A\f$: \f$e^{-t A}\f$ for an initial function,
-/// \f$\int_0^t e^{-s A}\, ds\f$ for a source.
-enum class Diffusion_function { exponential, integral };
+/// \f$\int_0^t e^{-s A}\, ds\f$ for a source, \f$A / (\alpha^2 + A^2)\f$ with
+/// \f$\alpha = 1 / \gamma\f$ for a filter.
+enum class Diffusion_function { exponential, integral, high_pass };
 
 /// the function at \f$\lambda = (1 / \theta - 1) / \gamma\f$, divided by \f$\theta\f$
 inline double diffusion_factor(Diffusion_function function, double time, double theta) {
   constexpr double smallest = 1e-14; // the function is 0, or nearly constant, beyond
   const double gamma = part_of_diffusion_time * time, t = (std::max)(theta, smallest),
                lambda = (std::max)((1 / t - 1) / gamma, 0.);
+  if(function == Diffusion_function::high_pass)
+    return lambda / (1 / (gamma * gamma) + lambda * lambda) / t;
   if(function == Diffusion_function::exponential)
     return std::exp(-time * lambda) / t;
   return (lambda * time < 1e-8 ? time : -std::expm1(-time * lambda) / lambda) / t;
@@ -286,8 +289,9 @@ private:
       change.head(f.result.size()) -= f.result;
       // functions that have decayed altogether have no digits
       constexpr double rounding = 1e-12, smallest_part = 1e-12;
-      const double unit = m_function == internal::Diffusion_function::integral ? m_diffusion.m_time
-                                                                               : 1,
+      const double unit = m_function == internal::Diffusion_function::exponential
+                              ? 1
+                              : m_diffusion.m_time,
                    relative =
                        change.norm() / (std::max)(result.norm(), smallest_part * unit * f.norm);
       f.result = std::move(result);
@@ -334,6 +338,23 @@ Diffusion_solver::diffuse(const Surface_function_view& initial, const Surface_fu
   const double assembly_seconds = timer.time();
   Diffused_functions result = diffuse_loads(loads, sources, progress);
   result.assembly_seconds = assembly_seconds;
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Diffused_functions Diffusion_solver::low_pass(
+    const Eigen::MatrixXd& loads, const Eigen::MatrixXd& gradient_loads,
+    const Eigen::MatrixXd& boundary_loads, const std::function<bool(double)>& progress) const {
+  Diffused_functions result;
+  result.set_status(Solve_status::converged);
+  result.setup_seconds = m_setup_seconds;
+  const double alpha = 1 / (internal::part_of_diffusion_time * m_time);
+  // the functions themselves, and then less what is not passed
+  const Eigen::MatrixXd same = solve(gradient_loads + alpha * loads, result);
+  result.coefficients = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
+  Krylov_spaces(*this, internal::Diffusion_function::high_pass)
+      .run(gradient_loads - boundary_loads, result.coefficients, result,
+           internal::Progress(progress));
+  result.coefficients = same - result.coefficients;
   return result;
 }
 

@@ -51,6 +51,7 @@
   PARAMETER(source_term)                                                                           \
   PARAMETER(conformal)                                                                             \
   PARAMETER(rescaling)                                                                             \
+  PARAMETER(anisotropic)                                                                           \
   PARAMETER(fixed_boundary)                                                                        \
   PARAMETER(constraints)                                                                           \
   PARAMETER(constraint_weight)                                                                     \
