@@ -4,21 +4,14 @@
 // Moves a surface by mean-curvature flow, and writes where its vertices are then.
 
 #include "support/command_line.h"
+#include "support/moved_surface.h"
 #include "support/program.h"
 #include "support/solver_options.h"
 #include "support/surface_program.h"
-#include "support/table.h"
 
 #include <CGAL/Restricted_laplacian_3/problems/Mean_curvature_flow.h>
 
-#include <Eigen/Core>
-
-#include <cmath>
-#include <cstddef>
-#include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 using namespace programs;
 namespace params = RL::parameters;
@@ -125,26 +118,7 @@ Outcome flow_surface(Job& job, const Options& o) {
   if(!report.collapse.empty())
     job.fail("after " + std::to_string(steps) + " steps " + report.collapse);
 
-  const RL::Triangulated_surface_3& surface = job.surface;
-  const Eigen::MatrixXd positions = flow.vertex_positions();
-  std::vector<RL::Point_3> points;
-  std::vector<RL::Triangulated_surface_3::Triangle> triangles;
-  std::vector<double> displacements;
-  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v) {
-    const auto p = positions.row(static_cast<Eigen::Index>(v));
-    points.emplace_back(p[0], p[1], p[2]);
-    displacements.push_back(std::sqrt((points[v] - surface.point(v)).squared_length()));
-  }
-  for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    triangles.push_back(surface.triangle(f));
-  Outcome result = outcome(displacements);
-  result.names = {"displacement"};
-  result.moved_surface =
-      std::make_shared<const RL::Triangulated_surface_3>(std::move(points), std::move(triangles));
-  result.write_table = [positions](const std::string& file, const Summary& summary) {
-    write_csv(file, summary, "vertex", {"x", "y", "z"}, positions);
-  };
-  return result;
+  return moved_outcome(job.surface, flow.vertex_positions());
 }
 
 int main(int argc, char* argv[]) {

@@ -517,6 +517,30 @@ add_table("flow_triangles", "flow_peers", ["mesh", "triangles", "flow", "before"
           {"Mesh": "mesh", "Other triangles": "triangles"},
           lambda r: "linear elements" if r["flow"] == "linear" else "this", "after",
           lambda x: "not finite" if math.isinf(x) else "-" if math.isnan(x) else error(x), 2)
+FILTERS = {"none": "none", "implicit": "a step of linear elements", "filter": "linear elements with this filter",
+           "restricted": "this", "no_angle": "this", "anisotropic_10": "this, `anisotropic=10`",
+           "crease_angle": "this, `crease_angle=30`"}
+EDGES = {"Smoothing": of(FILTERS, "smoothing"), "Length in edges": "edges"}
+
+
+def smoothing_rows(first, *columns):
+    return [Row(r, smoothing=r[first], column=title, value=r[column])
+            for r in rows("editing_peers", first, "edges", "error", "angle", columns[-1][0]) for column, title in columns]
+
+
+add_table("smoothing_noise", lambda: smoothing_rows(
+    "filter", ("error", "distance to the clean surface, over the noise"), ("angle", "degrees between normals"),
+    ("noisy_s", "seconds")), [], EDGES, "column", "value", lambda x: f"{x:.2g}")
+add_table("smoothing_creases", lambda: smoothing_rows(
+    "creases", ("error", "distance to the clean surface, over the noise"), ("angle", "degrees between normals"),
+    ("within_5", "creases within 5 degrees")), [], EDGES, "column", "value", lambda x: f"{x:.2g}")
+add_table("smoothing_triangles", "editing_peers", ["mesh", "other", "smoothing", "hundredths", "before", "after"],
+          {"Mesh": "mesh", "Other triangles": "other", "Length, %": "hundredths"}, of(FILTERS, "smoothing"), "after",
+          lambda x: "not finite" if not math.isfinite(x) else error(x), 2)
+EDITS = {"space": "the space", "editor": "`Surface_editor`", "number": "a number", "map": "a number at each vertex",
+         "anisotropic": "`Surface_editor` with another metric"}
+add_table("editing_seconds", "editing_peers", ["editing", "depth", "seconds"], {"What": of(EDITS, "editing")},
+          lambda r: f"depth {r['depth']}", "seconds", seconds)
 add_table("cortex_smoothing", "cortex_peers", ["channels", "method", "smoothing_s"],
           {"Method": of(CORTEX)}, lambda r: f"{r['channels']} channel" + "s" * (r["channels"] > 1), "smoothing_s", seconds)
 

@@ -125,7 +125,7 @@ for i in 1 2 4; do
 done
 side_by_side soup 300 soup_{1,2,4}.png
 
-smooth_surface "$meshes/femur.off" smooth.ply >smooth.txt
+implicit_fairing "$meshes/femur.off" smooth.ply >smooth.txt
 draw rough estimate_curvature "$meshes/femur.off"
 draw smooth estimate_curvature smooth.ply
 side_by_side smoothing 300 {rough,smooth}.png

@@ -205,6 +205,16 @@ def estimates():
                         for name, style in styles.items()], ["pale: not trusted"], lines=False, diagonal=True)
 
 
+def responses():
+    names = {"smooth": ("smooth_surface()", "restricted"), "sharpen": ("sharpen_surface()", "smooth"),
+             "edit_0": ("edit_surface(), 0", "cot_cholmod"), "edit_2": ("edit_surface(), 2", "cot_amg")}
+    found = rows("editing_peers", "what", "length", "kept", "formula")
+    assert all(abs(r["kept"] / r["formula"] - 1) < 0.01 for r in found)
+    return logarithmic("What remains of waves on a sphere", "wavelength over the length", "part that remains",
+                       [(name, STYLES[style], sorted((r["length"], r["kept"]) for r in found if r["what"] == what), [])
+                        for what, (name, style) in names.items()])
+
+
 def time_by_ranks():
     found = figures.partitions()
     first = found[0]
@@ -269,6 +279,7 @@ PLOTS["plot_large_seconds"] = lambda: by_triangles("Poisson, from the file to va
 PLOTS["plot_large_memory"] = lambda: by_triangles("Poisson, from the file to values: memory by triangles",
                                                   "memory_gb", "GB")
 PLOTS["plot_estimates"] = estimates
+PLOTS["plot_responses"] = responses
 PLOTS["plot_partition_time"] = time_by_ranks
 PLOTS["plot_iterations"] = iterations_by_mesh
 

@@ -287,7 +287,10 @@ bool parse_command_line(int argc, char* argv[], const Help& help,
           "the argument of --geometry must be flat or smooth");
   require(o.vertex_data == "linear" || o.vertex_data == "smooth",
           "the argument of --vertex-data must be linear or smooth");
-  require_effect(given, {"crease-angle"}, o.space.geometry == "smooth" || o.vertex_data == "smooth",
+  // or details of a length are smoothed, but creases
+  require_effect(given, {"crease-angle"},
+                 o.space.geometry == "smooth" || o.vertex_data == "smooth" ||
+                     given.count("length") > 0,
                  "--geometry smooth or --vertex-data smooth");
   require_effect(given, {"joining-tolerance"},
                  given.count("paper") == 0 || (o.space.split && !o.space.paper), "split elements");

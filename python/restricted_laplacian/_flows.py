@@ -280,8 +280,7 @@ def smooth_surface(V: Any, F: Any = None, length: Optional[float] = None, *, cre
     Parameters
     ----------
     V, F, depth, joining_tolerance, geometry : as for Space
-        The surface. Without a depth cells are not larger than a quarter of the length, and with a `crease_angle`
-        than half of the mean edge.
+        The surface. With a `crease_angle` and without a depth cells are not wider than half of the mean edge.
     length : float
         What goes, and what remains.
     crease_angle : float, optional
@@ -343,7 +342,7 @@ def sharpen_surface(V: Any, F: Any = None, length: Optional[float] = None, facto
     Parameters
     ----------
     V, F, depth, joining_tolerance, geometry : as for Space
-        The surface. Without a depth cells are not larger than a quarter of the length.
+        The surface.
     length : float
         What is larger remains.
     factor : float, default 2

@@ -100,7 +100,7 @@ nb::tuple scale_details(const RL::Spline_space_3& given, bool has_depth, double 
   const Eigen::MatrixXd x = signal_of(signal);
   return edited(run(threads, progress, [&](const auto& callback) {
     o.progress = callback;
-    const RL::Spline_space_3 space = RL::internal::space_for_details(given, length, has_depth, o);
+    const RL::Spline_space_3 space = RL::internal::space_for_details(given, has_depth, o);
     return o.crease_angle ? RL::smooth_between_creases(space, length, o)
                           : RL::scale_details(space, length, factor, o, x);
   }));
@@ -124,16 +124,14 @@ void add_flows(nb::module_& m) {
   nb::class_<RL::Surface_editor>(m, "Editor")
       .def_static("make", &make_editor, "space"_a, "alpha"_a, "signal"_a.none(), "options"_a,
                   "threads"_a)
-      .def("edit",
-           [](const RL::Surface_editor& editor, double gradient_scale) {
-             return edited(editor.edit(gradient_scale));
-           })
-      .def("edit_by", [](const RL::Surface_editor& editor, const Function& gradient_scale,
-                         int threads) {
-        check_function(gradient_scale, editor.space().surface(), "gradient_scale", 1);
-        return edited(run(threads, nb::none(),
-                          [&](const auto&) { return editor.edit(gradient_scale); }));
-      });
+      .def("edit", [](const RL::Surface_editor& editor,
+                      double gradient_scale) { return edited(editor.edit(gradient_scale)); })
+      .def("edit_by",
+           [](const RL::Surface_editor& editor, const Function& gradient_scale, int threads) {
+             check_function(gradient_scale, editor.space().surface(), "gradient_scale", 1);
+             return edited(run(threads, nb::none(),
+                               [&](const auto&) { return editor.edit(gradient_scale); }));
+           });
   m.def("map_to_sphere", &map_to_sphere, "space"_a, "tolerance"_a.none(),
         "maximum_iterations"_a.none(), "stabilization"_a.none(), "threads"_a, "progress"_a.none());
   nb::class_<Flow>(m, "Flow")

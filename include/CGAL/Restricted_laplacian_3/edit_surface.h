@@ -33,7 +33,7 @@ namespace Restricted_laplacian_3 {
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_surface
-///   \named_of_editing
+///   \named_anisotropic
 ///   \named_tolerance{`1e-4`, of the linear systems}
 ///   \named_usual_stabilization
 /// \cgalNamedParamsEnd

@@ -18,19 +18,19 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 namespace internal {
 
-/// Details of a surface of the caller are changed by `edit(space, options)`.
+/// Details of a surface of the caller are changed by `edit(space)`.
 template <class Surface, class VertexPointMap, class NamedParameters, class Edit>
-Solve_report change_details(const Surface& surface, double length, VertexPointMap positions,
-                            const NamedParameters& np, const Edit& edit) {
+Solve_report change_details(const Surface& surface, VertexPointMap positions,
+                            const Editing_options& options, const NamedParameters& np,
+                            const Edit& edit) {
   CGAL::Real_timer timer;
   timer.start();
-  const Editing_options options(np);
   const auto source = surface_source(surface);
   constexpr bool has_depth =
       std::is_same_v<Surface, Spline_space_3> || is_given_v<NamedParameters, internal_np::depth_t>;
-  const Spline_space_3 space = space_for_details(space_of(surface, np), length, has_depth, options);
+  const Spline_space_3 space = space_for_details(space_of(surface, np), has_depth, options);
   const double space_seconds = timer.time();
-  Edited_signal result = edit(space, options);
+  Edited_signal result = edit(space);
   put_positions(source, result.values, positions);
   result.space_seconds = space_seconds;
   return static_cast<const Solve_report&>(result);
@@ -52,13 +52,12 @@ Solve_report change_details(const Surface& surface, double length, VertexPointMa
 /// \cgalNamedParamsBegin
 ///   \named_of_space
 ///   \named_of_surface
-///   \named_of_details
+///   \named_crease_angle_of_details
 ///   \named_tolerance{`1e-4`, of the linear systems or of the filter}
 ///   \named_usual_stabilization
 ///   \named_progress
 /// \cgalNamedParamsEnd
-/// Without a `depth` cells are not larger than a quarter of the length, and with a `crease_angle`
-/// than half of the mean edge.
+/// With a `crease_angle` and without a `depth` cells are not larger than half of the mean edge.
 /// \return whether all converged, the number of linear systems, times
 /// \throws Input_error one of its derived classes names the face, vertex or parameter
 /// \throws Canceled if `progress` returned `false`
@@ -68,12 +67,12 @@ template <class Surface, class VertexPointMap,
           internal::Require_property_map<VertexPointMap> = 0>
 Solve_report smooth_surface(const Surface& surface, double length, VertexPointMap positions,
                             const NamedParameters& np = parameters::default_values()) {
-  return internal::change_details(surface, length, positions, np,
-                                  [&](const Spline_space_3& space, const Editing_options& options) {
-                                    return options.crease_angle
-                                               ? smooth_between_creases(space, length, options)
-                                               : scale_details(space, length, 0, options);
-                                  });
+  const Editing_options options(np);
+  return internal::change_details(
+      surface, positions, options, np, [&](const Spline_space_3& space) {
+        return options.crease_angle ? smooth_between_creases(space, length, options)
+                                    : scale_details(space, length, 0, options);
+      });
 }
 
 /// \ingroup PkgRestrictedLaplacian3Problems
@@ -105,10 +104,11 @@ Solve_report sharpen_surface(const Surface& surface, double length, double facto
   static_assert(!internal::is_given_v<NamedParameters, internal_np::crease_angle_t> ||
                     internal::is_given_v<NamedParameters, internal_np::geometry_t>,
                 "sharpening knows no creases");
-  return internal::change_details(surface, length, positions, np,
-                                  [&](const Spline_space_3& space, Editing_options options) {
-                                    return scale_details(space, length, factor, options);
-                                  });
+  Editing_options options(np);
+  options.crease_angle.reset(); // it is of the geometry
+  return internal::change_details(
+      surface, positions, options, np,
+      [&](const Spline_space_3& space) { return scale_details(space, length, factor, options); });
 }
 
 } // namespace Restricted_laplacian_3

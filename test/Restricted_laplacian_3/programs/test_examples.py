@@ -39,7 +39,7 @@ def test_usage_and_errors_of_examples():
     for program in ("poisson", "descriptors", "curvature", "gradient_field", "stitching", "distances", "points"):
         fails("usage", f"minimal_{program}")
     for program in ("generic_meshes", "laplacian_steps", "implicit_surface 2",
-                    "smooth_surface sphere.off", "custom_smoother", "solver_backends"):
+                    "implicit_fairing sphere.off", "custom_smoother", "solver_backends"):
         fails("usage", program)
     # CGAL adds a line of its own
     result = run("minimal_poisson missing.off")
@@ -88,7 +88,7 @@ def test_laplacian_steps():
 
 def test_extensions():
     """The programs that show how to extend the package."""
-    succeeds("smooth_surface sphere.off smooth.off")
+    succeeds("implicit_fairing sphere.off smooth.off")
     # Coordinates are eigenfunctions for 2: a factor of 1 / (1 + 2 t), 0.9975 with t = area / 10000; and the faces
     # lie up to 0.4 % inside the sphere.
     radii = np.linalg.norm(read_points("smooth.off"), axis=1)

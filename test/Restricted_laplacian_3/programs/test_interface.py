@@ -29,6 +29,7 @@ EXPLAINED = {
     "compare column eigensolver tolerance",
     "diffuse": COMMON + INTEGRATION + POINTS + "refine property time fwhm source-property boundary-property "
     "diffusion-property density-property tolerance stabilization",
+    "edit_surface": COMMON + "gradient-scale alpha anisotropic length factor tolerance stabilization",
     "flow_surface": COMMON + "steps time-step conformal rescaling no-fixed-boundary tolerance stabilization",
     "fit_function": COMMON + INTEGRATION + POINTS + "refine property normals smoothing refinements tolerance "
     "stabilization",

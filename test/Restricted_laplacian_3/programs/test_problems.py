@@ -246,6 +246,40 @@ def test_flow():
         fails(pattern, f"flow_surface sphere.off {words}")
 
 
+def test_editing():
+    """A sphere shrinks by its eigenvalue, noise goes, and creases stay."""
+    def edited(options, mesh="sphere.off"):
+        succeeds(f"edit_surface {mesh} {options} --csv e.csv --output e.ply")
+        table = Table("e.csv")
+        table.check("vertex,x,y,z")
+        return table.values[:, 1:]
+    points, faces = SPHERE
+    first = np.linalg.norm(points, axis=1)
+    for scale in (0, 1, 3):
+        found = np.linalg.norm(edited(f"--depth 4 --gradient-scale {scale} --alpha 10"), axis=1)
+        assert found == pytest.approx((10 + 2 * scale) / 12 * first, abs=0.01)
+    assert "property double displacement" in header_of("e.ply")
+    noise = 1 + 0.02 * np.random.default_rng(3).standard_normal((len(points), 1))
+    write_off("noisy.off", points * noise, faces)
+
+    def roughness(x):
+        return np.std(np.linalg.norm(x, axis=1))
+    rough = roughness(points * noise)
+    assert roughness(edited("--length 1", "noisy.off")) < 0.4 * rough
+    assert roughness(edited("--length 1 --crease-angle 90", "noisy.off")) < 0.6 * rough
+    assert roughness(edited("--length 1 --factor 2", "noisy.off")) > 1.6 * rough
+    isotropic, anisotropic = (edited(f"--depth 4 --gradient-scale 0 --alpha 10 --anisotropic {f}") for f in (0, 5))
+    assert np.linalg.norm(anisotropic, axis=1).mean() > np.linalg.norm(isotropic, axis=1).mean() + 0.05
+    for words, pattern in {
+            "": "gradient-scale", "--gradient-scale 1": "alpha", "--gradient-scale 1 --alpha 0": "alpha.*positive",
+            "--gradient-scale nan --alpha 1": "gradient-scale", "--length 0": "length.*positive",
+            "--length 1 --alpha 1": "alpha", "--length 1 --factor inf": "factor",
+            "--length 1 --factor 2 --crease-angle 30": "exclude", "--gradient-scale 1 --alpha 1 --anisotropic -1":
+            "anisotropic", "--length 1 --tolerance 2": "tolerance",
+            "--gradient-scale 1 --alpha 1 --crease-angle 30": "crease-angle"}.items():
+        fails(pattern, f"edit_surface sphere.off {words}")
+
+
 def test_refinement():
     succeeds("fit_function small.off --property z --depth 3 --refine 4 --output fine.ply")
     succeeds("fit_function fine.ply --property z,fit_z --depth 3 --csv fine.csv")

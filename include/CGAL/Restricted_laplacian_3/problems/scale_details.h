@@ -18,12 +18,12 @@ namespace Restricted_laplacian_3 {
 /// length \f$\lambda\f$ are multiplied by \f$1 - (1 - f) / (1 + (\lambda / \ell)^4)\f$, a
 /// Butterworth filter of the Laplacian, \f$(1 + f) / 2\f$ for \f$\lambda = \ell\f$. It minimizes
 /// for \f$f = 0\f$ \f$\int (\ell / 2 \pi)^4 (\Delta u)^2 + (u - x)^2\f$. No step has to be small:
-/// it is found in a Krylov space, as by `Diffusion_solver`. What is smaller than cells is multiplied
-/// by \f$f\f$.
+/// it is found in a Krylov space, as by `Diffusion_solver`. What is smaller than cells is
+/// multiplied by \f$f\f$.
 ///
 /// Planes remain what they are, and their boundaries: the filter is of the Laplacian of \f$x\f$
 /// itself, without what a natural condition would add along them.
-/// \param space of a surface of triangles, with cells not larger than a quarter of the length
+/// \param space of a surface of triangles, with cells smaller than the length
 /// \param length \f$\ell\f$, positive
 /// \param factor \f$f\f$: 0 smooths, 2 sharpens
 /// \param options named parameters, or the options themselves
@@ -49,9 +49,8 @@ Edited_signal smooth_between_creases(const Spline_space_3& space, double length,
 
 namespace internal {
 
-/// The space for details of a size: its depth is that of the options, or as large as the default
-/// and as cells of a quarter of the length take, and with creases cells of half an edge.
-Spline_space_3 space_for_details(const Spline_space_3& space, double length, bool has_depth,
+/// The given space, or for creases without a depth of the caller one with cells of half an edge.
+Spline_space_3 space_for_details(const Spline_space_3& space, bool has_depth,
                                  const Editing_options& options);
 
 } // namespace internal

@@ -160,33 +160,20 @@ inline Eigen::Matrix3d turn_of_gradients(const Eigen::Vector3d& from, const Eige
   return (cross + cross * cross / (1 + cosine)).transpose();
 }
 
-/// the least depth of a space whose cells are not wider than a length
-inline int depth_of_cells(const Spline_space_3& space, double width) {
-  constexpr int largest_depth = 10; // more would be by mistake
-  int depth = 0;
-  while(depth < largest_depth && space.octree().cell_width(depth) > width)
-    ++depth;
-  return depth;
-}
-
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_space_3 space_for_details(
-    const Spline_space_3& space, double length, bool has_depth, const Editing_options& options) {
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Spline_space_3
+space_for_details(const Spline_space_3& space, bool has_depth, const Editing_options& options) {
   const Triangulated_surface_3& surface = space.surface();
   surface.require_triangles("smooth_surface");
-  weight_of_length(length);
-  if(has_depth)
+  if(has_depth || !options.crease_angle)
     return space;
-  int depth = (std::max)(space.depth(), depth_of_cells(space, length / 4));
-  if(options.crease_angle) {
-    const double of_face = surface.area() / static_cast<double>(surface.number_of_faces()),
-                 edge = std::sqrt(4 / std::sqrt(3.) * of_face);
-    depth = (std::max)(depth, depth_of_cells(space, edge / 2));
-  }
-  if(depth == space.depth())
-    return space;
+  const double of_face = surface.area() / static_cast<double>(surface.number_of_faces()),
+               edge = std::sqrt(4 / std::sqrt(3.) * of_face);
+  constexpr int largest_depth = 10; // more would be by mistake
   Spline_space_options deeper = space.options();
-  deeper.depth = depth;
-  return Spline_space_3(surface, deeper);
+  deeper.depth = space.depth();
+  while(*deeper.depth < largest_depth && space.octree().cell_width(*deeper.depth) > edge / 2)
+    ++*deeper.depth;
+  return *deeper.depth == space.depth() ? space : Spline_space_3(surface, deeper);
 }
 
 } // namespace internal

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An application that the package does not have, written as the package writes its own: a function
-// for any mesh with named parameters, made of the steps of the lower rooms.
+// An application, written as the package writes its own: a function for any mesh with named
+// parameters, made of the steps of the lower rooms. (RL::smooth_surface() has a better filter.)
 
 #include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/problems/Poisson_solver.h>
@@ -22,8 +22,8 @@ namespace params = RL::parameters;
 /// x - time * Laplacian x = x_0. What is smaller than the cells of the octree is lost.
 /// \param time in units of area
 template <class FaceGraph, class NamedParameters = params::Default_named_parameters>
-RL::Solve_report smooth_surface(FaceGraph& tm, double time,
-                                const NamedParameters& np = params::default_values()) {
+RL::Solve_report fair_implicitly(FaceGraph& tm, double time,
+                                 const NamedParameters& np = params::default_values()) {
   const RL::Spline_space_3 space(tm, np);
   Eigen::MatrixXd loads(space.dimension(), 3), coefficients;
   for(int axis = 0; axis < 3; ++axis)
@@ -48,9 +48,9 @@ RL::Solve_report smooth_surface(FaceGraph& tm, double time,
 int main(int argc, char* argv[]) try {
   CGAL::Surface_mesh<RL::Point_3> mesh;
   if(argc != 3 || !PMP::IO::read_polygon_mesh(argv[1], mesh))
-    throw std::invalid_argument("usage: smooth_surface MESH OUTPUT");
+    throw std::invalid_argument("usage: implicit_fairing MESH OUTPUT");
   const double area = PMP::area(mesh);
-  const RL::Solve_report report = smooth_surface(mesh, 1e-4 * area, params::depth(7));
+  const RL::Solve_report report = fair_implicitly(mesh, 1e-4 * area, params::depth(7));
   std::cout << "the area falls from " << area << " to " << PMP::area(mesh) << '\n';
   return report.converged && CGAL::IO::write_polygon_mesh(argv[2], mesh) ? 0 : 1;
 } catch(const std::exception& e) {
