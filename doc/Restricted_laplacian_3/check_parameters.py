@@ -30,9 +30,9 @@ CONSTANTS = (
 # `concurrency_tag` of CGAL, which is a type.
 PYTHON_ONLY = """F anisotropy areas as_spline barycentric boundary check colors count data energies exact f faces
     factor first fwhm gradient_scale guess height isolines labels length level lines longest_side mask name names
-    normalization normals number orthonormal patterns points processes range refine report return_report scaled
-    scans segments sigma signal sources stabilize_mass start steps subdivisions threads time time_step times title
-    u0 up v values vertex_normals""".split()
+    normalization normals number orthonormal out patterns per_parcel points processes range refine report
+    return_report scaled scans segments sigma signal sources stabilize_mass start steps subdivisions targets threads
+    time time_step times title u0 up v values vertex_normals""".split()
 PROGRAMS_ONLY = """anisotropy assembly beside boundary boundary-property clip column columns compare count csv
     density-property descriptor diffusion-property eigenfunction energy exact exposure-range exposures factor
     farthest field-of-view flux-property frame fwhm gradient-scale help html isolines leave-out length light lines

@@ -8,14 +8,17 @@ from __future__ import annotations
 from typing import Any, NamedTuple, Optional
 
 import numpy as np
+import scipy.sparse
 
 from . import _core
-from ._errors import argument_error
+from ._errors import Canceled, argument_error
 from ._input import (Progress, listener, make_surface, number_of_threads, numbers, rows, takes_surface,
                      vertex_numbers, whole_numbers)
 from ._show import shown
 from ._space import Space
 from ._view import View, Viewable, view_of_surface
+
+_BYTES_AT_ONCE = 256 * 2**20  # of blocks of a matrix that goes elsewhere
 
 
 @shown()
@@ -274,13 +277,14 @@ class Geodesics:
         """Number of rows of F; of points without faces their number."""
         return self._surface.number_of_polygons  # type: ignore[no-any-return,unused-ignore]
 
-    def _query(self, exact: bool, progress: Progress) -> Any:
-        return _core.DistanceQuery(bool(exact), self._maximum_memory, self._threads,
-                                   listener(progress))
+    def _query(self, exact: bool, progress: Progress, maximum_distance: Optional[float] = None) -> Any:
+        return _core.DistanceQuery(bool(exact), self._maximum_memory,
+                                   None if maximum_distance is None else float(maximum_distance),
+                                   self._threads, listener(progress))
 
     def distances(self, sources: Any = None, *, points: Any = None, segments: Any = None,
-                  boundary: bool = False, labels: Any = None, exact: bool = False,
-                  progress: Progress = None) -> Distances:
+                  boundary: bool = False, labels: Any = None, maximum_distance: Optional[float] = None,
+                  exact: bool = False, progress: Progress = None) -> Distances:
         """Distances of all vertices from the nearest source.
 
         Parameters
@@ -296,6 +300,8 @@ class Geodesics:
         labels : array_like of int, optional
             Of the vertices, points, segments, and the boundary, in that order; by default 0, 1 and
             so on.
+        maximum_distance : float, optional
+            Distances beyond are infinite, and take no time.
         exact : bool, default False
             Exact up to rounding, in more time; by default errors are of the order of 0.01 %.
         progress : bool or callable, optional
@@ -308,34 +314,138 @@ class Geodesics:
             A tuple of ``distances``, ``directions`` and ``labels``.
         """
         own = _sources(self._surface.number_of_vertices, sources, points, segments, boundary, labels)
-        return Distances(*self._solver.distances(*own, self._query(exact, progress)))
+        return Distances(*self._solver.distances(*own, self._query(exact, progress, maximum_distance)))
 
-    def distance_matrix(self, sources: Any, *, exact: bool = False,
-                        progress: Progress = None) -> np.ndarray:
-        """Distances of all vertices from each of several vertices, on several threads.
+    def distance_matrix(self, sources: Any = None, targets: Any = None, *,
+                        maximum_distance: Optional[float] = None, out: Any = None,
+                        exact: bool = False, progress: Progress = None) -> Any:
+        """Distances of many vertices from many vertices, on several threads.
 
         Parameters
         ----------
-        sources : array_like of int
-            Vertices, or a mask (n,) of them.
+        sources : array_like of int, optional
+            Vertices, or a mask (n,) of them; all by default.
+        targets : array_like of int, optional
+            Vertices, or a mask (n,) of them; all by default. A propagation ends when it has reached them. If they
+            are the sources, the result is symmetric: the mean of both directions.
+        maximum_distance : float, optional
+            Distances beyond are left out of a sparse result, and take no time.
+        out : numpy.ndarray, (k, m), optional
+            Where the distances go, in its type, some rows at a time: a `numpy.memmap` for instance, for what is
+            larger than the memory.
         exact, progress : as for distances
             How the work is done.
 
         Returns
         -------
-        numpy.ndarray, (k, n)
-            A row for each source; infinite where it is not reached.
+        numpy.ndarray, (k, m), or scipy.sparse.csr_matrix
+            A row for each source, a column for each target; infinite where it is not reached. With a
+            `maximum_distance` sparse, with entries that are 0 for the sources themselves.
 
         Examples
         --------
         >>> import restricted_laplacian as rl
         >>> V, F = rl.icosphere(3)
-        >>> rl.Geodesics(V, F).distance_matrix([0, 5, 7]).shape
+        >>> geodesics = rl.Geodesics(V, F)
+        >>> geodesics.distance_matrix([0, 5, 7]).shape
         (3, 642)
+        >>> D = geodesics.distance_matrix([0, 5, 7], [0, 5, 7])
+        >>> bool((D == D.T).all())
+        True
+        >>> geodesics.distance_matrix([0], maximum_distance=0.2).nnz
+        6
         """
-        return self._solver.distance_matrix(vertex_numbers(sources, "sources",
-                                                           self._surface.number_of_vertices),
-                                            self._query(exact, progress))
+        n = self._surface.number_of_vertices
+        rows = np.arange(n) if sources is None else vertex_numbers(sources, "sources", n)
+        columns = None if targets is None else vertex_numbers(targets, "targets", n)
+        if maximum_distance is not None:
+            if out is not None:
+                raise argument_error("out", "is for all distances, not for those up to a maximum")
+            first, found, values = self._solver.near_vertices(rows, float(maximum_distance), self._query(exact, progress))
+            near = scipy.sparse.csr_matrix((values, found, first), shape=(len(rows), n))
+            return near if columns is None else near[:, columns]
+        is_square = (sources is None and columns is None) or (columns is not None and np.array_equal(rows, columns))
+        width = n if columns is None else len(columns)
+        if out is None:
+            found = self._solver.distance_matrix(rows, columns, self._query(exact, progress)).reshape(len(rows), width)
+            return (found + found.T) / 2 if is_square else found
+        if getattr(out, "shape", None) != (len(rows), width):
+            raise argument_error("out", f"must have the shape {(len(rows), width)}")
+        tell = listener(progress)
+        size = max(1, min(256, int(_BYTES_AT_ONCE / (8 * max(width, 1)))))
+        for begin in range(0, len(rows), size):
+            block = rows[begin:begin + size]
+            out[begin:begin + size] = self._solver.distance_matrix(block, columns, self._query(exact, None)).reshape(
+                len(block), width)
+            if tell is not None and tell(min(1, (begin + size) / len(rows))) is False:
+                raise Canceled("canceled by progress")
+        if is_square:
+            for begin in range(0, len(rows), size):
+                for other in range(0, begin + 1, size):
+                    mean = (out[begin:begin + size, other:other + size] + out[other:other + size, begin:begin + size].T) / 2
+                    out[begin:begin + size, other:other + size] = mean
+                    out[other:other + size, begin:begin + size] = mean.T
+        return out
+
+    def parcel_distances(self, parcels: Any, *, per_parcel: int = 32, exact: bool = False,
+                         progress: Progress = None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Centers of parcels, and mean distances between parcels.
+
+        Parameters
+        ----------
+        parcels : array_like of int, (n,)
+            The parcel of each vertex; negative ones are none.
+        per_parcel : int, default 32
+            How many vertices stand for a parcel, spread over it; all of them, if it has no more.
+        exact, progress : as for distances
+            How the work is done.
+
+        Returns
+        -------
+        labels : numpy.ndarray, (p,)
+            The parcels, ascending.
+        centers : numpy.ndarray, (p,)
+            Of each the vertex with the smallest sum of squared distances from these: a Frechet mean.
+        means : numpy.ndarray, (p, p)
+            Mean distances of these vertices of one parcel from those of another one; of one parcel among each other.
+
+        Examples
+        --------
+        >>> import numpy as np, restricted_laplacian as rl
+        >>> V, F = rl.icosphere(3)
+        >>> labels, centers, means = rl.Geodesics(V, F).parcel_distances((V[:, 2] > 0).astype(int))
+        >>> labels, bool(V[centers[1], 2] > 0.95), means.shape
+        (array([0, 1]), True, (2, 2))
+        """
+        n = self._surface.number_of_vertices
+        of_vertices = np.asarray(parcels)
+        if of_vertices.shape != (n,) or not np.issubdtype(of_vertices.dtype, np.integer):
+            raise argument_error("parcels", f"must be {n} whole numbers")
+        if int(per_parcel) != per_parcel or per_parcel < 1:
+            raise argument_error("per_parcel", f"is {per_parcel}, but must be at least 1")
+        if not self._surface.is_point_set:
+            of_vertices = np.where(np.bincount(self._surface.faces().ravel(), minlength=n) > 0, of_vertices, -1)
+        labels = np.unique(of_vertices[of_vertices >= 0])
+        chosen = []
+        for label in labels:
+            vertices = np.flatnonzero(of_vertices == label)
+            order = np.lexsort(self._surface.points()[vertices].T)  # by place, not by number
+            some = np.linspace(0, len(vertices) - 1, min(int(per_parcel), len(vertices))).astype(int)
+            chosen.append(vertices[order[some]])
+        rows = np.concatenate(chosen) if chosen else np.zeros(0, dtype=int)
+        parcel_of_row = np.repeat(np.arange(len(labels)), [len(c) for c in chosen])
+        centers = np.zeros(len(labels), dtype=int)
+        means = np.zeros((len(labels), len(labels)))
+        tell = listener(progress)
+        for p, own in enumerate(chosen):
+            found = self.distance_matrix(own, exact=exact)
+            inside = np.flatnonzero(of_vertices == labels[p])
+            centers[p] = inside[np.argmin((found[:, inside] ** 2).sum(axis=0))]
+            sums = np.bincount(parcel_of_row, found[:, rows].sum(axis=0), len(labels))
+            means[p] = sums / (np.bincount(parcel_of_row, minlength=len(labels)) * len(own))
+            if tell is not None and tell((p + 1) / len(labels)) is False:
+                raise Canceled("canceled by progress")
+        return labels, centers, (means + means.T) / 2
 
     def function(self, sources: Any = None, *, points: Any = None, segments: Any = None,
                  boundary: bool = False, exact: bool = False,

@@ -71,13 +71,14 @@ RL::Geodesic_solver make_solver(const RL::Triangulated_surface_3& surface,
 // How distances are computed: what all queries take.
 struct Query {
   bool exact = false;
-  std::optional<double> maximum_memory;
+  std::optional<double> maximum_memory, maximum_distance;
   int threads = 1;
   nb::object progress;
 
   template <class Work> auto run(Work&& work) const {
     RL::Geodesic_options options(exact ? RL::Geodesic_method::exact : RL::Geodesic_method::fast);
     options.maximum_memory = maximum_memory;
+    options.maximum_distance = maximum_distance;
     options.is_parallel = threads != 1;
     return python::run(threads, progress, [&](const std::function<bool(double)>& callback) {
       options.progress = callback;
@@ -107,14 +108,43 @@ nb::tuple distances(const RL::Geodesic_solver& solver, const Integers& vertices,
                         array_of_rows(std::move(nearest), 1));
 }
 
-nb::object distance_matrix(const RL::Geodesic_solver& solver, const Integers& vertices,
-                           const Query& query) {
+std::vector<RL::Geodesic_sources> sources_at(const Integers& vertices) {
   std::vector<RL::Geodesic_sources> sources;
   for(std::size_t i = 0; i < vertices.size(); ++i)
     sources.push_back(RL::Geodesic_sources::vertex(index_of(vertices.data()[i])));
-  std::vector<double> found =
-      query.run([&](const auto& options) { return solver.distance_matrix(sources, options); });
-  return array_of_rows(std::move(found), solver.surface().number_of_vertices());
+  return sources;
+}
+
+nb::object distance_matrix(const RL::Geodesic_solver& solver, const Integers& vertices,
+                           const std::optional<Integers>& to, const Query& query) {
+  const std::vector<RL::Geodesic_sources> sources = sources_at(vertices);
+  std::vector<std::size_t> targets;
+  for(std::size_t i = 0; to && i < to->size(); ++i)
+    targets.push_back(index_of(to->data()[i]));
+  std::vector<double> found = query.run([&](const auto& options) {
+    return to ? solver.distance_matrix(sources, targets, options)
+              : solver.distance_matrix(sources, options);
+  });
+  return array_of_rows(std::move(found),
+                       to ? targets.size() : solver.surface().number_of_vertices());
+}
+
+// (where rows begin, vertices, distances)
+nb::tuple near_vertices(const RL::Geodesic_solver& solver, const Integers& vertices,
+                        double maximum_distance, const Query& query) {
+  const std::vector<RL::Geodesic_sources> sources = sources_at(vertices);
+  const std::vector<RL::Near_vertices> found = query.run([&](const auto& options) {
+    return solver.near_vertices(sources, maximum_distance, options);
+  });
+  std::vector<std::int64_t> first = {0}, columns;
+  std::vector<double> distances;
+  for(const RL::Near_vertices& row : found) {
+    columns.insert(columns.end(), row.vertices.begin(), row.vertices.end());
+    distances.insert(distances.end(), row.distances.begin(), row.distances.end());
+    first.push_back(static_cast<std::int64_t>(columns.size()));
+  }
+  return nb::make_tuple(array_of_rows(std::move(first), 1), array_of_rows(std::move(columns), 1),
+                        array_of_rows(std::move(distances), 1));
 }
 
 // Distances with directions, as a function on the surface; `spline` is that of a space, or nothing.
@@ -241,11 +271,12 @@ void add_distances(nb::module_& m) {
   nb::class_<Query>(m, "DistanceQuery")
       .def(
           "__init__",
-          [](Query* query, bool exact, std::optional<double> maximum_memory, int threads,
-             nb::object progress) {
-            new(query) Query{exact, maximum_memory, threads, std::move(progress)};
+          [](Query* query, bool exact, std::optional<double> maximum_memory,
+             std::optional<double> maximum_distance, int threads, nb::object progress) {
+            new(query) Query{exact, maximum_memory, maximum_distance, threads, std::move(progress)};
           },
-          "exact"_a, "maximum_memory"_a.none(), "threads"_a, "progress"_a.none());
+          "exact"_a, "maximum_memory"_a.none(), "maximum_distance"_a.none(), "threads"_a,
+          "progress"_a.none());
   nb::class_<RL::Geodesic_fitter>(m, "GeodesicFitter")
       .def_static("make", &make_fitter, "space"_a, "threads"_a);
   nb::class_<Distance_function>(m, "DistanceFunction")
@@ -261,7 +292,8 @@ void add_distances(nb::module_& m) {
       .def("function", &distance_function, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,
            "labels"_a, "query"_a, "fitter"_a.none())
       .def("location", &location_of_vertex, "vertex"_a)
-      .def("distance_matrix", &distance_matrix, "vertices"_a, "query"_a)
+      .def("distance_matrix", &distance_matrix, "vertices"_a, "targets"_a.none(), "query"_a)
+      .def("near_vertices", &near_vertices, "vertices"_a, "maximum_distance"_a, "query"_a)
       .def("farthest_points", &farthest_points, "number"_a, "vertices"_a, "query"_a);
 }
 

@@ -113,6 +113,45 @@ def test_distance_matrix(sphere):
     assert rl.Geodesics(V, F).distance_matrix([]).shape == (0, len(V))
 
 
+def test_distances_between_many(sphere, tmp_path):
+    V, F = sphere
+    geodesics = rl.Geodesics(V, F)
+    some = [3, 0, 77, 200]
+    rows = geodesics.distance_matrix(some)
+    assert np.array_equal(geodesics.distance_matrix(some, [5, 9]), rows[:, [5, 9]])
+    square = geodesics.distance_matrix(some, some)
+    assert np.array_equal(square, square.T) and np.allclose(square, rows[:, some], rtol=2e-3)
+    near = geodesics.distance_matrix(some, maximum_distance=0.5)
+    assert near.shape == rows.shape and near.nnz == (rows <= 0.5).sum()
+    assert np.array_equal(near.toarray(), np.where(rows <= 0.5, rows, 0))
+    assert geodesics.distance_matrix(some, some, maximum_distance=0.5).shape == (4, 4)
+    limited = geodesics.distances(3, maximum_distance=0.5).distances
+    assert np.array_equal(limited, np.where(rows[0] <= 0.5, rows[0], np.inf))
+    # all pairs, to a file
+    out = np.memmap(tmp_path / "all.bin", dtype=np.float32, mode="w+", shape=(len(V), len(V)))
+    told = []
+    assert geodesics.distance_matrix(out=out, progress=told.append) is out and told[-1] == 1
+    assert np.array_equal(out, out.T) and np.allclose(out[some], rows, rtol=2e-3, atol=1e-6)
+    for call in (lambda: geodesics.distance_matrix(some, out=out), lambda: geodesics.distance_matrix(some, [len(V)]),
+                 lambda: geodesics.distance_matrix(some, maximum_distance=-1),
+                 lambda: geodesics.distance_matrix(maximum_distance=1, out=out)):
+        with pytest.raises(rl.InputError):
+            call()
+    with pytest.raises(rl.Canceled):
+        geodesics.distance_matrix(out=out, progress=lambda _: False)
+
+
+def test_parcels(sphere):
+    V, F = sphere
+    parcels = np.where(abs(V[:, 2]) > 0.2, (V[:, 2] > 0).astype(int) + 3, -1)
+    labels, centers, means = rl.Geodesics(V, F).parcel_distances(parcels)
+    assert list(labels) == [3, 4] and V[centers[0], 2] < -0.95 and V[centers[1], 2] > 0.95
+    assert np.array_equal(means, means.T) and means[0, 1] > 1.8 > 1.2 > means[0, 0] > 0.6
+    for bad in (parcels[:5], parcels * 0.5):
+        with pytest.raises(rl.InputError, match="parcels"):
+            rl.Geodesics(V, F).parcel_distances(bad)
+
+
 def test_memory_and_progress(sphere):
     V, F = sphere
     with pytest.raises(rl.InputError, match="maximum_memory is 0.1 MB: the windows"):

@@ -381,6 +381,50 @@ TEST_CASE("distances_from_many_sources_are_those_from_each", "[geodesic][threads
   CHECK_THROWS_AS(geodesics.distance_matrix({RL::Geodesic_sources()}), RL::Parameter_error);
 }
 
+TEST_CASE("distances_end_at_targets_and_at_a_maximum", "[geodesic]") {
+  for(const shapes::Triangles& t :
+      {shapes::crumpled(shapes::sphere(3), 0.2, 5), shapes::box(1, 1, 0.3, 8, 3),
+       shapes::joined(shapes::sphere(3), shapes::moved(shapes::sphere(2), {3, 0, 0}))}) {
+    const RL::Geodesic_solver geodesics = shapes::geodesics(t);
+    const std::vector<RL::Geodesic_sources> sources = {RL::Geodesic_sources::vertex(0),
+                                                       RL::Geodesic_sources::vertex(17)};
+    const std::vector<std::size_t> targets = {33, 17, 5, 33, 60};
+    for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+      const Distances all = geodesics.distance_matrix(sources, method),
+                      some = geodesics.distance_matrix(sources, targets, method);
+      const std::size_t n = t.points.size();
+      REQUIRE(some.size() == sources.size() * targets.size());
+      for(std::size_t i = 0; i < sources.size(); ++i)
+        for(std::size_t k = 0; k < targets.size(); ++k)
+          CHECK(some[i * targets.size() + k] == all[i * n + targets[k]]);
+      for(const double maximum : {0., 0.3, 1.5}) {
+        const std::vector<RL::Near_vertices> near =
+            geodesics.near_vertices(sources, maximum, method);
+        REQUIRE(near.size() == sources.size());
+        RL::Geodesic_options options(method);
+        options.maximum_distance = maximum;
+        for(std::size_t i = 0; i < sources.size(); ++i) {
+          const Distances row = geodesics.distances(sources[i], options).distances;
+          std::size_t found = 0;
+          for(std::size_t v = 0; v < n; ++v)
+            if(all[i * n + v] <= maximum) {
+              REQUIRE(found < near[i].vertices.size());
+              CHECK(near[i].vertices[found] == v);
+              CHECK(near[i].distances[found++] == all[i * n + v]);
+              CHECK(row[v] == all[i * n + v]);
+            } else
+              CHECK(std::isinf(row[v]));
+          CHECK(found == near[i].vertices.size());
+        }
+      }
+    }
+    CHECK_THROWS_AS(geodesics.near_vertices(sources, -1), RL::Parameter_error);
+    CHECK_THROWS_AS(geodesics.distance_matrix(sources, {t.points.size()}),
+                    RL::Invalid_vertex_error);
+    CHECK(geodesics.distance_matrix(sources, std::vector<std::size_t>()).empty());
+  }
+}
+
 TEST_CASE("distances_from_a_set_are_those_from_its_nearest_member", "[geodesic]") {
   // Windows from points in faces end at vertices that have distances from elsewhere.
   for(unsigned seed = 200; seed < 240; ++seed) {

@@ -52,7 +52,7 @@ Geodesic_solver geodesic_solver(const Surface& surface, const NamedParameters& n
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
 ///   \named_of_surface
-///   \named_joining_tolerance \named_memory_of_distances \named_progress
+///   \named_joining_tolerance \named_memory_of_distances \named_maximum_of_distances \named_progress
 /// \cgalNamedParamsEnd
 /// \return distances again, directions and labels, in the order of the vertices
 /// \throws Input_error one of its derived classes names the face, vertex or parameter

@@ -124,6 +124,9 @@ struct Geodesic_options {
   /// face, but there are surfaces, made for that, on which windows of rays multiply. Without a
   /// value `memory_of_machine()`
   std::optional<double> maximum_memory;
+  /// Distances beyond are infinite, and take no time; without a value all are computed. In the unit
+  /// of the coordinates.
+  std::optional<double> maximum_distance;
   /// is called with the part of the work that is done, from 0 to 1, on the thread of the caller; if
   /// it returns `false`, the work ends with the exception `Canceled`
   std::function<bool(double)> progress;
@@ -139,8 +142,18 @@ struct Geodesic_options {
   template <class NamedParameters, internal::Require_named_parameters<NamedParameters> = 0>
   Geodesic_options(const NamedParameters& np) : is_parallel(internal::is_parallel(np)) {
     internal::read_parameter(np, internal_np::maximum_memory, maximum_memory);
+    internal::read_parameter(np, internal_np::maximum_distance, maximum_distance);
     internal::read_parameter(np, internal_np::progress, progress);
   }
+};
+
+/// \ingroup PkgRestrictedLaplacian3Distances
+/// Vertices near sources, and their distances.
+struct Near_vertices {
+  /// ascending
+  std::vector<std::size_t> vertices;
+  /// one for each of them
+  std::vector<double> distances;
 };
 
 /// \ingroup PkgRestrictedLaplacian3Distances
@@ -197,6 +210,29 @@ public:
   std::vector<double> distance_matrix(const std::vector<Geodesic_sources>& sources,
                                       const Geodesic_options& options = {}) const;
 
+  /// The same for some vertices, the targets: the propagation ends when it has reached them.
+  /// \param sources each is a set of sources, as for `distances()`
+  /// \param targets vertices, in any order
+  /// \param options how they are computed
+  /// \return one row for each element of `sources`, of as many numbers as there are targets
+  /// \throws Parameter_error, Invalid_vertex_error, Location_error as `distances()`; also for
+  /// targets
+  /// \throws Canceled if `progress` returns `false`
+  std::vector<double> distance_matrix(const std::vector<Geodesic_sources>& sources,
+                                      const std::vector<std::size_t>& targets,
+                                      const Geodesic_options& options = {}) const;
+
+  /// The vertices that are not farther than a distance from each of several sources.
+  /// \param sources each is a set of sources, as for `distances()`
+  /// \param maximum_distance in the unit of the coordinates, not negative
+  /// \param options how distances are computed
+  /// \return what is near each element of `sources`
+  /// \throws Parameter_error, Invalid_vertex_error, Location_error as `distances()`
+  /// \throws Canceled if `progress` returns `false`
+  std::vector<Near_vertices> near_vertices(const std::vector<Geodesic_sources>& sources,
+                                           double maximum_distance,
+                                           const Geodesic_options& options = {}) const;
+
   /// Vertices far from each other and from the sources: each is the one that is farthest from the
   /// sources and those before (Gonzalez 1985). Ties go to the lower number.
   /// \param sources where to begin; if empty, the first vertex with a face, which is the first
@@ -208,6 +244,12 @@ public:
                                            const Geodesic_options& options = {}) const;
 
 private:
+  /// calls `take(i, rays)` with the rays from each of the sources, on several threads
+  template <class Take>
+  void for_each_source(const std::vector<Geodesic_sources>& sources,
+                       const std::vector<std::size_t>& targets, const Geodesic_options& options,
+                       const Take& take) const;
+
   friend class Geodesic_function;
 
   struct Impl;

@@ -115,8 +115,14 @@ struct Geodesic_solver::Impl {
   /// \throws as `Geodesic_solver::distances()`
   std::vector<internal::Ray_propagation::Ray> rays(const Geodesic_sources& sources,
                                                    const Geodesic_options& options,
-                                                   const internal::Progress& progress) const {
+                                                   const internal::Progress& progress,
+                                                   std::vector<std::uint32_t> targets = {}) const {
     const All_sources given = all(sources);
+    const double maximum_distance =
+        options.maximum_distance.value_or(std::numeric_limits<double>::infinity());
+    if(!(maximum_distance >= 0))
+      throw Parameter_error("maximum_distance", "is " + std::to_string(maximum_distance) +
+                                                    ", and must not be negative");
     const double maximum_memory = options.maximum_memory.value_or(this->maximum_memory);
     if(!(maximum_memory > 0))
       throw Parameter_error("maximum_memory",
@@ -129,7 +135,7 @@ struct Geodesic_solver::Impl {
       for(const auto& part : given.parts)
         propagation.add_segment(part.face, geometry.place(part.face, part.from),
                                 geometry.place(part.face, part.to), part.label);
-      return propagation.run(progress);
+      return propagation.run(progress, {maximum_distance / unit(), std::move(targets)});
     });
   }
 
@@ -213,30 +219,84 @@ Geodesic_solver::distances(const Geodesic_sources& sources, const Geodesic_optio
   return result;
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
-Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
-                                 const Geodesic_options& options) const {
-  const std::size_t n = surface().number_of_vertices(), number = sources.size();
-  std::vector<double> result =
-      internal::explain_out_of_memory("not enough memory for a matrix of distances",
-                                      [&] { return std::vector<double>(number * n); });
+template <class Take>
+void Geodesic_solver::for_each_source(const std::vector<Geodesic_sources>& sources,
+                                      const std::vector<std::size_t>& targets,
+                                      const Geodesic_options& options, const Take& take) const {
+  std::vector<std::uint32_t> joined_targets;
+  for(const std::size_t v : targets) {
+    location(v); // which throws for what has no face
+    joined_targets.push_back(m_impl->surface.vertex(static_cast<std::uint32_t>(v)));
+  }
+  std::sort(joined_targets.begin(), joined_targets.end());
+  joined_targets.erase(std::unique(joined_targets.begin(), joined_targets.end()),
+                       joined_targets.end());
   const internal::Progress progress(options.progress);
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<std::size_t> number_done = 0;
-  internal::parallel_for(options.is_parallel, 0, number, 1, [&](std::size_t i, std::size_t) {
-    internal::Progress part;
-    if(std::this_thread::get_id() == caller) {
-      const double done = static_cast<double>(number_done) / static_cast<double>(number);
-      part = progress.part(done, done + 1 / static_cast<double>(number));
-    }
-    const std::vector<internal::Ray_propagation::Ray> rays =
-        m_impl->rays(sources[i], options, part);
+  const auto number = static_cast<double>(sources.size());
+  internal::parallel_for(options.is_parallel, 0, sources.size(), 1,
+                         [&](std::size_t i, std::size_t) {
+                           internal::Progress part;
+                           if(std::this_thread::get_id() == caller) {
+                             const auto done = static_cast<double>(number_done);
+                             part = progress.part(done / number, (done + 1) / number);
+                           }
+                           take(i, m_impl->rays(sources[i], options, part, joined_targets));
+                           ++number_done;
+                         });
+  progress(1);
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
+Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
+                                 const Geodesic_options& options) const {
+  const std::size_t n = surface().number_of_vertices();
+  std::vector<double> result =
+      internal::explain_out_of_memory("not enough memory for a matrix of distances",
+                                      [&] { return std::vector<double>(sources.size() * n); });
+  for_each_source(sources, {}, options, [&](std::size_t i, const auto& rays) {
     for(std::size_t v = 0; v < n; ++v)
       result[i * n + v] =
           rays[m_impl->surface.vertex(static_cast<std::uint32_t>(v))].distance * m_impl->unit();
-    ++number_done;
   });
-  progress(1);
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
+Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
+                                 const std::vector<std::size_t>& targets,
+                                 const Geodesic_options& options) const {
+  if(targets.empty())
+    return {};
+  const std::size_t n = targets.size();
+  std::vector<double> result =
+      internal::explain_out_of_memory("not enough memory for a matrix of distances",
+                                      [&] { return std::vector<double>(sources.size() * n); });
+  for_each_source(sources, targets, options, [&](std::size_t i, const auto& rays) {
+    for(std::size_t k = 0; k < n; ++k)
+      result[i * n + k] =
+          rays[m_impl->surface.vertex(static_cast<std::uint32_t>(targets[k]))].distance *
+          m_impl->unit();
+  });
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Near_vertices>
+Geodesic_solver::near_vertices(const std::vector<Geodesic_sources>& sources,
+                               double maximum_distance, const Geodesic_options& options) const {
+  Geodesic_options own = options;
+  own.maximum_distance = maximum_distance;
+  std::vector<Near_vertices> result(sources.size());
+  for_each_source(sources, {}, own, [&](std::size_t i, const auto& rays) {
+    for(std::size_t v = 0; v < surface().number_of_vertices(); ++v) {
+      const double distance = rays[m_impl->surface.vertex(static_cast<std::uint32_t>(v))].distance;
+      if(std::isfinite(distance)) {
+        result[i].vertices.push_back(v);
+        result[i].distances.push_back(distance * m_impl->unit());
+      }
+    }
+  });
   return result;
 }
 

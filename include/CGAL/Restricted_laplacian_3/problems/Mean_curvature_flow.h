@@ -42,7 +42,8 @@ struct Mean_curvature_flow_options {
   std::optional<Rescaling> rescaling;
   /// whether the boundary of an open surface stays where it is; it is free otherwise
   bool fixed_boundary = true;
-  /// of the linear systems: the residual, relative to the right-hand side
+  /// of the linear systems; a hundredth of it with a fixed boundary, whose penalty is most of their
+  /// right-hand sides
   double tolerance = 1e-6;
   /// factor \f$c\f$ of the stabilization; without a value `default_stabilization()`
   std::optional<double> stabilization;

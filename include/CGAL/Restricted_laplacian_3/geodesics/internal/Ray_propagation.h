@@ -126,17 +126,29 @@ public:
     }
   }
 
-  /// Distances of all vertices from what was added; infinite where there is no way. May be called
-  /// once.
+  /// Where to stop: what is farther, or comes after the last target, is not computed.
+  struct Limit {
+    double distance = infinity;
+    /// vertices, each of them once; empty: all
+    std::vector<std::uint32_t> targets;
+  };
+
+  /// Distances of all vertices from what was added; infinite where there is no way, or beyond the
+  /// limit. May be called once.
   /// \throws Parameter_error if there is more memory needed than permitted
   /// \throws Canceled
-  std::vector<Ray> run(const Progress& progress) {
-    std::size_t popped_vertices = 0;
+  std::vector<Ray> run(const Progress& progress, const Limit& limit) {
+    std::size_t popped_vertices = 0, targets_left = limit.targets.size();
+    std::vector<bool> is_target(targets_left > 0 ? m_rays.size() : 0, false);
+    for(const std::uint32_t v : limit.targets)
+      is_target[v] = true;
     for(std::size_t step = 0; !m_heap.empty(); ++step) {
       constexpr std::size_t steps_between_calls = 4096;
       if(step % steps_between_calls == 0)
         progress(static_cast<double>(popped_vertices) / static_cast<double>(m_rays.size()));
       const Entry next = m_heap.top();
+      if(next.key > limit.distance)
+        break;
       m_heap.pop();
       if(next.is_window) {
         const Ray_window window = m_windows[next.number];
@@ -144,11 +156,18 @@ public:
         if(is_useful(window))
           cross(window, all_ways);
       } else if(next.key == m_rays[next.number].distance && !is_shortened(next.number)) {
-        popped_vertices += m_is_popped[next.number] == 0;
+        const bool is_new = m_is_popped[next.number] == 0;
+        popped_vertices += is_new;
         m_is_popped[next.number] = 1;
+        if(is_new && targets_left > 0 && is_target[next.number] && --targets_left == 0)
+          break;
         propagate(next.number);
       }
     }
+    if(std::isfinite(limit.distance))
+      for(Ray& ray : m_rays)
+        if(ray.distance > limit.distance)
+          ray = Ray();
     for(std::uint32_t v = 0; v < m_rays.size(); ++v)
       if(std::isnan(m_rays[v].angle) && std::isfinite(m_rays[v].distance))
         look_along_edges(v);
