@@ -6,7 +6,9 @@
 #include "catch.h"
 #include "special_shapes.h"
 
+#include <CGAL/Restricted_laplacian_3/assembly/assemble.h>
 #include <CGAL/Restricted_laplacian_3/edit_surface.h>
+#include <CGAL/Restricted_laplacian_3/problems/Curvature_field.h>
 #include <CGAL/Restricted_laplacian_3/smooth_surface.h>
 
 #include <CGAL/Surface_mesh.h>
@@ -15,6 +17,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -257,6 +260,19 @@ TEST_CASE("creases_are_kept", "[editing]") {
              isotropic = angles(RL::Surface_editor(space, alpha).edit(0).values);
   INFO("anisotropic " << anisotropic[1] << ", isotropic " << isotropic[1]);
   CHECK(anisotropic[1] < 0.7 * isotropic[1]);
+}
+
+TEST_CASE("metric_with_normals_is_that_of_a_larger_sphere", "[editing]") {
+  // (x, w n) on the unit sphere is a sphere of the radius (1 + w^2)^(1/2)
+  const RL::Spline_space_3 space = editing_space(shapes::sphere(4), 4);
+  const RL::Curvature_field curvature = RL::estimate_curvature(space);
+  const RL::Spline_space_3 larger = space.with_material(RL::normal_metric(curvature, 2));
+  const RL::Operators before = RL::assemble_operators(space),
+                      after = RL::assemble_operators(larger);
+  CHECK(after.mass.sum() / before.mass.sum() == Approx(5).epsilon(0.02));
+  CHECK((after.stiffness - before.stiffness).norm() < 0.03 * before.stiffness.norm());
+  for(const double bad : {-1., std::numeric_limits<double>::quiet_NaN()})
+    CHECK_THROWS_AS(RL::normal_metric(curvature, bad), RL::Parameter_error);
 }
 
 TEST_CASE("smoothing_functions_take_meshes", "[editing]") {

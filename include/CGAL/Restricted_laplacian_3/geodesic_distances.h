@@ -51,8 +51,8 @@ Geodesic_solver geodesic_solver(const Surface& surface, const NamedParameters& n
 /// receives the distances; infinite where no source is reached
 /// \param np optional named parameters:
 /// \cgalNamedParamsBegin
-///   \named_of_surface
-///   \named_joining_tolerance \named_memory_of_distances \named_maximum_of_distances \named_progress
+///   \named_of_surface \named_joining_tolerance \named_memory_of_distances
+///   \named_maximum_of_distances \named_progress
 /// \cgalNamedParamsEnd
 /// \return distances again, directions and labels, in the order of the vertices
 /// \throws Input_error one of its derived classes names the face, vertex or parameter

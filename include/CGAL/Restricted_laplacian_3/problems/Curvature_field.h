@@ -197,8 +197,8 @@ Face_function<Symmetric_tensor_3> curvature_diffusion(const Curvature_field& cur
 /// The metric of the surface \f$(x, w\, n)\f$ with its normals,
 /// \f$g = I + w^2\, \mathrm{I\!I}^2\f$: along a principal direction lengths are
 /// \f$\sqrt{1 + w^2 \kappa_i^2}\f$ times what they are on the surface \cgalCite{CK11}. So creases
-/// and ridges are wide in it, and survive smoothing. It is constant on each face, with the curvature
-/// in its middle.
+/// and ridges are wide in it, and survive smoothing. It is constant on each face, with the
+/// curvature in its middle.
 /// \param curvature by one of the methods that fit normals
 /// \param weight \f$w\f$, not negative, a length
 /// \return \f$D = \sqrt{\det g}\, g^{-1}\f$ and \f$\rho = \sqrt{\det g}\f$, for
