@@ -158,11 +158,23 @@ TEST_CASE("planes_remain_what_they_are", "[editing]") {
   for(const double length : {0.1, 0.5, 3.})
     for(const double factor : {0., 3.}) {
       INFO(length << ", " << factor);
-      CHECK((RL::scale_details(space, length, factor).values - x).cwiseAbs().maxCoeff() < 1e-3);
+      CHECK((RL::scale_details(space, length, factor).values - x).cwiseAbs().maxCoeff() < 5e-5);
     }
   RL::Editing_options creases;
   creases.crease_angle = 30;
   CHECK((RL::smooth_between_creases(space, 0.3, creases).values - x).cwiseAbs().maxCoeff() < 1e-12);
+  // nor does a fan, whose faces are all neighbors of each other
+  Triangles fan;
+  constexpr std::uint32_t size = 8000;
+  fan.points.emplace_back(0, 0, 0);
+  for(std::uint32_t i = 0; i < size; ++i) {
+    fan.points.emplace_back(std::cos(full_turn * i / size), std::sin(full_turn * i / size), 0);
+    fan.faces.push_back({0, i + 1, (i + 1) % size + 1});
+  }
+  const RL::Spline_space_3 disk = editing_space(fan, 4);
+  CHECK(
+      (RL::smooth_between_creases(disk, 0.3, creases).values - rows_of(fan)).cwiseAbs().maxCoeff() <
+      1e-12);
 }
 
 TEST_CASE("smoothing_does_not_depend_on_the_unit_of_length_or_on_threads", "[editing]") {

@@ -99,16 +99,21 @@ public:
   std::vector<Eigen::Vector3d> normals; // zero for a face without an area
 
 private:
-  /// calls `visit(other, weight)` for each face that shares a vertex with a face, once for each
-  /// such vertex, and for itself
+  /// Calls `visit(other, weight)` for each face that shares a vertex with a face, once for each
+  /// such vertex, and for itself. Not by the centers of large fans, whose faces are neighbors of
+  /// each other at their other vertices.
   template <class Visitor> void for_each_neighbor(std::size_t face, const Visitor& visit) const {
-    if(m_areas[face] > 0)
-      for(const std::uint32_t v : m_triangles[face])
-        for(std::size_t i = m_first_at[v]; i < m_first_at[v + 1]; ++i) {
-          const std::uint32_t other = m_faces_at[i];
-          const double square = (m_centers[face] - m_centers[other]).squaredNorm();
-          visit(other, m_areas[other] * std::exp(-square / (2 * m_distance * m_distance)));
-        }
+    constexpr std::size_t large = 100;
+    if(!(m_areas[face] > 0))
+      return;
+    for(const std::uint32_t v : m_triangles[face]) {
+      const std::size_t begin = m_first_at[v], end = m_first_at[v + 1];
+      for(std::size_t i = begin; i < end && end - begin <= large; ++i) {
+        const std::uint32_t other = m_faces_at[i];
+        const double square = (m_centers[face] - m_centers[other]).squaredNorm();
+        visit(other, m_areas[other] * std::exp(-square / (2 * m_distance * m_distance)));
+      }
+    }
   }
 
   /// the mean distance of neighbors, and the spread

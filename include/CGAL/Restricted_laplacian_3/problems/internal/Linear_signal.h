@@ -85,16 +85,23 @@ public:
 private:
   /// the gradient of each component in a triangle: a column
   Eigen::Matrix3Xd gradients(const Triangulated_surface_3::Triangle& triangle) const {
-    std::array<Eigen::Vector3d, 3> p;
-    for(int i = 0; i < 3; ++i)
-      p[i] = eigen_vector(m_space.surface().point(triangle[i]));
-    const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double square = normal.squaredNorm(); // of twice the area
+    std::array<Eigen::Vector3d, 3> sides; // opposite to the corners
+    double unit = 0;
+    for(int i = 0; i < 3; ++i) {
+      sides[i] = eigen_vector(m_space.surface().point(triangle[(i + 2) % 3])) -
+                 eigen_vector(m_space.surface().point(triangle[(i + 1) % 3]));
+      unit = (std::max)(unit, sides[i].cwiseAbs().maxCoeff());
+    }
     Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, components());
+    if(!(unit > 0))
+      return result;
+    for(Eigen::Vector3d& side : sides)
+      side /= unit;
+    const Eigen::Vector3d normal = sides[0].cross(sides[1]);
+    const double square = normal.squaredNorm(); // of twice the area
     if(square > 0)
       for(int i = 0; i < 3; ++i)
-        result +=
-            (normal / square).cross(p[(i + 2) % 3] - p[(i + 1) % 3]) * m_values.row(triangle[i]);
+        result += (normal / (square * unit)).cross(sides[i]) * m_values.row(triangle[i]);
     return result;
   }
 
