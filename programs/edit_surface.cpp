@@ -21,13 +21,13 @@ namespace params = RL::parameters;
 const Help help = {"edit_surface MESH --gradient-scale B --alpha A [OPTION]...\n"
                    "       edit_surface MESH --length L [--factor F] [OPTION]...",
                    std::string(R"(
-Edits a surface by the gradient of its positions x: the new ones u minimize the integral of
-|grad u - B grad x|^2 + A |u - x|^2. What is much larger than 2 pi / A^(1/2) remains, what is
-much smaller is multiplied by B: 0 smooths, 1 changes nothing, 2 doubles details.
+Edits a surface by the gradient of its positions x: the new ones u minimize the integral
+of |grad u - B grad x|^2 + A |u - x|^2. What is much larger than 2 pi / A^(1/2) remains,
+what is much smaller is multiplied by B: 0 smooths, 1 changes nothing, 2 doubles details.
 
-With --length in place of that, what is smaller than L is multiplied by F, and what is larger
-remains. With --crease-angle creases are kept: normals are smoothed, and the surface is fitted
-to them.
+With --length in place of that, what is smaller than L is multiplied by F, and what is
+larger remains. With --crease-angle creases are kept: normals are smoothed, and the surface
+is fitted to them.
 )") + about_meshes,
                    R"(  edit_surface elephant.off --gradient-scale 3 --alpha 100 --output sharp.ply
       details are exaggerated

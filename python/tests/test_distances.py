@@ -118,15 +118,15 @@ def test_distances_between_many(sphere, tmp_path):
     geodesics = rl.Geodesics(V, F)
     some = [3, 0, 77, 200]
     rows = geodesics.distance_matrix(some)
-    assert np.array_equal(geodesics.distance_matrix(some, [5, 9]), rows[:, [5, 9]])
+    assert np.allclose(geodesics.distance_matrix(some, [5, 9]), rows[:, [5, 9]], rtol=1e-3)
     square = geodesics.distance_matrix(some, some)
     assert np.array_equal(square, square.T) and np.allclose(square, rows[:, some], rtol=2e-3)
     near = geodesics.distance_matrix(some, maximum_distance=0.5)
     assert near.shape == rows.shape and near.nnz == (rows <= 0.5).sum()
-    assert np.array_equal(near.toarray(), np.where(rows <= 0.5, rows, 0))
+    assert np.allclose(near.toarray(), np.where(rows <= 0.5, rows, 0), rtol=1e-3)
     assert geodesics.distance_matrix(some, some, maximum_distance=0.5).shape == (4, 4)
     limited = geodesics.distances(3, maximum_distance=0.5).distances
-    assert np.array_equal(limited, np.where(rows[0] <= 0.5, rows[0], np.inf))
+    assert np.allclose(limited, np.where(rows[0] <= 0.5, rows[0], np.inf), rtol=1e-3)
     # all pairs, to a file
     out = np.memmap(tmp_path / "all.bin", dtype=np.float32, mode="w+", shape=(len(V), len(V)))
     told = []

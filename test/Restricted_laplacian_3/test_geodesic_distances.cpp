@@ -390,13 +390,16 @@ TEST_CASE("distances_end_at_targets_and_at_a_maximum", "[geodesic]") {
                                                        RL::Geodesic_sources::vertex(17)};
     const std::vector<std::size_t> targets = {33, 17, 5, 33, 60};
     for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+      // what comes later may shorten a way of the fast method, which is less than its error
+      const double epsilon = method == RL::Geodesic_method::exact ? 0 : 1e-3;
       const Distances all = geodesics.distance_matrix(sources, method),
                       some = geodesics.distance_matrix(sources, targets, method);
       const std::size_t n = t.points.size();
       REQUIRE(some.size() == sources.size() * targets.size());
       for(std::size_t i = 0; i < sources.size(); ++i)
         for(std::size_t k = 0; k < targets.size(); ++k)
-          CHECK(some[i * targets.size() + k] == all[i * n + targets[k]]);
+          CHECK((some[i * targets.size() + k] == all[i * n + targets[k]] ||
+                 some[i * targets.size() + k] == Approx(all[i * n + targets[k]]).epsilon(epsilon)));
       for(const double maximum : {0., 0.3, 1.5}) {
         const std::vector<RL::Near_vertices> near =
             geodesics.near_vertices(sources, maximum, method);
@@ -407,13 +410,14 @@ TEST_CASE("distances_end_at_targets_and_at_a_maximum", "[geodesic]") {
           const Distances row = geodesics.distances(sources[i], options).distances;
           std::size_t found = 0;
           for(std::size_t v = 0; v < n; ++v)
-            if(all[i * n + v] <= maximum) {
+            if(std::isfinite(row[v])) {
               REQUIRE(found < near[i].vertices.size());
               CHECK(near[i].vertices[found] == v);
-              CHECK(near[i].distances[found++] == all[i * n + v]);
-              CHECK(row[v] == all[i * n + v]);
+              CHECK(near[i].distances[found++] == row[v]);
+              CHECK(row[v] <= maximum);
+              CHECK(row[v] == Approx(all[i * n + v]).epsilon(epsilon));
             } else
-              CHECK(std::isinf(row[v]));
+              CHECK(all[i * n + v] > maximum * (1 - epsilon));
           CHECK(found == near[i].vertices.size());
         }
       }

@@ -134,11 +134,14 @@ public:
   };
 
   /// Distances of all vertices from what was added; infinite where there is no way, or beyond the
-  /// limit. May be called once.
+  /// limit. May be called once. Cubics may shorten ways later than their own distance: so the
+  /// propagation goes on a little beyond the limit.
   /// \throws Parameter_error if there is more memory needed than permitted
   /// \throws Canceled
   std::vector<Ray> run(const Progress& progress, const Limit& limit) {
+    constexpr double slack = 1.05;
     std::size_t popped_vertices = 0, targets_left = limit.targets.size();
+    double last_key = slack * limit.distance;
     std::vector<bool> is_target(targets_left > 0 ? m_rays.size() : 0, false);
     for(const std::uint32_t v : limit.targets)
       is_target[v] = true;
@@ -147,7 +150,7 @@ public:
       if(step % steps_between_calls == 0)
         progress(static_cast<double>(popped_vertices) / static_cast<double>(m_rays.size()));
       const Entry next = m_heap.top();
-      if(next.key > limit.distance)
+      if(next.key > last_key)
         break;
       m_heap.pop();
       if(next.is_window) {
@@ -160,7 +163,7 @@ public:
         popped_vertices += is_new;
         m_is_popped[next.number] = 1;
         if(is_new && targets_left > 0 && is_target[next.number] && --targets_left == 0)
-          break;
+          last_key = (std::min)(last_key, slack * next.key);
         propagate(next.number);
       }
     }
