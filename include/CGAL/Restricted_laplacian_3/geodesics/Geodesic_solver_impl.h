@@ -113,10 +113,9 @@ struct Geodesic_solver::Impl {
 
   /// the rays of the vertices of the joined surface
   /// \throws as `Geodesic_solver::distances()`
-  std::vector<internal::Ray_propagation::Ray> rays(const Geodesic_sources& sources,
-                                                   const Geodesic_options& options,
-                                                   const internal::Progress& progress,
-                                                   std::vector<std::uint32_t> targets = {}) const {
+  std::vector<internal::Ray_propagation::Ray>
+  rays(const Geodesic_sources& sources, const Geodesic_options& options,
+       const internal::Progress& progress, const std::vector<std::uint32_t>& targets = {}) const {
     const All_sources given = all(sources);
     const double maximum_distance =
         options.maximum_distance.value_or(std::numeric_limits<double>::infinity());
@@ -135,7 +134,7 @@ struct Geodesic_solver::Impl {
       for(const auto& part : given.parts)
         propagation.add_segment(part.face, geometry.place(part.face, part.from),
                                 geometry.place(part.face, part.to), part.label);
-      return propagation.run(progress, {maximum_distance / unit(), std::move(targets)});
+      return propagation.run(progress, {maximum_distance / unit(), targets});
     });
   }
 

@@ -146,6 +146,8 @@ private:
   void set_up(const Diffusion_options& options, const Dirichlet_boundary* boundary);
   /// solves it for each column, and reports how
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b, Solve_report& report) const;
+  /// of many functions: more take more memory
+  Eigen::Index functions_at_once() const { return m_factor ? 16 : 8; }
   /// calls `body(k)` for the columns of matrices, on several threads if the space is so
   template <class Body> void for_each_column(std::size_t number, const Body& body) const;
   /// the means over the components of functions given by their loads

@@ -351,9 +351,17 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Diffused_functions Diffusion_solver::low_pass
   // the functions themselves, and then less what is not passed
   const Eigen::MatrixXd same = solve(gradient_loads + alpha * loads, result);
   result.coefficients = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
-  Krylov_spaces(*this, internal::Diffusion_function::high_pass)
-      .run(gradient_loads - boundary_loads, result.coefficients, result,
-           internal::Progress(progress));
+  const internal::Progress own(progress);
+  const Eigen::MatrixXd inner_loads = gradient_loads - boundary_loads;
+  for(Eigen::Index first = 0; first < loads.cols(); first += functions_at_once()) {
+    const Eigen::Index number = (std::min)(functions_at_once(), loads.cols() - first);
+    const auto part = [&](Eigen::Index k) {
+      return static_cast<double>(k) / static_cast<double>(loads.cols());
+    };
+    Krylov_spaces(*this, internal::Diffusion_function::high_pass)
+        .run(inner_loads.middleCols(first, number), result.coefficients.middleCols(first, number),
+             result, own.part(part(first), part(first + number)));
+  }
   result.coefficients = same - result.coefficients;
   return result;
 }
@@ -367,7 +375,6 @@ Diffusion_solver::diffuse_loads(const Eigen::MatrixXd& initial, const Eigen::Mat
        (loads->rows() != m_integrals.size() || loads->cols() != initial.cols()))
       throw Parameter_error(loads == &initial ? "initial" : "source",
                             "does not have the size of the space, or of the functions");
-  const Eigen::Index functions_at_once = m_factor ? 16 : 8;
   const internal::Progress own(progress);
   own(0);
   Diffused_functions result;
@@ -387,16 +394,17 @@ Diffusion_solver::diffuse_loads(const Eigen::MatrixXd& initial, const Eigen::Mat
     add_constants(of_source, -1, m_integrals, sources);
     means += m_time * of_source;
   }
-  const Eigen::Index parts = 2 * ((initial.cols() + functions_at_once - 1) / functions_at_once);
+  const Eigen::Index at_once = functions_at_once(),
+                     parts = 2 * ((initial.cols() + at_once - 1) / at_once);
   Eigen::Index part = 0;
-  for(Eigen::Index first = 0; first < initial.cols(); first += functions_at_once)
+  for(Eigen::Index first = 0; first < initial.cols(); first += at_once)
     for(const auto function : {Diffusion_function::exponential, Diffusion_function::integral}) {
       const internal::Progress of_part =
           own.part(static_cast<double>(part) / static_cast<double>(parts),
                    static_cast<double>(part + 1) / static_cast<double>(parts));
       ++part;
       const Eigen::MatrixXd& given = function == Diffusion_function::integral ? sources : loads;
-      const Eigen::Index number = (std::min)(functions_at_once, initial.cols() - first);
+      const Eigen::Index number = (std::min)(at_once, initial.cols() - first);
       if(given.size() > 0)
         Krylov_spaces(*this, function)
             .run(given.middleCols(first, number), result.coefficients.middleCols(first, number),

@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/internal/Propagation_limit.h>
 #include <CGAL/Restricted_laplacian_3/geodesics/internal/Ray_geometry.h>
 #include <CGAL/Restricted_laplacian_3/geodesics/internal/ray_waves.h>
 
@@ -126,31 +127,17 @@ public:
     }
   }
 
-  /// Where to stop: what is farther, or comes after the last target, is not computed.
-  struct Limit {
-    double distance = infinity;
-    /// vertices, each of them once; empty: all
-    std::vector<std::uint32_t> targets;
-  };
-
   /// Distances of all vertices from what was added; infinite where there is no way, or beyond the
-  /// limit. May be called once. Cubics may shorten ways later than their own distance: so the
-  /// propagation goes on a little beyond the limit.
+  /// limit. May be called once.
   /// \throws Parameter_error if there is more memory needed than permitted
   /// \throws Canceled
-  std::vector<Ray> run(const Progress& progress, const Limit& limit) {
-    constexpr double slack = 1.05;
-    std::size_t popped_vertices = 0, targets_left = limit.targets.size();
-    double last_key = slack * limit.distance;
-    std::vector<bool> is_target(targets_left > 0 ? m_rays.size() : 0, false);
-    for(const std::uint32_t v : limit.targets)
-      is_target[v] = true;
-    for(std::size_t step = 0; !m_heap.empty(); ++step) {
+  std::vector<Ray> run(const Progress& progress, Propagation_limit limit) {
+    for(std::size_t step = 0, popped_vertices = 0; !m_heap.empty(); ++step) {
       constexpr std::size_t steps_between_calls = 4096;
       if(step % steps_between_calls == 0)
         progress(static_cast<double>(popped_vertices) / static_cast<double>(m_rays.size()));
       const Entry next = m_heap.top();
-      if(next.key > last_key)
+      if(limit.is_beyond(next.key))
         break;
       m_heap.pop();
       if(next.is_window) {
@@ -159,20 +146,17 @@ public:
         if(is_useful(window))
           cross(window, all_ways);
       } else if(next.key == m_rays[next.number].distance && !is_shortened(next.number)) {
-        const bool is_new = m_is_popped[next.number] == 0;
-        popped_vertices += is_new;
-        m_is_popped[next.number] = 1;
-        if(is_new && targets_left > 0 && is_target[next.number] && --targets_left == 0)
-          last_key = (std::min)(last_key, slack * next.key);
+        if(std::exchange(m_is_popped[next.number], 1) == 0) {
+          ++popped_vertices;
+          limit.reach(next.number, next.key);
+        }
         propagate(next.number);
       }
     }
-    if(std::isfinite(limit.distance))
-      for(Ray& ray : m_rays)
-        if(ray.distance > limit.distance)
-          ray = Ray();
     for(std::uint32_t v = 0; v < m_rays.size(); ++v)
-      if(std::isnan(m_rays[v].angle) && std::isfinite(m_rays[v].distance))
+      if(m_rays[v].distance > limit.distance())
+        m_rays[v] = Ray();
+      else if(std::isnan(m_rays[v].angle) && std::isfinite(m_rays[v].distance))
         look_along_edges(v);
     progress(1);
     return std::move(m_rays);
