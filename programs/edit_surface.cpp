@@ -7,6 +7,7 @@
 #include "support/moved_surface.h"
 #include "support/program.h"
 #include "support/solver_options.h"
+#include "support/space.h"
 #include "support/surface_program.h"
 
 #include <CGAL/Restricted_laplacian_3/problems/Surface_editor.h>
@@ -40,6 +41,7 @@ is fitted to them.
 struct Options : Common_options {
   double gradient_scale = 1, alpha = 0, anisotropic = 0, length = 0, factor = 0,
          tolerance = RL::Editing_options().tolerance, stabilization = -1;
+  std::string gradient_scale_property;
   bool has_length = false, has_crease_angle = false;
 };
 
@@ -48,6 +50,8 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   po::options_description problem("Editing", help_width);
   auto add = problem.add_options();
   add("gradient-scale", po::value(&o.gradient_scale)->value_name("B"), "factor of the gradient");
+  add("gradient-scale-property", po::value(&o.gradient_scale_property)->value_name("NAME"),
+      "this factor as a vertex property of MESH, a PLY file, such as strokes painted on it");
   add("alpha", po::value(&o.alpha)->value_name("A"),
       "weight of the old positions, in units of 1 / area");
   add("anisotropic", po::value(&o.anisotropic)->value_name("F")->default_value(o.anisotropic),
@@ -73,7 +77,10 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
     return false;
   o.has_length = is_given(given, "length");
   o.has_crease_angle = o.has_length && is_given(given, "crease-angle");
-  require(o.has_length != is_given(given, "gradient-scale"),
+  const bool has_property = !o.gradient_scale_property.empty();
+  require(!has_property || !is_given(given, "gradient-scale"),
+          "give --gradient-scale or --gradient-scale-property, not both");
+  require(o.has_length != (has_property || is_given(given, "gradient-scale")),
           "give either --gradient-scale and --alpha, or --length");
   require(o.has_length != is_given(given, "alpha"), "--alpha is for --gradient-scale");
   require(o.has_length || std::isfinite(o.gradient_scale),
@@ -107,7 +114,11 @@ Outcome edit_surface(Job& job, const Options& o) {
   } else {
     space = RL::internal::space_to_edit(space, o.alpha, options);
     const auto progress = job.step("editing", space);
-    result = RL::Surface_editor(space, o.alpha, options).edit(o.gradient_scale);
+    const RL::Surface_editor editor(space, o.alpha, options);
+    if(const std::string& name = o.gradient_scale_property; !name.empty())
+      result = editor.edit(vertex_function(job.surface, surface_property(job.surface, o, name), o));
+    else
+      result = editor.edit(o.gradient_scale);
     progress(1);
   }
   job.add_solve(result);

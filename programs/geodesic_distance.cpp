@@ -7,6 +7,7 @@
 #include "support/command_line.h"
 #include "support/point_input.h"
 #include "support/program.h"
+#include "support/space.h"
 #include "support/surface_program.h"
 #include "support/table.h"
 
@@ -47,6 +48,8 @@ normals, oriented alike. Triangles are made of them by CGAL's advancing front.
       eight vertices far from each other, and the regions that are nearest to each
   geodesic_distance elephant-with-holes.off --boundary --csv distance.csv
       a table of the distances from the boundary
+  geodesic_distance elephant.off --source 0 --maximum-distance 0.2 --csv near.csv
+      distances up to a fifth of the unit; what is farther away takes no time
   geodesic_distance elephant.off --source 0 --path 1000 2000 --isolines 10 --lines lines.obj
       the shortest paths from two vertices to the first one, and ten isolines, as lines
 )",
@@ -58,7 +61,8 @@ struct Options : Common_options, Point_options {
   std::vector<std::size_t> sources, paths;
   bool boundary = false, exact = false;
   std::size_t farthest = 0, isolines = 0;
-  std::string show = "distance", lines;
+  std::string show = "distance", lines, zero_property;
+  std::optional<double> maximum_distance;
 };
 
 // returns false if there is nothing more to do
@@ -73,6 +77,12 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   add("farthest", po::value(&farthest)->value_name("N"),
       "N more sources: each is the vertex that is farthest from those before; the first one is the "
       "first vertex with a face, if there is no other source");
+  add("zero-property", po::value(&o.zero_property)->value_name("NAME"),
+      "in place of sources: where a vertex property of MESH, a PLY file, is 0; distances are "
+      "negative where it is negative");
+  add("maximum-distance",
+      po::value<double>()->value_name("L")->notifier([&o](double l) { o.maximum_distance = l; }),
+      "distances beyond are infinite, and take no time");
   add("joining-tolerance", po::value(&o.space.joining_tolerance)->value_name("T"),
       "--join for short: vertices on the boundary are one with those at a distance of T or less, "
       "in the unit of the "
@@ -113,8 +123,16 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require_choice("show", o.show, {"distance", "nearest"});
   require_effect(given, {"show"}, !o.output.empty() || !o.html.empty(), "--output or --html");
   require_effect(given, {"isolines"}, !o.lines.empty() || !o.html.empty(), "--lines or --html");
-  require(!o.sources.empty() || o.boundary || o.farthest > 0,
-          "there is no source: give --source, --boundary or --farthest");
+  const bool has_source = !o.sources.empty() || o.boundary || o.farthest > 0;
+  require(has_source || !o.zero_property.empty(),
+          "there is no source: give --source, --boundary, --farthest or --zero-property");
+  require(o.zero_property.empty() || (!has_source && o.paths.empty() && o.refine == 0 &&
+                                      o.isolines == 0 && o.show == "distance"),
+          "--zero-property goes with no other source, and without --path, --isolines, --refine and "
+          "--show");
+  require_not_negative(given, "maximum-distance");
+  require(!o.maximum_distance || (o.paths.empty() && o.isolines == 0 && o.refine == 0),
+          "--maximum-distance goes without --path, --isolines and --refine");
   require(!o.boundary || o.farthest == 0, "--farthest begins with vertices, not with --boundary");
   require(given.count("depth") == 0 || o.refine > 0, "--depth needs --refine");
   require(o.lines.empty() || !o.paths.empty() || o.isolines > 0,
@@ -236,7 +254,11 @@ Outcome measure(Job& job, const Options& o) {
     sources.add_boundary(static_cast<std::uint32_t>(all.size()));
   options.progress = job.progress.step("propagating distances");
   const double begin = job.seconds();
-  const RL::Geodesic_distances found = solver.distances(sources, options);
+  options.maximum_distance = o.maximum_distance;
+  const RL::Geodesic_distances found =
+      o.zero_property.empty()
+          ? solver.distances(sources, options)
+          : solver.signed_distances(surface_property(job.surface, o, o.zero_property), options);
   job.summary.add_detail("rays_seconds", setup_seconds);
   job.summary.add_detail("query_seconds", job.seconds() - begin);
 
@@ -249,7 +271,7 @@ Outcome measure(Job& job, const Options& o) {
     result.values.row(static_cast<Eigen::Index>(v)) << found.distances[v],
         is_reached ? static_cast<double>(found.labels[v]) : -1;
     if(is_reached)
-      largest = (std::max)(largest, found.distances[v]);
+      largest = (std::max)(largest, std::abs(found.distances[v]));
   }
   job.summary.add("largest_distance", largest);
   job.summary.add("unreached_vertices", found.number_of_unreached_vertices);

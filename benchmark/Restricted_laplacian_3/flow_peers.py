@@ -5,7 +5,8 @@
 
 FOLDER holds the meshes, MESH are their names without .ply. Needs what python_peers.py needs. One thread.
 Linear elements take cotangent weights, Voronoi areas, positions at the vertices, the same implicit steps,
-and CHOLMOD, which factorizes in each step, since the matrix changes.
+and CHOLMOD, which factorizes in each step, since the matrix changes. Where FLOW_LIBRARIES in the environment names
+the program that is built from flow_libraries.cpp, CGAL's smooth_shape() and pmp's implicit_smoothing() run, too.
 
 Two tables:
 
@@ -17,7 +18,10 @@ Two tables:
 """
 
 import os
+import pathlib
+import subprocess
 import sys
+import tempfile
 import time
 
 for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
@@ -88,6 +92,21 @@ class Restricted:
         return self.flow.positions
 
 
+def by_library(library, V, F, tau, steps):
+    """Seconds of a step, and the positions."""
+    with tempfile.TemporaryDirectory() as name:
+        before, after = pathlib.Path(name) / "before.off", pathlib.Path(name) / "after.off"
+        with open(before, "w", encoding="ascii") as out:
+            out.write(f"OFF\n{len(V)} {len(F)} 0\n")
+            np.savetxt(out, V, "%.17g")
+            np.savetxt(out, np.column_stack([np.full(len(F), 3), F]), "%d")
+        run = subprocess.run([os.environ["FLOW_LIBRARIES"], library, before, repr(float(tau)), str(steps), after],
+                             capture_output=True, text=True, check=False)
+        if run.returncode != 0:
+            return None
+        return float(run.stdout), rl.read_mesh(after)[0]
+
+
 def row(*cells):
     print(" ".join(f"{c:>18}" if isinstance(c, str) else f"{c:>18.4g}" for c in cells), flush=True)
 
@@ -149,6 +168,11 @@ def main():
                 if i + 1 in (10, 30):
                     figures.append((sphere_deviation(flow.X, F), distortion(V, flow.X, F)))
             row(name, method, seconds, figures[0][0], figures[1][0], figures[0][1], figures[1][1])
+        for library in ("cgal", "pmp") if "FLOW_LIBRARIES" in os.environ else ():
+            after = [by_library(library, V, F, 0.01 * area, steps) for steps in (10, 30)]
+            if None not in after:
+                row(name, library, min(s for s, _ in after), *(sphere_deviation(X, F) for _, X in after),
+                    *(distortion(V, X, F) for _, X in after))
 
     heading("mesh", "triangles", "flow", "before", "after")
     for name, (V, F) in meshes.items():

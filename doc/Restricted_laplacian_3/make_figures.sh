@@ -68,6 +68,16 @@ refine() {
     }' "$1"
 }
 
+# moved MESH.off TABLE: with the vertices of a table
+moved() {
+  awk -F '[, ]' '
+    FNR == NR { if(/^[0-9]/) p[$1] = $2 " " $3 " " $4; next }
+    NF == 0 || /^#/ || /OFF/ { print; next }
+    !n { n = $1; print; next }
+    v < n { print p[v++]; next }
+    { print }' "$2" "$1"
+}
+
 meshes=$data/meshes
 bunny=$meshes/bunny00.off
 elephant=$meshes/elephant.off
@@ -129,6 +139,26 @@ implicit_fairing "$meshes/femur.off" smooth.ply >smooth.txt
 draw rough estimate_curvature "$meshes/femur.off"
 draw smooth estimate_curvature smooth.ply
 side_by_side smoothing 300 {rough,smooth}.png
+
+flow_surface "$elephant" --quiet --depth 6 --steps 12 --time-step 0.01 --conformal --pictures flow_
+side_by_side flow 300 flow_{00,01,03,12}.png
+
+# vertices moved by a normal distribution
+awk '
+  function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
+  BEGIN { srand(1) }
+  NF == 0 || /^#/ || /OFF/ { print; next }
+  !n { n = $1; print; next }
+  lines++ < n { print $1 + size * normal(), $2 + size * normal(), $3 + size * normal(); next }
+  { print }' size=0.0015 "$meshes/fandisk.off" >noisy.off
+edit_surface noisy.off --quiet --length 0.2 --csv plain.csv
+edit_surface noisy.off --quiet --length 0.2 --crease-angle 30 --csv creased.csv
+moved noisy.off plain.csv >plain.off
+moved noisy.off creased.csv >creased.off
+for name in noisy plain creased; do
+  draw_mesh "$name.off" "$name.png"
+done
+side_by_side editing 360 {noisy,plain,creased}.png
 
 # what the commands write that the page of the programs shows
 mkdir shown

@@ -37,6 +37,7 @@ struct Picture_options {
   int isolines = 0; // level lines divide the range of values into about that many bands
   int size = 1000;  // pixels of the longer side of what is shown
   std::optional<Color_scale> legend = {};
+  std::vector<RL::Point_3> room_for = {}; // what the picture could show besides the surface
 };
 
 namespace internal {
@@ -337,13 +338,16 @@ inline void write_picture(const std::string& file, const RL::Triangulated_surfac
   const internal::View view(options);
   const double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 2> low = {infinity, infinity}, high = {-infinity, -infinity};
+  const auto enclose = [&](const Vector& p) {
+    low = {std::min(low[0], p.x()), std::min(low[1], p.y())};
+    high = {std::max(high[0], p.x()), std::max(high[1], p.y())};
+  };
   std::vector<Vector> positions(surface.number_of_vertices());
   for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
-    for(const std::uint32_t vertex : surface.triangle(f)) {
-      const Vector p = positions[vertex] = view(surface.point(vertex) - CGAL::ORIGIN);
-      low = {std::min(low[0], p.x()), std::min(low[1], p.y())};
-      high = {std::max(high[0], p.x()), std::max(high[1], p.y())};
-    }
+    for(const std::uint32_t vertex : surface.triangle(f))
+      enclose(positions[vertex] = view(surface.point(vertex) - CGAL::ORIGIN));
+  for(const RL::Point_3& point : options.room_for)
+    enclose(view(point - CGAL::ORIGIN));
 
   const double extent = std::max(high[0] - low[0], high[1] - low[1]);
   const int margin = options.size / 40;

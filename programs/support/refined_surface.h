@@ -33,6 +33,8 @@ struct Refined_surface {
   std::vector<RL::Surface_location> locations;
   // whether a vertex has one: it has a face with an area
   std::vector<char> is_located;
+  // of its faces, those that they are part of
+  std::vector<std::uint32_t> parents;
 };
 
 namespace internal {
@@ -50,16 +52,18 @@ public:
       m_points.push_back(surface.point(v));
     m_locations.resize(m_points.size());
     m_is_located.resize(m_points.size());
-    for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
+    for(std::size_t f = 0; f < surface.number_of_faces(); ++f) {
       if(surface.is_degenerate(f))
         m_triangles.push_back(surface.triangle(f));
       else
         divide(surface.triangle(f), {corner(f, 0), corner(f, 1), corner(f, 2)});
+      m_parents.resize(m_triangles.size(), static_cast<std::uint32_t>(f));
+    }
   }
 
   Refined_surface take() {
     return {RL::Triangulated_surface_3(std::move(m_points), std::move(m_triangles)),
-            std::move(m_locations), std::move(m_is_located)};
+            std::move(m_locations), std::move(m_is_located), std::move(m_parents)};
   }
 
 private:
@@ -113,6 +117,7 @@ private:
   std::vector<Triangle> m_triangles;
   std::vector<Location> m_locations;
   std::vector<char> m_is_located;
+  std::vector<std::uint32_t> m_parents;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> m_midpoints;
 };
 

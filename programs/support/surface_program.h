@@ -80,6 +80,8 @@ struct Page_contents {
   // for each column, the values that have the first and the last color, if these are not the
   // smallest and the largest value; may be shorter
   std::vector<std::optional<std::pair<double, double>>> ranges;
+  // for each column, where the vertices are while it is shown; or none
+  std::vector<std::vector<RL::Point_3>> points;
   // the column that is shown first, and about how many isolines
   std::size_t first = 0;
   int isolines = 0;
@@ -265,6 +267,8 @@ inline void write_html(const std::string& program, const Common_options& o,
     shown.fields.push_back({names[k], {column.begin(), column.end()}, false, {}});
     if(k < contents.ranges.size())
       shown.fields.back().range = contents.ranges[k];
+    if(k < contents.points.size())
+      shown.fields.back().points = contents.points[k];
   }
   shown.lines = contents.lines;
   page.surfaces.push_back(std::move(shown));

@@ -148,6 +148,8 @@ private:
         write_colors(field);
       else
         write_values(field);
+      if(!field.points.empty())
+        m_out << ",\"positions\":{\"planes\":" << add_points(field.points) << '}';
       m_out << '}';
     }
     m_out << ']';
@@ -167,12 +169,19 @@ private:
       }
       is_first = false;
     };
-    for(const std::int32_t v : triangles)
-      enclose(s.points[static_cast<std::size_t>(v)]);
-    if(triangles.empty())
-      for(const RL::Point_3& p : s.points)
-        if(is_finite(p))
-          enclose(p);
+    const auto enclose_all = [&](const std::vector<RL::Point_3>& points) {
+      for(const std::int32_t v : triangles)
+        if(is_finite(points[static_cast<std::size_t>(v)]))
+          enclose(points[static_cast<std::size_t>(v)]);
+      if(triangles.empty())
+        for(const RL::Point_3& p : points)
+          if(is_finite(p))
+            enclose(p);
+    };
+    enclose_all(s.points);
+    for(const Viewer_field& field : s.fields)
+      if(!field.points.empty())
+        enclose_all(field.points);
     double step = 0;
     for(int k = 0; k < 3; ++k)
       step = std::max(step, high[k] / coordinate_steps - low[k] / coordinate_steps);
@@ -181,12 +190,16 @@ private:
     std::array<std::int32_t, 3> extent;
     for(int k = 0; k < 3; ++k)
       extent[k] = step_number(high[k], low[k], step, coordinate_steps);
-    std::vector<std::int32_t> codes;
-    for(const RL::Point_3& p : s.points)
-      add_codes(p, codes);
     m_out << ",\"positions\":{\"low\":[" << low[0] << ',' << low[1] << ',' << low[2]
           << "],\"step\":" << step << ",\"extent\":[" << extent[0] << ',' << extent[1] << ','
-          << extent[2] << "],\"planes\":" << m_coder.add(codes, 3) << '}';
+          << extent[2] << "],\"planes\":" << add_points(s.points) << '}';
+  }
+
+  int add_points(const std::vector<RL::Point_3>& points) {
+    std::vector<std::int32_t> codes;
+    for(const RL::Point_3& p : points)
+      add_codes(p, codes);
+    return m_coder.add(codes, 3);
   }
 
   void add_codes(const RL::Point_3& p, std::vector<std::int32_t>& codes) const {

@@ -31,6 +31,8 @@ struct Viewer_field {
   bool is_color = false;
   // which values have the first and the last color; by default the smallest and the largest value
   std::optional<std::pair<double, double>> range;
+  // where the vertices are while it is shown; where those of the surface are if there is none
+  std::vector<RL::Point_3> points = {};
 };
 
 // Triangles; or points, with or without normals, if there are no triangles.
@@ -57,8 +59,8 @@ struct Viewer_page {
   char up = 'y';               // the axis that points up, y or z
 };
 
-// Writes a page. Coordinates are rounded to a millionth of the longest side of the bounding box,
-// and values to 6e-8 of the difference between the largest and the smallest. Faces with a corner
+// Writes a page. Coordinates are rounded to a millionth of the longest side of the box around all
+// that is shown of a surface, and values to 6e-8 of the difference between the largest and the smallest. Faces with a corner
 // that is not finite are left out, and the page says so.
 // \param bundle the viewer, a page without a scene, as viewer/build.js makes it
 void write_viewer_page(std::ostream& out, const std::string& bundle, const Viewer_page& page);

@@ -20,6 +20,7 @@ from ._files import read_mesh, read_vertex_properties
 from ._flows import (MeanCurvatureFlow, SurfaceEditor, edit_surface, mean_curvature_flow, sharpen_surface,
                      smooth_surface, spherical_parameterization)
 from ._input import Corners
+from ._maps import FunctionalMap, PointMap, functional_map, zoomout
 from ._problems import (Curvature, curvature, diffuse, fit_function, integrate_gradient, smooth,
                         solve_poisson, solve_screened_poisson)
 from ._shapes import icosphere
@@ -34,15 +35,16 @@ from ._view import View, to_polyscope
 
 __all__ = [
     "Canceled", "ConvergenceError", "Corners", "Curvature", "DistanceFunction", "Distances",
-    "Geodesics", "InputError", "MeanCurvatureFlow", "MemoryEstimate", "Operators", "Path", "PoissonSolver", "Report",
+    "FunctionalMap", "Geodesics", "InputError", "MeanCurvatureFlow", "MemoryEstimate", "Operators", "Path",
+    "PointMap", "PoissonSolver", "Report",
     "Scan", "Space", "Spectrum", "SplineFunction", "SurfaceEditor", "View", "__version__",
     "biharmonic_embedding", "cotangent_operators", "curvature", "diffuse", "diffusion_map", "edit_surface", "eigs",
     "estimate_memory",
-    "farthest_points", "fit_function", "geodesic_distance", "global_point_signature",
+    "farthest_points", "fit_function", "functional_map", "geodesic_distance", "global_point_signature",
     "heat_kernel_signature", "heat_kernel_times", "heat_trace", "icosphere",
     "integrate_gradient", "laplace_spectrum", "mean_curvature_flow", "number_of_zero_eigenvalues", "read_mesh",
     "read_vertex_properties", "shape_dna", "sharpen_surface", "shortest_path", "smooth", "smooth_surface", "solve_poisson",
     "solve_screened_poisson",
     "spherical_parameterization", "stitch_colors",
-    "to_polyscope", "wave_kernel_signature",
+    "to_polyscope", "wave_kernel_signature", "zoomout",
 ]

@@ -316,6 +316,38 @@ class Geodesics:
         own = _sources(self._surface.number_of_vertices, sources, points, segments, boundary, labels)
         return Distances(*self._solver.distances(*own, self._query(exact, progress, maximum_distance)))
 
+    def signed_distances(self, values: Any, *, maximum_distance: Optional[float] = None, exact: bool = False,
+                         progress: Progress = None) -> np.ndarray:
+        """Distances of all vertices from the boundary of a region, negative inside.
+
+        Parameters
+        ----------
+        values : array_like, (n,)
+            A function that is linear on triangles: distances are those from its zeros, negative where it is negative.
+            Or a mask of the vertices that lie inside.
+        maximum_distance, exact, progress : as for distances
+            How the work is done. Beyond a maximum they are infinite, of both signs.
+
+        Returns
+        -------
+        numpy.ndarray, (n,)
+            In units of length.
+
+        Examples
+        --------
+        >>> import numpy as np, restricted_laplacian as rl
+        >>> V, F = rl.icosphere(4)
+        >>> latitude = rl.Geodesics(V, F).signed_distances(V[:, 2])
+        >>> bool(abs(latitude - np.arcsin(V[:, 2])).max() < 2e-3)
+        True
+        """
+        n = self._surface.number_of_vertices
+        own = np.asarray(values)
+        own = np.where(own, -1.0, 1.0) if own.dtype == bool else numbers(own, "values", np.float64)
+        if own.shape != (n,):
+            raise argument_error("values", f"has the shape {own.shape}, but there are {n} vertices")
+        return self._solver.signed_distances(np.ascontiguousarray(own), self._query(exact, progress, maximum_distance))  # type: ignore[no-any-return]
+
     def distance_matrix(self, sources: Any = None, targets: Any = None, *,
                         maximum_distance: Optional[float] = None, out: Any = None,
                         exact: bool = False, progress: Progress = None) -> Any:

@@ -29,6 +29,7 @@ class _Field(NamedTuple):
     values: np.ndarray  # (n,), or (n, 3) of a color
     is_color: bool
     range: Optional[tuple[float, float]]
+    positions: Optional[np.ndarray]
 
 
 class _Shown(NamedTuple):
@@ -113,6 +114,9 @@ class View:
     range : (float, float) or dict, optional
         Which values have the first and the last color; for each name if it is a dict. By default the
         smallest and the largest value.
+    positions : dict, optional
+        (n, 3) by names of `values`: where the vertices are while this function is shown, for instance after the
+        steps of a flow.
     lines : list of Path or array_like, optional
         Lines on the surface: what `shortest_path` and `isolines` return, or points (k, 3) of each.
     name : str, default ""
@@ -132,12 +136,18 @@ class View:
     >>> V, F = rl.icosphere(4)
     >>> view = rl.View(V, F, {"z": V[:, 2]}, title="a sphere", isolines=10)
     >>> both = view.beside(rl.View(V, F, {"x": V[:, 0]}))
+
+    A sphere that shrinks, with a slider over the steps:
+
+    >>> steps = {f"step {i}": (1 - 0.1 * i) * V for i in range(5)}
+    >>> moving = rl.View(V, F, {name: X[:, 2] for name, X in steps.items()}, positions=steps)
     """
 
     @takes_surface
     def __init__(self, V: Any, F: Any = None, values: Fields = None, *, colors: Any = None,
-                 normals: Any = None, range: Any = None, lines: Any = (), name: str = "",
-                 title: str = "Surface", isolines: int = 0, up: str = "y", first: int = 0) -> None:
+                 normals: Any = None, range: Any = None, positions: Optional[dict[str, Any]] = None,
+                 lines: Any = (), name: str = "", title: str = "Surface", isolines: int = 0, up: str = "y",
+                 first: int = 0) -> None:
         if F is None and normals is None:
             V, F = mesh_arrays(V) or (V, None)
         if F is not None and polygons_of(F) is not None:
@@ -151,6 +161,11 @@ class View:
                 raise argument_error("normals", f"has {len(normals)} rows, but must have {n}")
         if up not in ("y", "z"):
             raise argument_error("up", f"must be y or z, and is {up!r}")
+        places = {}
+        for key, rows in (positions or {}).items():
+            places[key] = _three_columns(rows, f"positions[{key!r}]")
+            if len(places[key]) != n:
+                raise argument_error("positions", f"has {len(places[key])} rows for {key!r}, but there are {n} vertices")
         fields = []
         for key, array in _named(values):
             if len(array) != n:
@@ -160,9 +175,11 @@ class View:
                 own = float(own[0]), float(own[1])
                 if not own[0] < own[1]:
                     raise argument_error("range", "must be two numbers, the smaller one first")
-            fields.append(_Field(key, np.ascontiguousarray(array), False, own))
+            fields.append(_Field(key, np.ascontiguousarray(array), False, own, places.pop(key, None)))
         if colors is not None:
-            fields.append(_Field("color", _color_array(colors, n), True, None))
+            fields.append(_Field("color", _color_array(colors, n), True, None, places.pop("color", None)))
+        if places:
+            raise argument_error("positions", f"names {next(iter(places))!r}, which values do not")
         drawn = [_three_columns(getattr(line, "points", line), "lines") for line in lines]
         self._shown = [_Shown(name, points, faces, normals, fields, drawn)]
         self._title, self._isolines, self._up, self._first = title, int(isolines), up, int(first)
@@ -202,7 +219,7 @@ class View:
         for s in self._shown:
             page.add_surface(s.name, s.points, s.faces, s.normals)
             for f in s.fields:
-                page.add_field(f.name, f.values.ravel(), f.is_color, f.range)
+                page.add_field(f.name, f.values.ravel(), f.is_color, f.range, f.positions)
             for line in s.lines:
                 page.add_line(line)
         return page.html(os.fspath(_VIEWER))
@@ -340,7 +357,7 @@ def view_of_surface(surface: Any, names: list[str], values: np.ndarray,
     normals = surface.face_normals() if surface.is_point_set else None
     points, faces = surface.points(), None if surface.is_point_set else surface.faces()
     if longest_side > 0:
-        points, faces, face, barycentric = _core.refined(surface, float(longest_side))
+        points, faces, face, barycentric, _ = _core.refined(surface, float(longest_side))
         values = np.full((len(points), len(names)), np.nan)
         is_located = face >= 0
         found = at(face[is_located], barycentric[is_located])

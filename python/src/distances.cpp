@@ -108,6 +108,15 @@ nb::tuple distances(const RL::Geodesic_solver& solver, const Integers& vertices,
                         array_of_rows(std::move(nearest), 1));
 }
 
+nb::object signed_distances(const RL::Geodesic_solver& solver, const Numbers& values,
+                            const Query& query) {
+  const std::vector<double> own(values.data(), values.data() + values.size());
+  return array_of_rows(query.run([&](const auto& options) {
+    return solver.signed_distances(own, options).distances;
+  }),
+                       1);
+}
+
 std::vector<RL::Geodesic_sources> sources_at(const Integers& vertices) {
   std::vector<RL::Geodesic_sources> sources;
   for(std::size_t i = 0; i < vertices.size(); ++i)
@@ -292,6 +301,7 @@ void add_distances(nb::module_& m) {
       .def("function", &distance_function, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,
            "labels"_a, "query"_a, "fitter"_a.none())
       .def("location", &location_of_vertex, "vertex"_a)
+      .def("signed_distances", &signed_distances, "values"_a, "query"_a)
       .def("distance_matrix", &distance_matrix, "vertices"_a, "targets"_a.none(), "query"_a)
       .def("near_vertices", &near_vertices, "vertices"_a, "maximum_distance"_a, "query"_a)
       .def("farthest_points", &farthest_points, "number"_a, "vertices"_a, "query"_a);

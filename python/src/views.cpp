@@ -52,9 +52,14 @@ void add_line(Page& page, const Rows& points) {
 
 // a field of the surface that was added last
 void add_field(Page& page, const std::string& name, const Numbers& values, bool is_color,
-               std::optional<std::pair<double, double>> range) {
+               std::optional<std::pair<double, double>> range,
+               const std::optional<Rows>& positions) {
   page.surfaces.back().fields.push_back(
-      {name, {values.data(), values.data() + values.size()}, is_color, range});
+      {name,
+       {values.data(), values.data() + values.size()},
+       is_color,
+       range,
+       positions ? read_rows<RL::Point_3>(*positions) : std::vector<RL::Point_3>()});
 }
 
 std::string html(const Page& page, const std::string& viewer_file) {
@@ -68,11 +73,12 @@ std::string html(const Page& page, const std::string& viewer_file) {
   }
 }
 
-// points, faces, and for each point whether it has a location, and which: face and coordinates
+// points, faces, for each point its location, the face, or -1, and coordinates there; and for each face
+// the one that it is part of
 nb::tuple refined(const RL::Triangulated_surface_3& surface, double longest_side) {
   surface.require_triangles("refining");
   std::vector<double> points, barycentric;
-  std::vector<std::int64_t> faces, at;
+  std::vector<std::int64_t> faces, at, parents;
   {
     const nb::gil_scoped_release release;
     const programs::Refined_surface fine = programs::refine(surface, longest_side);
@@ -86,9 +92,11 @@ nb::tuple refined(const RL::Triangulated_surface_3& surface, double longest_side
     for(std::size_t f = 0; f < fine.surface.number_of_faces(); ++f)
       for(const std::uint32_t v : fine.surface.triangle(f))
         faces.push_back(v);
+    parents.assign(fine.parents.begin(), fine.parents.end());
   }
   return nb::make_tuple(array_of_rows(std::move(points), 3), array_of_rows(std::move(faces), 3),
-                        array_of_rows(std::move(at), 1), array_of_rows(std::move(barycentric), 3));
+                        array_of_rows(std::move(at), 1), array_of_rows(std::move(barycentric), 3),
+                        array_of_rows(std::move(parents), 1));
 }
 
 } // namespace
@@ -108,7 +116,8 @@ void add_views(nb::module_& m) {
           "title"_a, "isolines"_a, "up"_a, "first"_a)
       .def("add_surface", &add_surface, "name"_a, "points"_a, "faces"_a.none(), "normals"_a.none())
       .def("add_line", &add_line, "points"_a)
-      .def("add_field", &add_field, "name"_a, "values"_a, "is_color"_a, "range"_a.none())
+      .def("add_field", &add_field, "name"_a, "values"_a, "is_color"_a, "range"_a.none(),
+           "positions"_a.none())
       .def("html", &html, "viewer_file"_a);
   m.def("refined", &refined, "surface"_a, "longest_side"_a);
 }

@@ -43,6 +43,21 @@ def test_sphere(sphere):
     assert np.array_equal(rl.geodesic_distance(V, F, [5]), d)
 
 
+def test_signed_distances(sphere):
+    V, F = sphere
+    geodesics = rl.Geodesics(V, F)
+    found = geodesics.signed_distances(V[:, 2] - 0.5)
+    assert abs(found - (np.arcsin(V[:, 2]) - np.pi / 6)).max() < 5e-3
+    near = geodesics.signed_distances(V[:, 2] - 0.5, maximum_distance=0.3, exact=True)
+    assert np.array_equal(np.isinf(near), abs(near) > 0.3) and (np.sign(near) == np.sign(found)).all()
+    mask = V[:, 2] < 0.5
+    assert ((geodesics.signed_distances(mask) < 0) == mask).all()
+    assert abs(geodesics.signed_distances(mask) - found).max() < 0.1
+    for bad, pattern in ((np.ones(len(V)), "nowhere"), (np.ones(3), "shape"), (np.full(len(V), np.nan), "vertex 0")):
+        with pytest.raises(rl.InputError, match=pattern):
+            geodesics.signed_distances(bad)
+
+
 def test_sources(sphere):
     V, F = grid(10)
     geodesics = rl.Geodesics(V, F)

@@ -45,6 +45,10 @@ def decoded(page: str) -> dict:
         rest = rest[planes * size:]
         return np.cumsum((codes >> 1 ^ -(codes & 1)).reshape(-1, stride), axis=0)
 
+    def add_points(f: dict, n: int, p: dict) -> None:
+        if "positions" in f:
+            f["points"] = np.array(p["low"]) + p["step"] * take(3 * n, 3, f["positions"]["planes"])
+
     for s in scene["surfaces"]:
         n, p = s["vertices"], s["positions"]
         s["points"] = np.array(p["low"]) + p["step"] * take(3 * n, 3, p["planes"])
@@ -54,11 +58,13 @@ def decoded(page: str) -> dict:
         for f in s["fields"]:
             if f["kind"] == "colors":
                 f["values"] = take(3 * n, 3, f["planes"])
+                add_points(f, n, p)
                 continue
             codes = take(n, 1, f["planes"])[:, 0]
             t = (codes - 3) / (2 ** 24 - 4)
             f["values"] = np.where(codes >= 3, f["low"] * (1 - t) + f["high"] * t,
                                    np.array([np.nan, np.inf, -np.inf])[np.minimum(codes, 2)])
+            add_points(f, n, p)
         if "lines" in s:
             sizes = take(s["lines"]["number"], 1, s["lines"]["sizes"]["planes"])[:, 0]
             points = s["lines"]["points"]
@@ -87,6 +93,19 @@ def test_what_a_page_holds(sphere):
     assert abs(z["values"][3:] - u[3:]).max() < 2 * 6e-8
     assert abs(x["values"] - V[:, 0]).max() < 2 * 6e-8
     assert (color["values"] == (255 * abs(V)).astype(int)).all()
+
+
+def test_a_surface_that_moves(sphere):
+    V, F = sphere
+    steps = {"first": V, "second": 2 * V + [3, 0, 0]}
+    view = rl.View(V, F, {"first": V[:, 0], "second": V[:, 1], "back": V[:, 2]}, positions=steps, colors=abs(V))
+    s, = decoded(view.html())["surfaces"]
+    first, second, *others = s["fields"]
+    assert abs(s["points"] - V).max() < 1e-5 and abs(first["points"] - V).max() < 1e-5
+    assert abs(second["points"] - steps["second"]).max() < 1e-5, "beyond the box of the surface"
+    assert not any("points" in field for field in others)
+    painted, = decoded(rl.View(V, F, colors=abs(V), positions={"color": 3 * V}).html())["surfaces"]
+    assert abs(painted["fields"][0]["points"] - 3 * V).max() < 1e-5
 
 
 @pytest.mark.parametrize("colors, scale", [(np.int64, 255), (np.uint16, 65535), (np.float32, 1)])
@@ -144,6 +163,8 @@ def test_hostile_surfaces(sphere):
     (((3, 3), None, [1, 2]), "values", {}), (((3, 3), None), "normals", {"normals": np.ones((2, 3))}),
     (((3, 3), None), "colors", {"colors": np.ones((3, 2))}), (((3, 3), None), "up", {"up": "x"}),
     (((3, 3), None, [1, 2, 3]), "range", {"range": (1, 0)}),
+    (((3, 3), None, [1, 2, 3]), "positions", {"positions": {"value": np.ones((2, 3))}}),
+    (((3, 3), None, [1, 2, 3]), "positions", {"positions": {"other": np.ones((3, 3))}}),
 ])
 def test_errors(arguments, named, options):
     shape, *others = arguments

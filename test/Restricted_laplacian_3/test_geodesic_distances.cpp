@@ -715,6 +715,56 @@ TEST_CASE("distances_do_not_depend_on_the_triangulation", "[geodesic]") {
   CHECK(same_directions > 0.95 * static_cast<double>(coarse.points.size()));
 }
 
+TEST_CASE("signed_distances_are_those_from_zeros", "[geodesic]") {
+  // in a plane: from lines that pass through triangles, and from the sides of a grid
+  const int n = 24;
+  const shapes::Triangles t =
+      shapes::grid(n, [](double x, double y) { return RL::Point_3(x, y, 0); });
+  const RL::Geodesic_solver geodesics = shapes::geodesics(t);
+  for(const double scale : {1e-200, 1., 1e200})
+    for(const double place : {0.5, 0.31}) {
+      Distances values;
+      for(const RL::Point_3& p : t.points)
+        values.push_back(scale * (p.x() - place));
+      for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+        const Distances found = geodesics.signed_distances(values, method).distances;
+        for(std::size_t v = 0; v < t.points.size(); ++v)
+          CHECK(found[v] == Approx(t.points[v].x() - place).margin(1e-12));
+      }
+    }
+  // a corner is a single zero, and a face of zeros is at its sides
+  Distances values(t.points.size(), 1);
+  values[5 + 5 * (n + 1)] = 0;
+  const Distances from_corner = geodesics.signed_distances(values).distances;
+  for(std::size_t v = 0; v < t.points.size(); ++v)
+    CHECK(from_corner[v] == Approx(shapes::length(t.points[v] - t.points[5 + 5 * (n + 1)])));
+  for(const std::uint32_t v : t.faces[100])
+    values[v] = 0;
+  CHECK(geodesics.signed_distances(values).distances[t.faces[100][1]] == 0);
+  // on a sphere, and with an infinite value that is on one side
+  const shapes::Triangles sphere = shapes::sphere(4);
+  values.clear();
+  for(const RL::Point_3& p : sphere.points)
+    values.push_back(p.z() > 0.99 ? std::numeric_limits<double>::infinity() : p.z());
+  const RL::Geodesic_solver on_sphere = shapes::geodesics(sphere);
+  const Distances latitudes = on_sphere.signed_distances(values).distances;
+  for(std::size_t v = 0; v < sphere.points.size(); ++v)
+    CHECK(latitudes[v] == Approx(std::asin(sphere.points[v].z())).margin(5e-3));
+  RL::Geodesic_options near;
+  near.maximum_distance = 0.5;
+  const Distances limited = on_sphere.signed_distances(values, near).distances;
+  for(std::size_t v = 0; v < sphere.points.size(); ++v)
+    CHECK((std::abs(latitudes[v]) < 0.5 ? limited[v] == Approx(latitudes[v])
+                                        : std::isinf(limited[v]) && limited[v] * values[v] > 0));
+  // what has no zero
+  CHECK_THROWS_WITH(geodesics.signed_distances(Distances(t.points.size(), 1)),
+                    Catch::Contains("nowhere"));
+  CHECK_THROWS_WITH(geodesics.signed_distances(Distances(3, 1)), Catch::Contains("3"));
+  values.assign(t.points.size(), 1);
+  values[7] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(geodesics.signed_distances(values), Catch::Contains("vertex 7"));
+}
+
 TEST_CASE("distances_do_not_depend_on_position_and_scale", "[geodesic]") {
   const shapes::Triangles t = shapes::bumpy_square(16, 0.3, 3, 5);
   const Distances found = from_vertex(t, 40);

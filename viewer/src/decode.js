@@ -43,11 +43,17 @@ function numberOf(code, low, high) {
   return code === codeOfInfinity ? Infinity : code === codeOfMinusInfinity ? -Infinity : NaN;
 }
 
+// with `codes` of the places that the vertices have while it is shown, if these are its own
 function decodedField(field, integers, vertices) {
-  if (field.kind === 'colors')
-    return { ...field, colors: Uint8Array.from(integers.take(3 * vertices, 3, field.planes)) };
-  const codes = integers.take(vertices, 1, field.planes);
-  return { ...field, valueOf: (vertex) => numberOf(codes[vertex], field.low, field.high) };
+  const result = { ...field };
+  if (field.kind === 'colors') {
+    result.colors = Uint8Array.from(integers.take(3 * vertices, 3, field.planes));
+  } else {
+    const codes = integers.take(vertices, 1, field.planes);
+    result.valueOf = (vertex) => numberOf(codes[vertex], field.low, field.high);
+  }
+  if (field.positions) result.codes = integers.take(3 * vertices, 3, field.positions.planes);
+  return result;
 }
 
 // The surfaces of a page: positions in coordinates of the file less `center`, for which single
@@ -59,22 +65,29 @@ export async function decodedScene(description, base64) {
     const extent = [0, 1, 2].map((axis) => s.positions.step * s.positions.extent[axis]);
     const center = [0, 1, 2].map((axis) => s.positions.low[axis] + extent[axis] / 2);
     const size = Math.hypot(...extent);
+    const triangles = new Uint32Array(integers.take(3 * s.faces, 3, s.triangles.planes));
+    let normals = null;
+    if (s.normals) normals = Float32Array.from(integers.take(3 * s.vertices, 3, s.normals.planes), (n) => n / 127);
+    const fields = s.fields.map((field) => decodedField(field, integers, s.vertices));
     let square = 0;
-    for (let v = 0; size > 0 && v < codes.length; v += 3) {
-      let sum = 0;
-      for (let axis = 0; axis < 3; ++axis)
-        sum += ((s.positions.step * codes[v + axis] - extent[axis] / 2) / size) ** 2;
-      square = Math.max(square, sum);
-    }
+    for (const places of [codes, ...fields.map((field) => field.codes).filter(Boolean)])
+      for (let v = 0; size > 0 && v < places.length; v += 3) {
+        let sum = 0;
+        for (let axis = 0; axis < 3; ++axis)
+          sum += ((s.positions.step * places[v + axis] - extent[axis] / 2) / size) ** 2;
+        square = Math.max(square, sum);
+      }
     const radius = size * Math.sqrt(square);
     // scaled to a ball of radius one: coordinates may be of any size
     const scale = radius > 0 ? 1 / radius : 1;
     const placed = (code, i) => (s.positions.step * code - extent[i % 3] / 2) * scale;
     const positions = Float32Array.from(codes, placed);
-    const triangles = new Uint32Array(integers.take(3 * s.faces, 3, s.triangles.planes));
-    let normals = null;
-    if (s.normals) normals = Float32Array.from(integers.take(3 * s.vertices, 3, s.normals.planes), (n) => n / 127);
-    const fields = s.fields.map((field) => decodedField(field, integers, s.vertices));
+    const pointOf = (places) => (vertex) =>
+      [0, 1, 2].map((axis) => s.positions.low[axis] + s.positions.step * places[3 * vertex + axis]);
+    for (const field of fields) {
+      field.positions = field.codes ? Float32Array.from(field.codes, placed) : positions;
+      field.pointOf = pointOf(field.codes ?? codes);
+    }
     const segments = [];
     if (s.lines) {
       const sizes = integers.take(s.lines.number, 1, s.lines.sizes.planes);
@@ -95,7 +108,7 @@ export async function decodedScene(description, base64) {
       normals,
       segments,
       pointAt: (p) => p.map((x, axis) => center[axis] + x * (radius > 0 ? radius : 1)),
-      pointOf: (vertex) => [0, 1, 2].map((axis) => s.positions.low[axis] + s.positions.step * codes[3 * vertex + axis]),
+      pointOf: pointOf(codes),
       fields,
     };
   });

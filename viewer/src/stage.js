@@ -173,7 +173,7 @@ export class Stage {
   placeOf(index, vertex) {
     const [left, top, width, height] = this.pane(index);
     this.camera.updateMatrixWorld();
-    const p = new Vector3().fromArray(this.views[index].surface.positions, 3 * vertex).project(this.camera);
+    const p = new Vector3().fromArray(this.views[index].positions, 3 * vertex).project(this.camera);
     return [left + (width * (p.x + 1)) / 2, top + (height * (1 - p.y)) / 2];
   }
 }

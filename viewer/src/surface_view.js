@@ -83,16 +83,10 @@ export class SurfaceView {
     this.surface = surface;
     this.object = new Group();
     this.hasFaces = surface.triangles.length > 0;
-    const corners = this.hasFaces ? shadedCorners(surface.positions, surface.triangles) : null;
-    this.origin = corners ? corners.origin : null;
-    const size = corners ? corners.origin.length : surface.numberOfVertices;
     this.geometry = new BufferGeometry();
-    this.geometry.setAttribute('position', new BufferAttribute(this.#ofVertices(surface.positions, 3), 3));
-    const normals = corners ? corners.normals : surface.normals;
-    this.geometry.setAttribute('normal', new BufferAttribute(normals ?? new Float32Array(3 * size), 3));
-    this.geometry.setAttribute('value', new BufferAttribute(new Float32Array(size), 1));
-    this.geometry.setAttribute('paint', new BufferAttribute(new Uint8Array(3), 3, true));
-    if (corners) this.geometry.setIndex(new BufferAttribute(corners.indices, 1));
+    this.lines = {};
+    this.isCoarse = false;
+    this.#place(surface.positions);
 
     this.table = new DataTexture(new Uint8Array(4 * 256), 256, 1, RGBAFormat, UnsignedByteType);
     this.table.magFilter = this.table.minFilter = LinearFilter;
@@ -113,8 +107,6 @@ export class SurfaceView {
     this.points.visible = !this.hasFaces;
     this.object.add(this.faces, this.points);
     for (const part of this.object.children) part.frustumCulled = false;
-    this.lines = {};
-    this.isCoarse = false;
     if (surface.segments.length > 0) {
       const geometry = new LineSegmentsGeometry().setPositions(surface.segments);
       const paths = new LineSegments2(geometry, new LineMaterial({ linewidth: 3, color: '#e0218a' }));
@@ -123,16 +115,39 @@ export class SurfaceView {
     }
   }
 
+  // Where the vertices are.
+  #place(positions) {
+    this.positions = positions;
+    const corners = this.hasFaces ? shadedCorners(positions, this.surface.triangles) : null;
+    this.origin = corners ? corners.origin : null;
+    const size = corners ? corners.origin.length : this.surface.numberOfVertices;
+    this.geometry.dispose();
+    this.geometry.setAttribute('position', new BufferAttribute(this.#ofVertices(positions, 3), 3));
+    const normals = corners ? corners.normals : this.surface.normals;
+    this.geometry.setAttribute('normal', new BufferAttribute(normals ?? new Float32Array(3 * size), 3));
+    this.geometry.setAttribute('value', new BufferAttribute(new Float32Array(size), 1));
+    this.geometry.setAttribute('paint', new BufferAttribute(new Uint8Array(3), 3, true));
+    if (corners) this.geometry.setIndex(new BufferAttribute(corners.indices, 1));
+    this.coarseIndex = null;
+    for (const { geometry } of Object.values(this.lines)) {
+      geometry.dispose();
+      geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    }
+  }
+
   // Shows fewer triangles and no lines, or all of them again.
   setCoarse(isCoarse) {
     if (isCoarse === this.isCoarse || !this.hasFaces) return;
     this.isCoarse = isCoarse;
     if (!this.coarse) {
-      const geometry = new BufferGeometry();
-      geometry.setIndex(new BufferAttribute(coarseTriangles(this.surface.positions, this.surface.triangles), 1));
-      this.coarse = new Mesh(geometry, this.faces.material);
+      this.coarse = new Mesh(new BufferGeometry(), this.faces.material);
       this.coarse.frustumCulled = false;
       this.object.add(this.coarse);
+    }
+    if (isCoarse && !this.coarseIndex) {
+      this.coarseIndex = new BufferAttribute(coarseTriangles(this.positions, this.surface.triangles), 1);
+      this.coarse.geometry.dispose();
+      this.coarse.geometry.setIndex(this.coarseIndex);
     }
     for (const [name, attribute] of Object.entries(this.geometry.attributes))
       this.coarse.geometry.setAttribute(name, attribute);
@@ -168,6 +183,8 @@ export class SurfaceView {
     if (choice === this.choice) return;
     this.choice = choice;
     this.field = field;
+    const positions = field?.positions ?? this.surface.positions;
+    if (positions !== this.positions) this.#place(positions);
     this.uniforms.painted.value = Boolean(field?.colors);
     if (!field) {
       this.geometry.getAttribute('value').array.fill(nothing);
@@ -224,7 +241,7 @@ export class SurfaceView {
     if (!this.lines[kind] && isShown && this.hasFaces) {
       this.edges ??= edgesOf(this.surface.numberOfVertices, this.surface.triangles);
       const geometry = new BufferGeometry();
-      geometry.setAttribute('position', new BufferAttribute(this.surface.positions, 3));
+      geometry.setAttribute('position', new BufferAttribute(this.positions, 3));
       geometry.setIndex(new BufferAttribute(Uint32Array.from(this.edges[kind]), 1));
       this.lines[kind] = new LineSegments(geometry, new LineBasicMaterial());
       this.lines[kind].frustumCulled = false;
@@ -243,7 +260,7 @@ export class SurfaceView {
     const back = new Matrix4().copy(this.object.matrixWorld).invert();
     const origin = ray.origin.clone().applyMatrix4(back).toArray();
     const direction = ray.direction.clone().transformDirection(back).toArray();
-    const { positions, triangles } = this.surface;
+    const { positions } = this, { triangles } = this.surface;
     let vertex, local, corners = null, barycentric = [1];
     if (this.hasFaces) {
       const hit = firstHit(positions, triangles, origin, direction);
@@ -260,7 +277,7 @@ export class SurfaceView {
       corners = [vertex];
       local = [0, 1, 2].map((axis) => positions[3 * vertex + axis]);
     }
-    const result = { vertex, position: this.surface.pointAt(local), vertexPosition: this.surface.pointOf(vertex) };
+    const result = { vertex, position: this.surface.pointAt(local), vertexPosition: (this.field ?? this.surface).pointOf(vertex) };
     if (this.field?.colors) {
       result.color = [...this.field.colors.subarray(3 * vertex, 3 * vertex + 3)];
     } else if (this.field) {

@@ -56,7 +56,7 @@ function coded(numbers, stride) {
 }
 
 // A page of surfaces { name, points, triangles, fields: [{ name, values } or { name, colors }] }, with
-// coordinates that are multiples of 1/64 from 0 to 64.
+// coordinates that are multiples of 1/64 from 0 to 64; fields may have points, too.
 export function handmadePage(name, surfaces, description = {}) {
   const bytes = [];
   const add = (numbers, stride) => {
@@ -64,7 +64,12 @@ export function handmadePage(name, surfaces, description = {}) {
     bytes.push(...result.bytes);
     return result.planes;
   };
-  const field = ({ name: fieldName, values, colors }) => {
+  const codesOf = (points) => points.flat().map((x) => 64 * x);
+  const field = ({ points, ...values }) => {
+    const result = fieldOfValues(values);
+    return points ? { ...result, positions: { planes: add(codesOf(points), 3) } } : result;
+  };
+  const fieldOfValues = ({ name: fieldName, values, colors }) => {
     if (colors) return { name: fieldName, kind: 'colors', planes: add(colors, 3) };
     const finite = values.filter(Number.isFinite);
     const low = Math.min(...finite, Infinity), high = Math.max(...finite, -Infinity);
@@ -78,8 +83,8 @@ export function handmadePage(name, surfaces, description = {}) {
     surfaces: surfaces.map((s) => ({
       name: s.name ?? '', vertices: s.points.length, faces: s.triangles.length, leftOut: 0,
       positions: {
-        low: [0, 0, 0], step: 1 / 64, extent: [0, 1, 2].map((k) => Math.max(0, ...s.points.map((p) => 64 * p[k]))),
-        planes: add(s.points.flat().map((x) => 64 * x), 3),
+        low: [0, 0, 0], step: 1 / 64, extent: [0, 1, 2].map((k) => Math.max(0, ...[s, ...(s.fields ?? [])].flatMap((f) => f.points ?? []).map((p) => 64 * p[k]))),
+        planes: add(codesOf(s.points), 3),
       },
       triangles: { planes: add(s.triangles.flat(), 3) },
       fields: (s.fields ?? []).map(field),

@@ -233,6 +233,44 @@ test('two surfaces side by side', async () => {
   assert.deepEqual(page.complaints, []);
 });
 
+test('the slider moves the surface', async () => {
+  const small = [[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]], large = small.map((p) => p.map((x) => 8 * x));
+  const bent = large.map(([x, y], i) => [x, y, i === 2 ? 32 : 0]);
+  const page = await open(browser, handmadePage('moving', [{
+    points: small, triangles: [[0, 1, 2], [0, 2, 3]],
+    fields: [{ name: 'own', values: [0, 1, 2, 3] }, { name: 'large', values: [0, 1, 2, 3], points: large },
+      { name: 'bent', values: [0, 1, 2, 3], points: bent }, { name: 'painted', colors: Array(12).fill(255), points: large }],
+  }]));
+  await set(page, { ...plain, wireframe: true, boundary: true });
+  const state = (field) => page.evaluate((f) => {
+    const { controls, stage } = globalThis.viewer;
+    controls.setField(f);
+    const corners = [0, 2].map((v) => stage.placeOf(0, v));
+    const middle = corners[0].map((x, k) => (x + corners[1][k]) / 2);
+    const edges = stage.views[0].lines.all.geometry.getAttribute('position').array;
+    const normals = stage.views[0].geometry.getAttribute('normal').array;
+    return {
+      corners, middle, hit: stage.pick(...middle), edge: edges[3] - edges[0], normal: normals[0],
+      coarse: (stage.views[0].setCoarse(true), stage.views[0].coarse.geometry.index.count), fine: stage.views[0].setCoarse(false),
+    };
+  }, field);
+  const length = ({ corners: [a, b] }) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+  const own = await state(0), grown = await state(1), folded = await state(2), painted = await state(3), back = await state(0);
+  assert.ok(Math.abs(length(grown) / length(own) - 8) < 2, `${length(own)} and ${length(grown)}`);
+  assert.ok(Math.abs(grown.edge / own.edge - 8) < 1e-4, 'edges move, too');
+  assert.equal(own.normal, 0);
+  assert.ok(Math.abs(folded.normal) > 0.1, 'and normals');
+  assert.deepEqual(painted.corners, grown.corners);
+  assert.deepEqual(back, own);
+  const [a, b, c] = grown.hit.position;
+  assert.ok(Math.abs(a - b) < 1e-3 && a > 30 && a < 40 && Math.abs(c) < 1e-3, `${grown.hit.position}`);
+  await page.evaluate(() => globalThis.viewer.controls.setField(1));
+  assert.deepEqual(await page.evaluate(() => globalThis.viewer.scene.surfaces[0].fields[1].pointOf(2)), [64, 64, 0]);
+  const [x, y] = grown.corners[1];
+  assert.match(await hovered(page, [x - 3, y + 3]), /at 6\d\.?\d*, 6\d\.?\d*, /);
+  assert.deepEqual(page.complaints, []);
+});
+
 test('paths lie on the surface', async () => {
   const { page: file } = writtenPage('path', 'geodesic_distance', mesh('elephant.off'), '--source', '0', '--path', '1000');
   const page = await open(browser, file);

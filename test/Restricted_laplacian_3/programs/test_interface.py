@@ -29,8 +29,8 @@ EXPLAINED = {
     "compare column eigensolver tolerance",
     "diffuse": COMMON + INTEGRATION + POINTS + "refine property time fwhm source-property boundary-property "
     "diffusion-property density-property tolerance stabilization",
-    "edit_surface": COMMON + "gradient-scale alpha anisotropic length factor tolerance stabilization",
-    "flow_surface": COMMON + "steps time-step conformal rescaling no-fixed-boundary tolerance stabilization",
+    "edit_surface": COMMON + "gradient-scale gradient-scale-property alpha anisotropic length factor tolerance stabilization",
+    "flow_surface": COMMON + "steps time-step conformal rescaling no-fixed-boundary pictures tolerance stabilization",
     "fit_function": COMMON + INTEGRATION + POINTS + "refine property normals smoothing refinements tolerance "
     "stabilization",
     "estimate_curvature": COMMON + INTEGRATION + POINTS + "refine method smoothing tolerance stabilization show clip",
@@ -38,7 +38,7 @@ EXPLAINED = {
     "pattern seed quiet version",
     "stitch_colors": COMMON + "poses frame method gradients alpha maximum-distance normal-angle no-oriented leave-out "
     "no-match-exposures linear-light no-details truth tolerance stabilization",
-    "geodesic_distance": "source boundary farthest joining-tolerance exact maximum-memory neighbors split path "
+    "geodesic_distance": "source boundary farthest zero-property maximum-distance joining-tolerance exact maximum-memory neighbors split path "
     "isolines lines show csv output refine depth threads quiet verbose progress version",
     "draw_mesh": "property range no-legend isolines view up beside size version",
 }
@@ -55,7 +55,7 @@ def sections_of_help(program):
 
 def test_help():
     for program, options in EXPLAINED.items():
-        if program == "draw_mesh" and not HAS_DRAW_MESH:
+        if program in ("draw_mesh", "flow_surface") and not HAS_DRAW_MESH:
             continue
         text, calls, lines, end = sections_of_help(program)
         assert text.startswith(f"usage: {program} MESH "), program
@@ -79,7 +79,7 @@ def test_help_examples(elephant):
     os.symlink(DATA.parent / "points_3", "points_3")
     os.chdir("meshes")
     for program in EXPLAINED:
-        if program == "draw_mesh" and not HAS_DRAW_MESH:
+        if program in ("draw_mesh", "flow_surface") and not HAS_DRAW_MESH:
             continue
         for example in sections_of_help(program)[1]:
             files = re.findall(r"--(?:csv|output) ([^ ]*)", example) + re.findall(r"[^ ]*\.(?:png|html)", example)

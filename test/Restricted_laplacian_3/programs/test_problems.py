@@ -22,6 +22,10 @@ def header_of(file):
     return pathlib.Path(file).read_bytes().split(b"end_header")[0].decode().splitlines()
 
 
+def header_of_png(file):
+    return pathlib.Path(file).read_bytes()[:24]
+
+
 def test_poisson_table():
     result = succeeds("solve_poisson sphere.off --depth 4 --csv table.csv")
     for name in ("vertices", "faces", "depth", "dimension", "area", "components", "seconds"):
@@ -239,6 +243,12 @@ def test_flow():
     result = run("flow_surface sphere.off --depth 3 --steps 100 --time-step 0.01 --csv p.csv")
     assert result.status == 2 and re.search("after [0-9]+ steps.*collapses near face", result.err), result
     assert Table("p.csv").comment("time") < 0.35 and np.isfinite(Table("p.csv").values).all()
+    succeeds("flow_surface sphere.off --depth 3 --steps 50 --time-step 0.001 --pictures sphere_ --html p.html")
+    pictures = sorted(str(p) for p in pathlib.Path().glob("sphere_*.png"))
+    assert len(pictures) == 18 and pictures[0] == "sphere_00.png" and pictures[-1] == "sphere_50.png", pictures
+    assert len({header_of_png(p) for p in pictures}) == 1, "all of one size"
+    scene = pathlib.Path("p.html").read_text(encoding="utf-8")
+    assert len(re.findall(r'"displacement, step \d+, time [0-9.e-]+"', scene)) == 18
     for words, pattern in {
             "": "time-step", "--time-step 0": "time-step.*positive", "--time-step nan": "time-step.*positive",
             "--time-step 1 --steps 0": "steps.*positive", "--time-step 1 --rescaling x": "rescaling",
@@ -259,6 +269,10 @@ def test_editing():
         found = np.linalg.norm(edited(f"--depth 4 --gradient-scale {scale} --alpha 10"), axis=1)
         assert found == pytest.approx((10 + 2 * scale) / 12 * first, abs=0.01)
     assert "property double displacement" in header_of("e.ply")
+    write_binary_ply("strokes.ply", np.column_stack([points, 1 + 2 * (points[:, 2] > 0)]), faces, ("strokes",))
+    moved = np.linalg.norm(edited("--depth 4 --gradient-scale-property strokes --alpha 100", "strokes.ply"), axis=1)
+    assert moved[points[:, 2] > 0.6] == pytest.approx(106 / 102, abs=0.01), "the larger factor there"
+    assert moved[points[:, 2] < -0.6] == pytest.approx(1, abs=0.01), "and nothing here"
     noise = 1 + 0.02 * np.random.default_rng(3).standard_normal((len(points), 1))
     write_off("noisy.off", points * noise, faces)
 
@@ -271,7 +285,10 @@ def test_editing():
     isotropic, anisotropic = (edited(f"--depth 4 --gradient-scale 0 --alpha 10 --anisotropic {f}") for f in (0, 5))
     assert np.linalg.norm(anisotropic, axis=1).mean() > np.linalg.norm(isotropic, axis=1).mean() + 0.05
     for words, pattern in {
-            "": "gradient-scale", "--gradient-scale 1": "alpha", "--gradient-scale 1 --alpha 0": "alpha.*positive",
+            "": "gradient-scale", "--gradient-scale 1": "alpha",
+            "--gradient-scale 1 --alpha 1 --gradient-scale-property x": "not both",
+            "--gradient-scale-property nothing --alpha 1": "nothing",
+            "--gradient-scale-property x --length 1": "either", "--gradient-scale 1 --alpha 0": "alpha.*positive",
             "--gradient-scale nan --alpha 1": "gradient-scale", "--length 0": "length.*positive",
             "--length 1 --alpha 1": "alpha", "--length 1 --factor inf": "factor",
             "--length 1 --factor 2 --crease-angle 30": "exclude", "--gradient-scale 1 --alpha 1 --anisotropic -1":
@@ -698,6 +715,19 @@ def test_distances():
     assert "property double distance" in header_of("d.ply")
     succeeds("geodesic_distance sphere.off --source 0 1 --exact --show nearest --output d.ply --csv d.csv")
     assert set(Table("d.csv")[2]) == {0, 1}, "two regions"
+    succeeds("geodesic_distance sphere.off --source 0 --csv all.csv")
+    succeeds("geodesic_distance sphere.off --source 0 --maximum-distance 1 --csv near.csv")
+    found, limited = Table("all.csv")[1], Table("near.csv")[1]
+    assert limited[found < 1] == pytest.approx(found[found < 1]) and np.isinf(limited[found > 1]).all()
+    height = SPHERE[0][:, 2] - 0.5
+    write_binary_ply("height.ply", np.column_stack([SPHERE[0], height]), SPHERE[1], ("height",))
+    succeeds("geodesic_distance height.ply --zero-property height --csv signed.csv")
+    latitude = np.arcsin(np.clip(SPHERE[0][:, 2], -1, 1)) - np.pi / 6
+    assert Table("signed.csv")[1] == pytest.approx(latitude, abs=0.02)
+    for words, pattern in {"--zero-property none": "none", "--zero-property height --source 0": "no other source",
+                           "--source 0 --maximum-distance -1": "maximum-distance.*negative",
+                           "--source 0 --maximum-distance 1 --path 3": "without --path"}.items():
+        fails(pattern, f"geodesic_distance height.ply {words}")
     result = succeeds("geodesic_distance sphere.off --farthest 3")
     assert len(result.out[re.search("^sources", result.out, re.M).start():].splitlines()) == 4
     write_off("square.off", [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0], [2, 2, 0]],

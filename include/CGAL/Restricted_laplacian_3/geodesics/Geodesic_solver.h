@@ -200,6 +200,17 @@ public:
   Geodesic_distances distances(const Geodesic_sources& sources,
                                const Geodesic_options& options = {}) const;
 
+  /// Distances of all vertices from where a function is 0 that is linear on each triangle, negative
+  /// where the function is negative: the signed distance from the boundary of a region. Directions
+  /// lead to the zeros from both sides.
+  /// \param values of the function, one for each vertex
+  /// \param options how they are computed
+  /// \throws Parameter_error `values`, if their number is not that of the vertices, one of them is
+  /// not a number, or the function is nowhere 0
+  /// \throws Parameter_error, Canceled as `distances()`
+  Geodesic_distances signed_distances(const std::vector<double>& values,
+                                      const Geodesic_options& options = {}) const;
+
   /// Distances of all vertices from each of several sources.
   /// \param sources each is a set of sources, as for `distances()`
   /// \param options how they are computed; each thread may take the memory

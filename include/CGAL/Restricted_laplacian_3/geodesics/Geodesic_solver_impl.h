@@ -247,6 +247,60 @@ void Geodesic_solver::for_each_source(const std::vector<Geodesic_sources>& sourc
   progress(1);
 }
 
+namespace internal {
+
+/// Adds where a function is 0 that is linear in a face: a segment, three sides or a corner.
+inline void add_zeros(const Triangulated_surface_3& surface, std::size_t face,
+                      const std::vector<double>& values, Geodesic_sources& sources) {
+  std::array<double, 3> f;
+  for(int i = 0; i < 3; ++i)
+    f[i] = values[surface.triangle(face)[i]];
+  std::vector<Surface_location> zeros;
+  for(int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    Surface_location zero;
+    zero.face = face;
+    zero.barycentric.fill(0);
+    if(f[i] == 0) {
+      zero.barycentric[i] = 1;
+      zeros.push_back(zero);
+    } else if((f[i] < 0 && f[j] > 0) || (f[i] > 0 && f[j] < 0)) {
+      // the halves do not overflow
+      zero.barycentric[j] = f[i] / 2 / (f[i] / 2 - f[j] / 2);
+      zero.barycentric[i] = 1 - zero.barycentric[j];
+      zeros.push_back(zero);
+    }
+  }
+  if(zeros.size() == 1)
+    sources.add_location(zeros[0]);
+  for(std::size_t k = 0; zeros.size() > 1 && k < (zeros.size() == 2 ? 1 : 3); ++k)
+    sources.add_segment(zeros[k], zeros[(k + 1) % zeros.size()]);
+}
+
+} // namespace internal
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_distances Geodesic_solver::signed_distances(
+    const std::vector<double>& values, const Geodesic_options& options) const {
+  const std::size_t n = surface().number_of_vertices();
+  if(values.size() != n)
+    throw Parameter_error("values", "are " + std::to_string(values.size()) + ", but there are " +
+                                        std::to_string(n) + " vertices");
+  for(std::size_t v = 0; v < n; ++v)
+    if(std::isnan(values[v]))
+      throw Parameter_error("values", "hold no number for vertex " + std::to_string(v));
+  const Triangulated_surface_3& triangles = m_impl->surface.original();
+  Geodesic_sources sources;
+  for(std::size_t face = 0; face < triangles.number_of_faces(); ++face)
+    internal::add_zeros(triangles, face, values, sources);
+  if(sources.empty())
+    throw Parameter_error("values", "are nowhere 0, and do not change their sign");
+  Geodesic_distances result = distances(sources, options);
+  for(std::size_t v = 0; v < n; ++v)
+    if(values[v] < 0)
+      result.distances[v] = -result.distances[v];
+  return result;
+}
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
                                  const Geodesic_options& options) const {
