@@ -14,6 +14,8 @@
 #   threads     ThreadSanitizer over the tests with the tag [threads]
 #   python      pip install in a clone, with build isolation; the source archive, and the wheel where there is
 #               neither a compiler nor this repository; notebooks; needs PyPI
+#   portability the library and the Python module read by Clang with its own C++ library, and by the compiler
+#               for Windows; needs Debian's clang, libc++-dev, libc++abi-dev and g++-mingw-w64-x86-64-posix
 #   random      many random surfaces, and every allocation failing
 #   shapes      ordinary shapes in all sizes, idle and beside other work, and the spectra of all meshes
 #   fuzz        scripts/fuzz.sh: ten minutes for the reader of each format
@@ -30,7 +32,7 @@ set -euo pipefail
 export LC_ALL=C
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-all_stages=(release headers sanitizers threads python random shapes fuzz debian unstable)
+all_stages=(release headers sanitizers threads python portability random shapes fuzz debian unstable)
 for name in "$@"; do
   if [[ " ${all_stages[*]} " != *" $name "* ]]; then
     sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
@@ -130,6 +132,25 @@ python() {
   bash scripts/make_python_packages.sh build/everything/python &&
     bash scripts/run_notebooks.sh "$folder/Notebooks.txt" "$folder/figures" || status=1
   rm -rf "$folder"
+  return "$status"
+}
+
+# What CGAL, Boost and Eigen are for other systems are the same headers; GMP, TBB and CHOLMOD are left out.
+portability() {
+  local folder=$PWD/build/everything/portability status=0 source name
+  local flags=(-std=c++17 -fsyntax-only -Wall -Wextra -Iinclude -isystem "$folder/include"
+    -isystem "$folder/include/eigen3" -DCGAL_DISABLE_GMP -DCGAL_EIGEN3_ENABLED -DBOOST_NO_CXX98_FUNCTION_BASE
+    -DCGAL_RESTRICTED_LAPLACIAN_3_COMPILED '-DRESTRICTED_LAPLACIAN_3_VERSION="0"')
+  mkdir -p "$folder/include"
+  for name in CGAL boost eigen3 Spectra; do
+    ln -sfn "/usr/include/$name" "$folder/include/$name"
+  done
+  details="$(ls src/Restricted_laplacian_3/*.cpp | wc -l) sources by clang++ -stdlib=libc++ and by MinGW"
+  for source in src/Restricted_laplacian_3/*.cpp; do
+    echo "$source"
+    clang++ -stdlib=libc++ "${flags[@]}" "$source" || status=1
+    x86_64-w64-mingw32-g++-posix -Wa,-mbig-obj "${flags[@]}" -Wno-use-after-free "$source" || status=1
+  done
   return "$status"
 }
 

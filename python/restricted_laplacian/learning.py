@@ -12,12 +12,16 @@ and gradient operators in tangent frames.
 >>> o = learning.precompute(V, F, count=16, depth=4)
 >>> o.eigenvectors.shape, o.gradient_x.shape
 ((642, 16), (642, 642))
+
+Code that was written for DiffusionNet finds its functions here, too: `get_operators` and `get_all_operators`.
 """
 
 from __future__ import annotations
 
 import concurrent.futures
+import contextlib
 import hashlib
+import json
 import multiprocessing
 import os
 import pathlib
@@ -29,12 +33,17 @@ import numpy as np
 import scipy.sparse
 import scipy.spatial
 
+try:
+    import fcntl
+except ImportError:  # not on Windows
+    fcntl = None  # type: ignore[assignment]
+
 from ._core import __version__
 from ._errors import argument_error
 from ._files import read_mesh
 from ._input import Progress, takes_surface
 from ._show import shown
-from ._space import Space
+from ._space import Space, cotangent_operators
 from ._spectra import laplace_spectrum
 
 
@@ -55,6 +64,10 @@ class SurfaceOperators:
         Of each vertex the rows are two tangents and the normal.
     gradient_x, gradient_y : scipy.sparse.csr_matrix, (n, n)
         From values at vertices to derivatives along the two tangents: least squares over neighbors.
+    description : str
+        JSON: the version of the package and the options that this was computed with.
+
+    Arrays go to PyTorch without a copy: ``torch.from_dlpack(operators.eigenvectors)``.
     """
 
     eigenvalues: np.ndarray
@@ -63,6 +76,7 @@ class SurfaceOperators:
     frames: np.ndarray
     gradient_x: scipy.sparse.csr_matrix
     gradient_y: scipy.sparse.csr_matrix
+    description: str = "{}"
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Writes all to a file of NumPy (npz).
@@ -75,7 +89,7 @@ class SurfaceOperators:
         x, y = self.gradient_x, self.gradient_y
         np.savez(file, eigenvalues=self.eigenvalues, eigenvectors=self.eigenvectors,
                  vertex_areas=self.vertex_areas, frames=self.frames, x=x.data, y=y.data,
-                 indices=x.indices, indptr=x.indptr)
+                 indices=x.indices, indptr=x.indptr, description=self.description)
 
     @staticmethod
     def load(file: Union[str, "os.PathLike[str]"]) -> "SurfaceOperators":
@@ -96,7 +110,7 @@ class SurfaceOperators:
             x, y = (scipy.sparse.csr_matrix((a[name], a["indices"], a["indptr"]), shape=(n, n))
                     for name in "xy")
             return SurfaceOperators(a["eigenvalues"], a["eigenvectors"], a["vertex_areas"],
-                                    a["frames"], x, y)
+                                    a["frames"], x, y, str(a["description"]))
 
 
 def tangent_frames(normals: np.ndarray) -> np.ndarray:
@@ -215,8 +229,8 @@ def _depth_of(surface: Any) -> Optional[int]:
 @takes_surface
 def precompute(V: Any, F: Any = None, count: int = 128, *, accuracy: Optional[float] = None,
                normals: Any = None, depth: Optional[int] = None, joining_tolerance: Optional[float] = None,
-               threads: Optional[int] = None, progress: Progress = None, check: bool = True
-               ) -> SurfaceOperators:
+               threads: Optional[int] = None, progress: Progress = None, check: bool = True,
+               cache: Union[None, str, "os.PathLike[str]"] = None) -> SurfaceOperators:
     """Eigenpairs, areas and gradient operators at the vertices of a surface.
 
     Parameters
@@ -230,8 +244,14 @@ def precompute(V: Any, F: Any = None, count: int = 128, *, accuracy: Optional[fl
         Number of eigenpairs.
     accuracy : as for laplace_spectrum
         The estimated error to be reached.
-    threads, progress, check : as for solve_poisson
+    threads : int, optional
+        By default all processors; one in a process that another one started, as the workers of a loader of data are,
+        which share the processors.
+    progress, check : as for solve_poisson
         How the work is done.
+    cache : str or os.PathLike, optional
+        A folder where the result is kept, and taken from if the same was computed before: same points and faces, same
+        options, same version. Several processes may use it at once; what one is at work on, others wait for.
 
     Returns
     -------
@@ -254,9 +274,21 @@ def precompute(V: Any, F: Any = None, count: int = 128, *, accuracy: Optional[fl
     >>> learning.precompute(rl.icosphere(3), count=16, depth=4).vertex_areas.shape
     (642,)
     """
+    options = {"count": count, "accuracy": accuracy, "depth": depth, "joining_tolerance": joining_tolerance}
+    if cache is not None:
+        if isinstance(V, Space):
+            raise argument_error("cache", "is for points and faces, not for a Space")
+        cached = _cached_file(pathlib.Path(cache), V, F, normals, options)
+        with _alone(cached):
+            if not cached.exists():
+                _save(precompute(V, F, normals=normals, threads=threads, progress=progress, check=check, **options),
+                      cached)
+            return SurfaceOperators.load(cached)
     own_depth: Any = depth
     if depth is None and accuracy is None and not isinstance(V, Space):
         own_depth = _depth_of
+    if threads is None and multiprocessing.parent_process() is not None:
+        threads = 1
     spectrum = laplace_spectrum(V, F, count, accuracy=accuracy, normals=normals, depth=own_depth,
                                 joining_tolerance=joining_tolerance, threads=threads, progress=progress,
                                 check=check)
@@ -266,27 +298,54 @@ def precompute(V: Any, F: Any = None, count: int = 128, *, accuracy: Optional[fl
     frames = tangent_frames(surface.vertex_normals())
     x, y = gradient_operators(points, frames, _neighbors(space, points))
     return SurfaceOperators(spectrum.eigenvalues, np.nan_to_num(spectrum.vertex_values),
-                            surface.vertex_areas(), frames, x, y)
+                            surface.vertex_areas(), frames, x, y, _description(options))
 
 
-def _key(file: pathlib.Path, options: tuple) -> str:
-    h = hashlib.sha256(file.read_bytes())
-    h.update(repr((options, __version__, _SMALL_DEPTH, _SMALL_NUMBER_OF_FACES)).encode())
+def _description(options: dict) -> str:
+    return json.dumps({"restricted_laplacian": __version__, **options})
+
+
+def _key(content: bytes, options: dict) -> str:
+    h = hashlib.sha256(content)
+    h.update(repr((_description(options), _SMALL_DEPTH, _SMALL_NUMBER_OF_FACES)).encode())
     return h.hexdigest()[:32]
 
 
-def _precompute_file(file: pathlib.Path, cached: pathlib.Path, count: int, accuracy: Optional[float],
-                     depth: Optional[int], joining_tolerance: Optional[float]) -> Optional[str]:
+def _cached_file(cache: pathlib.Path, V: Any, F: Any, normals: Any, options: dict) -> pathlib.Path:
+    parts = [np.empty(0) if a is None else np.ascontiguousarray(a) for a in (V, F, normals)]
+    text = repr([(a.shape, a.dtype.str) for a in parts]).encode()
+    return cache / (_key(b"".join([text, *(a.tobytes() for a in parts)]), options) + ".npz")
+
+
+@contextlib.contextmanager
+def _alone(file: pathlib.Path) -> Iterator[None]:
+    """While no other process is at work on a file. Where a system has no such locks, work may be done twice."""
+    folder = file.parent / ".locks"
+    folder.mkdir(parents=True, exist_ok=True)
+    if fcntl is None:
+        yield
+        return
+    # a file of its own for each would stay behind; the lock goes when the process does
+    with open(folder / file.name[:2], "ab") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def _save(result: SurfaceOperators, file: pathlib.Path) -> None:
+    # first under another name, so that a file is whole if it is there
+    temporary = file.with_name(f"{file.stem}.{os.getpid()}.npz")
+    result.save(temporary)
+    os.replace(temporary, file)
+
+
+def _precompute_file(file: pathlib.Path, cached: pathlib.Path, options: dict) -> Optional[str]:
     """What went wrong, if something did."""
     try:
-        result = precompute(*read_mesh(file), count, accuracy=accuracy, depth=depth,
-                            joining_tolerance=joining_tolerance, threads=1)
+        with _alone(cached):
+            if not cached.exists():
+                _save(precompute(*read_mesh(file), threads=1, **options), cached)
     except Exception as e:  # all that one mesh can do must not end the others
         return f"{type(e).__name__}: {e}"
-    # first under another name, so that a file is whole if it is there
-    temporary = cached.with_name(f"{cached.stem}.{os.getpid()}.npz")
-    result.save(temporary)
-    os.replace(temporary, cached)
     return None
 
 
@@ -297,7 +356,7 @@ def _nothing() -> None:
     """A job that cannot fail."""
 
 
-def _run(jobs: Sequence[_Job], options: tuple, processes: Optional[int],
+def _run(jobs: Sequence[_Job], options: dict, processes: Optional[int],
          take: Callable[[_Job, Optional[str]], None]) -> list[_Job]:
     """Gives each job to a process; returns those that were lost because a process died."""
     lost = []
@@ -313,7 +372,7 @@ def _run(jobs: Sequence[_Job], options: tuple, processes: Optional[int],
         futures = {}
         for job in jobs:
             try:
-                futures[pool.submit(_precompute_file, *job, *options)] = job
+                futures[pool.submit(_precompute_file, *job, options)] = job
             except BrokenProcessPool:
                 lost.append(job)
         for future in concurrent.futures.as_completed(futures):
@@ -408,9 +467,9 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
                      if file.is_file()})
     result = Precomputed({}, {})
     jobs: list[_Job] = []
-    options = (count, accuracy, depth, joining_tolerance)
+    options = {"count": count, "accuracy": accuracy, "depth": depth, "joining_tolerance": joining_tolerance}
     for mesh in meshes:
-        cached = own_cache / (_key(mesh, options) + ".npz")
+        cached = own_cache / (_key(mesh.read_bytes(), options) + ".npz")
         if cached.exists():
             result.files[mesh] = cached
         else:
@@ -431,3 +490,116 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
     result.files = dict(sorted(result.files.items()))
     result.failures = dict(sorted(result.failures.items()))
     return result
+
+
+def _torch(array: Any, like: Any) -> Any:
+    """A tensor of the type and on the device of another one; without a copy where these are those of the array."""
+    import torch
+    if scipy.sparse.issparse(array):
+        a = array.tocoo()
+        result = torch.sparse_coo_tensor(np.stack([a.row, a.col]), torch.from_dlpack(a.data), a.shape).coalesce()
+    else:
+        result = torch.from_dlpack(np.ascontiguousarray(array))
+    return result.to(device=like.device, dtype=like.dtype)
+
+
+def get_operators(verts: Any, faces: Any, k_eig: int = 128, op_cache_dir: Union[None, str, "os.PathLike[str]"] = None,
+                  normals: Any = None, overwrite_cache: bool = False) -> tuple:
+    """What DiffusionNet's function of this name returns: the same tuple, in the same shapes, of PyTorch tensors.
+
+    They have the type and the device of `verts`. Needs PyTorch.
+
+    Parameters
+    ----------
+    verts : torch.Tensor, (n, 3)
+        Points.
+    faces : torch.Tensor, (m, 3)
+        Triangles; (0, 3) for points, which need `normals`.
+    k_eig : int, default 128
+        Number of eigenpairs.
+    op_cache_dir : str or os.PathLike, optional
+        The `cache` of `precompute`.
+    normals : torch.Tensor, (n, 3), optional
+        For points without faces, oriented alike.
+    overwrite_cache : bool, default False
+        Whether what is in the cache is computed again.
+
+    Returns
+    -------
+    frames : (n, 3, 3)
+        Of each vertex the rows are two tangents and the normal: `gradX` and `gradY` are derivatives along the tangents.
+    mass : (n,)
+        Areas of the vertices.
+    L : (n, n), sparse
+        The stiffness matrix of linear elements, not negative; with ``mass`` it is the Laplacian of steps in time.
+        For points it is ``gradX.T mass gradX + gradY.T mass gradY``.
+    evals : (k,)
+        Ascending, in units of 1 / area.
+    evecs : (n, k)
+        Orthonormal in the integral over the surface, so up to the quadrature by `mass`.
+    gradX, gradY : (n, n), sparse
+        Derivatives along the tangents.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+
+    Examples
+    --------
+    >>> import torch  # doctest: +SKIP
+    >>> frames, mass, L, evals, evecs, gradX, gradY = get_operators(verts, faces, 64, "cache")  # doctest: +SKIP
+    """
+    import torch  # type: ignore[import-not-found,unused-ignore]
+    like = torch.as_tensor(verts)
+    V = like.detach().cpu().numpy().astype(np.float64)
+    F: Any = torch.as_tensor(faces).detach().cpu().numpy()
+    own_normals: Any = None
+    if F.size == 0:
+        if normals is None:
+            raise argument_error("normals", "must be given for points without faces")
+        F, own_normals = None, torch.as_tensor(normals).detach().cpu().numpy().astype(np.float64)
+    if op_cache_dir is not None and overwrite_cache:
+        options = {"count": int(k_eig), "accuracy": None, "depth": None, "joining_tolerance": None}
+        _cached_file(pathlib.Path(op_cache_dir), V, F, own_normals, options).unlink(missing_ok=True)
+    o = precompute(V, F, int(k_eig), normals=own_normals, cache=op_cache_dir)
+    if F is None:
+        areas = scipy.sparse.diags(o.vertex_areas)
+        stiffness = sum(g.T @ areas @ g for g in (o.gradient_x, o.gradient_y))
+    else:
+        stiffness = cotangent_operators(V, F).stiffness
+    return tuple(_torch(a, like) for a in (o.frames, o.vertex_areas, stiffness, o.eigenvalues, o.eigenvectors,
+                                           o.gradient_x, o.gradient_y))
+
+
+def get_all_operators(verts_list: Sequence[Any], faces_list: Sequence[Any], k_eig: int = 128,
+                      op_cache_dir: Union[None, str, "os.PathLike[str]"] = None,
+                      normals: Optional[Sequence[Any]] = None) -> tuple:
+    """`get_operators` of several surfaces, as DiffusionNet has it.
+
+    Parameters
+    ----------
+    verts_list, faces_list : sequence of torch.Tensor
+        Points and triangles of each.
+    k_eig, op_cache_dir : as for get_operators
+        Of all of them.
+    normals : sequence of torch.Tensor, optional
+        Of each.
+
+    Returns
+    -------
+    tuple of list
+        Seven lists, of what `get_operators` returns.
+
+    Raises
+    ------
+    InputError
+        A `ValueError` that names the face, the vertex or the argument.
+
+    Examples
+    --------
+    >>> frames, mass, L, evals, evecs, gradX, gradY = get_all_operators(verts_list, faces_list)  # doctest: +SKIP
+    """
+    own_normals = [None] * len(verts_list) if normals is None else normals
+    found = [get_operators(v, f, k_eig, op_cache_dir, n) for v, f, n in zip(verts_list, faces_list, own_normals)]
+    return tuple(list(part) for part in zip(*found))

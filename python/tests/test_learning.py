@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
@@ -81,15 +82,15 @@ def test_folders(tmp_path):
     result = learning.precompute_folder(folder, cache, 5, depth=3, processes=1,
                                         report=lambda mesh, failure: seen.append(mesh.name))
     assert len(result) == 3 and sorted(seen) == ["flat.off", "no_mesh.off"]
-    assert not list(cache.glob("*.tmp*")) and len(list(cache.iterdir())) == 3
+    assert len(list(cache.iterdir())) == 4, "three files, and those of the locks"
     with pytest.raises(rl.InputError):
         learning.precompute_folder(folder / "none", cache)
 
 
-def kill_own_process(file, cached, *options):
+def kill_own_process(file, cached, options):
     if "kill" in file.name:
         os.kill(os.getpid(), signal.SIGKILL)
-    return learning._precompute_file(file, cached, *options)
+    return learning._precompute_file(file, cached, options)
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
@@ -153,3 +154,82 @@ def test_an_accuracy_of_operators(sphere, monkeypatch):
     found = learning.precompute(*sphere, count=25, accuracy=1e-5, depth=2, check=False).eigenvalues
     expected = rl.laplace_spectrum(*sphere, 25, accuracy=1e-5, depth=2, check=False)
     assert np.array_equal(found, expected.eigenvalues) and expected.space.depth > 4
+
+
+def test_a_cache(tmp_path, sphere, monkeypatch):
+    V, F = sphere
+    first = learning.precompute(V, F, 5, cache=tmp_path / "cache")
+    assert json.loads(first.description) == {"restricted_laplacian": rl.__version__, "count": 5, "accuracy": None,
+                                             "depth": None, "joining_tolerance": None}
+
+    def not_again(*args, **options):
+        raise AssertionError("is in the cache")
+    monkeypatch.setattr(learning, "laplace_spectrum", not_again)
+    again = learning.precompute(V, F, 5, cache=tmp_path / "cache")
+    assert np.array_equal(first.eigenvectors, again.eigenvectors) and again.description == first.description
+    for other in (lambda: learning.precompute(V, F, 6, cache=tmp_path / "cache"),
+                  lambda: learning.precompute(2 * V, F, 5, cache=tmp_path / "cache"),
+                  lambda: learning.precompute(V, F[1:], 5, cache=tmp_path / "cache"),
+                  lambda: learning.precompute(V, F, 5, depth=3, cache=tmp_path / "cache")):
+        with pytest.raises(AssertionError):
+            other()
+    with pytest.raises(rl.InputError, match="cache"):
+        learning.precompute(rl.Space(V, F), cache=tmp_path)
+
+
+def test_processes_share_a_cache(tmp_path):
+    """Each mesh is computed once, whichever of the processes comes first; and each process takes one thread."""
+    script = tmp_path / "run.py"
+    script.write_text(f"""
+import multiprocessing, os
+import restricted_laplacian as rl
+from restricted_laplacian import learning
+
+def work(number):
+    seen = []
+    own = learning.laplace_spectrum
+    def counted(*args, **options):
+        seen.append(options["threads"])
+        return own(*args, **options)
+    learning.laplace_spectrum = counted
+    V, F = rl.icosphere(3)
+    for scale in (1, 2, 3):
+        learning.precompute(scale * V, F, 5, cache={str(tmp_path / "cache")!r})
+    learning.laplace_spectrum = own
+    return seen
+
+if __name__ == "__main__":
+    with multiprocessing.get_context("spawn").Pool(3) as pool:
+        print(sorted(sum(pool.map(work, range(3), 1), [])))
+""")
+    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=120)
+    assert done.stdout.strip() == "[1, 1, 1]", done.stdout + done.stderr
+
+
+def test_operators_of_diffusion_net(tmp_path, sphere):
+    torch = pytest.importorskip("torch", reason="SKIPPED: PyTorch is not installed")
+    V, F = sphere
+    verts, faces = torch.tensor(V, dtype=torch.float32), torch.tensor(F)
+    frames, mass, L, evals, evecs, grad_x, grad_y = found = learning.get_operators(verts, faces, 9, tmp_path)
+    n = len(V)
+    assert [tuple(t.shape) for t in found] == [(n, 3, 3), (n,), (n, n), (9,), (n, 9), (n, n), (n, n)]
+    assert all(t.dtype == torch.float32 for t in found) and L.is_sparse and grad_x.is_sparse
+    o = learning.precompute(np.asarray(verts, np.float64), F, 9)
+    assert np.allclose(evecs, o.eigenvectors, atol=1e-5) and np.allclose(frames, o.frames, atol=1e-6)
+    # the energy of a coordinate by L, by gradients, and that of the sphere
+    z = verts[:, 2:]
+    by_gradients = sum(float((mass[:, None] * torch.sparse.mm(g, z) ** 2).sum()) for g in (grad_x, grad_y))
+    assert float(z.T @ torch.sparse.mm(L, z)) == pytest.approx(8 * np.pi / 3, rel=0.01)
+    assert by_gradients == pytest.approx(8 * np.pi / 3, rel=0.05) and float(mass.sum()) == pytest.approx(4 * np.pi, rel=0.01)
+    again = learning.get_operators(verts, faces, 9, tmp_path, overwrite_cache=True)
+    assert torch.equal(again[4], evecs)
+    # without a copy where types agree
+    values = torch.from_dlpack(o.eigenvalues)
+    values[0] = 7
+    assert o.eigenvalues[0] == 7
+    points = learning.get_operators(verts.double(), torch.empty((0, 3)), 4, normals=verts)
+    assert points[0].dtype == torch.float64 and points[2].shape == (n, n)
+    all_of_two = learning.get_all_operators([verts, 2 * verts], [faces, faces], 4)
+    assert len(all_of_two) == 7 and all(len(part) == 2 for part in all_of_two)
+    with pytest.raises(rl.InputError, match="normals"):
+        learning.get_operators(verts, torch.empty((0, 3)))

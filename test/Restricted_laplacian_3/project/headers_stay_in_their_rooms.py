@@ -16,6 +16,9 @@ PACKAGE = "CGAL/Restricted_laplacian_3"
 ABOUT_MESHES = re.compile(
     r"CGAL/(Surface_mesh|Polyhedron_|Linear_cell_complex|HalfedgeDS_|boost/graph/"
     r"|Polygon_mesh_processing|IO/polygon_mesh_io|AABB_)|OpenMesh/")
+# what POSIX has and other systems have not, and the file that may call it
+POSIX = re.compile(r"(sys/.*|arpa/.*|netinet/.*|unistd|dlfcn|fcntl|pthread|poll|dirent|termios|pwd|sched|semaphore)\.h$")
+CALLS_SYSTEM = "foundation/internal/operating_system_impl.h"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)', re.MULTILINE)
 
 
@@ -88,6 +91,8 @@ def main():
                 own.append(target)
                 if "/internal/" in target and room_of(target) not in (room, "foundation"):
                     errors.append(f"{header}: includes {target}, which is {room_of(target)}'s own")
+            elif POSIX.match(target) and header != CALLS_SYSTEM:
+                errors.append(f"{header}: includes {target}, which only {CALLS_SYSTEM} may")
             elif room in without_meshes and ABOUT_MESHES.match(target):
                 errors.append(f"{header}: is in {room}, without meshes, and includes {target}")
 

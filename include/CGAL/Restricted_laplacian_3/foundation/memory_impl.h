@@ -4,13 +4,8 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_MEMORY_IMPL_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_MEMORY_IMPL_H
 
+#include <CGAL/Restricted_laplacian_3/foundation/internal/operating_system.h>
 #include <CGAL/Restricted_laplacian_3/foundation/memory.h>
-
-#if __has_include(<sys/resource.h>) && __has_include(<unistd.h>)
-#include <sys/resource.h>
-#include <unistd.h>
-#define CGAL_RESTRICTED_LAPLACIAN_3_POSIX
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -58,25 +53,11 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::string memory_text(double bytes) {
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE double memory_of_machine() {
-  double memory = std::numeric_limits<double>::infinity();
-#ifdef CGAL_RESTRICTED_LAPLACIAN_3_POSIX
-#if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
-  const double pages = static_cast<double>(sysconf(_SC_PHYS_PAGES)),
-               size = static_cast<double>(sysconf(_SC_PAGESIZE));
-  if(pages > 0 && size > 0)
-    memory = pages * size;
-#endif
-  rlimit limit;
-  if(getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-    memory = (std::min)(memory, static_cast<double>(limit.rlim_cur));
-  memory = (std::min)(memory, internal::limit_of_control_groups());
-#endif
-  return memory;
+  return (std::min)({internal::physical_memory(), internal::memory_limit_of_process(),
+                     internal::limit_of_control_groups()});
 }
 
 } // namespace Restricted_laplacian_3
 } // namespace CGAL
-
-#undef CGAL_RESTRICTED_LAPLACIAN_3_POSIX
 
 #endif // CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_MEMORY_IMPL_H

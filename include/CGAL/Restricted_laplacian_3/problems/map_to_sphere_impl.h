@@ -26,10 +26,10 @@ namespace Restricted_laplacian_3 {
 namespace internal {
 
 /// vertices minus edges plus faces, of what has an area
-inline long euler_characteristic(const Triangulated_surface_3& surface) {
+inline std::ptrdiff_t euler_characteristic(const Triangulated_surface_3& surface) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   std::vector<char> is_used(surface.number_of_vertices());
-  long faces = 0;
+  std::ptrdiff_t faces = 0;
   for(std::size_t face = 0; face < surface.number_of_faces(); ++face) {
     if(surface.is_degenerate(face))
       continue;
@@ -42,8 +42,7 @@ inline long euler_characteristic(const Triangulated_surface_3& surface) {
   }
   std::sort(edges.begin(), edges.end());
   const auto last = std::unique(edges.begin(), edges.end());
-  return static_cast<long>(std::count(is_used.begin(), is_used.end(), 1)) -
-         static_cast<long>(last - edges.begin()) + faces;
+  return std::count(is_used.begin(), is_used.end(), 1) - (last - edges.begin()) + faces;
 }
 
 /// Moves points on the unit sphere by Moebius transformations until the mean with weights is in its
@@ -85,7 +84,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Sphere_map map_to_sphere(const Spline_space_3
   if(space.number_of_sheets(0) != 1)
     throw Input_error("the surface has " + std::to_string(space.number_of_sheets(0)) +
                       " connected components: there is no map to a sphere");
-  if(const long characteristic = internal::euler_characteristic(surface); characteristic != 2)
+  if(const std::ptrdiff_t characteristic = internal::euler_characteristic(surface);
+     characteristic != 2)
     throw Input_error("the Euler characteristic of the surface is " +
                       std::to_string(characteristic) +
                       " and not 2: it has a boundary, holes or handles, or vertices at the same "

@@ -5,10 +5,7 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_FOUNDATION_INTERNAL_SINGLE_BLAS_THREAD_IMPL_H
 
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Single_blas_thread.h>
-
-#if __has_include(<dlfcn.h>)
-#include <dlfcn.h>
-#endif
+#include <CGAL/Restricted_laplacian_3/foundation/internal/operating_system.h>
 
 #include <mutex>
 
@@ -23,18 +20,19 @@ struct Blas_library {
   void (*set_number)(int) = nullptr;
 
   Blas_library() {
-#if __has_include(<dlfcn.h>)
-    constexpr const char* names[][2] = {{"openblas_get_num_threads", "openblas_set_num_threads"},
-                                        {"MKL_Get_Max_Threads", "MKL_Set_Num_Threads"}};
+    constexpr const char* names[][2] = {
+        {"openblas_get_num_threads", "openblas_set_num_threads"},
+        // that of Python's wheels
+        {"scipy_openblas_get_num_threads", "scipy_openblas_set_num_threads"},
+        {"MKL_Get_Max_Threads", "MKL_Set_Num_Threads"}};
     for(const auto& [get, set] : names) {
-      void *const getter = dlsym(RTLD_DEFAULT, get), *const setter = dlsym(RTLD_DEFAULT, set);
+      void *const getter = loaded_function(get), *const setter = loaded_function(set);
       if(getter && setter) {
         number = reinterpret_cast<int (*)()>(getter);
         set_number = reinterpret_cast<void (*)(int)>(setter);
         return;
       }
     }
-#endif
   }
 
   static const Blas_library& of_process() {
