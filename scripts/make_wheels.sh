@@ -19,6 +19,7 @@
 set -euo pipefail
 export LC_ALL=C
 export CMAKE_POLICY_VERSION_MINIMUM=3.5 # for older projects
+export CMAKE_BUILD_PARALLEL_LEVEL=${JOBS:-2}
 
 if (($# < 1)) || [[ $1 == -* ]]; then
   sed -n '/^# Usage/,/^$/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2

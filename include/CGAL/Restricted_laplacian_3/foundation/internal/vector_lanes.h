@@ -21,6 +21,9 @@
 #define CGAL_RESTRICTED_LAPLACIAN_3_HAS_LANES
 
 #include <cstring>
+#ifdef __x86_64__
+#include <cpuid.h>
+#endif
 
 // A function that is inlined must have the same target as its caller: else the vectors in it are
 // taken apart before it is inlined.
@@ -44,10 +47,36 @@ using Lanes = double __attribute__((vector_size(32)));
 using Float_lanes = float __attribute__((vector_size(32)));
 using Wide_lanes = double __attribute__((vector_size(64)));
 
+#ifdef __x86_64__
+/// What the processor has, and the system saves when it changes threads. By its own instructions:
+/// `__builtin_cpu_supports()` needs tables of a runtime library, which are empty in some.
+struct Processor {
+  bool has_lanes = false, has_wide_lanes = false;
+
+  Processor() {
+    unsigned a, b, c, d, b7, c7, d7;
+    if(!__get_cpuid(1, &a, &b, &c, &d) || !__get_cpuid_count(7, 0, &a, &b7, &c7, &d7))
+      return;
+    constexpr unsigned fma = 1U << 12, xsave = 1U << 27, avx2 = 1U << 5, avx512f = 1U << 16;
+    if((c & xsave) == 0)
+      return;
+    unsigned saved, above;
+    __asm__("xgetbv" : "=a"(saved), "=d"(above) : "c"(0)); // XCR0
+    constexpr unsigned registers = 0x06, wide_registers = 0xe6;
+    has_lanes = (saved & registers) == registers && (c & fma) != 0 && (b7 & avx2) != 0;
+    has_wide_lanes = has_lanes && (saved & wide_registers) == wide_registers && (b7 & avx512f) != 0;
+  }
+
+  static const Processor& of_process() {
+    static const Processor processor;
+    return processor;
+  }
+};
+#endif
+
 inline bool processor_has_lanes() {
 #ifdef __x86_64__
-  static const bool result = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-  return result;
+  return Processor::of_process().has_lanes;
 #else
   return true;
 #endif
@@ -55,8 +84,7 @@ inline bool processor_has_lanes() {
 
 inline bool processor_has_wide_lanes() {
 #ifdef __x86_64__
-  static const bool result = __builtin_cpu_supports("avx512f");
-  return result;
+  return Processor::of_process().has_wide_lanes;
 #else
   return false;
 #endif
