@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Restricted_laplacian_3 developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The conformal flow by other libraries, for flow_peers.py: reads a mesh, goes some steps, writes the
-// moved mesh and prints the seconds of one step.
+// The conformal flow by other libraries, for flow_peers.py: reads a mesh, goes some steps, writes
+// the moved mesh and prints the seconds of one step.
 //
 // - cgal: CGAL::Polygon_mesh_processing::smooth_shape(), by default BiCGSTAB with an incomplete
 //   factorization; the volume is kept

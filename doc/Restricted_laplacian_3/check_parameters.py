@@ -28,11 +28,12 @@ CONSTANTS = (
 # What has a default in Python, or an option in a program, and is no named parameter of C++: data, places
 # and files; what is returned and shown; and numbers that C++ takes as arguments. `threads` is the
 # `concurrency_tag` of CGAL, which is a type.
-PYTHON_ONLY = """anisotropy areas as_spline barycentric boundary check colors count data descriptors energies exact
-    f faces factor first fwhm gradient_scale guess height isolines labels landmarks laplacian_weight length level
-    lines longest_side mask name names normalization normals number orthonormal out patterns per_parcel points
-    positions processes range refine report return_report scaled scans segments sigma signal sources stabilize_mass
-    start step steps subdivisions targets threads time time_step times title u0 up v values vertex_normals F""".split()
+PYTHON_ONLY = """F anisotropy areas as_spline barycentric boundary cache check colors count data descriptors
+    energies exact f faces factor first fwhm gradient_scale guess height isolines k_eig labels landmarks
+    laplacian_weight length level lines longest_side mask name names normalization normals number op_cache_dir
+    orthonormal out overwrite_cache patterns per_parcel points positions processes range refine report
+    return_report scaled scans segments sigma signal sources stabilize_mass start step steps subdivisions targets
+    threads time time_step times title u0 up v values vertex_normals""".split()
 PROGRAMS_ONLY = """anisotropy assembly beside boundary boundary-property clip column columns compare count csv
     density-property descriptor diffusion-property eigenfunction energy exact exposure-range exposures factor
     farthest field-of-view flux-property frame fwhm gradient-scale gradient-scale-property help html isolines

@@ -73,8 +73,8 @@ std::string html(const Page& page, const std::string& viewer_file) {
   }
 }
 
-// points, faces, for each point its location, the face, or -1, and coordinates there; and for each face
-// the one that it is part of
+// points, faces, for each point its location, the face, or -1, and coordinates there; and for each
+// face the one that it is part of
 nb::tuple refined(const RL::Triangulated_surface_3& surface, double longest_side) {
   surface.require_triangles("refining");
   std::vector<double> points, barycentric;
