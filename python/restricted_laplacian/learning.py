@@ -274,7 +274,8 @@ def precompute(V: Any, F: Any = None, count: int = 128, *, accuracy: Optional[fl
     >>> learning.precompute(rl.icosphere(3), count=16, depth=4).vertex_areas.shape
     (642,)
     """
-    options = {"count": count, "accuracy": accuracy, "depth": depth, "joining_tolerance": joining_tolerance}
+    options: dict[str, Any] = {"count": count, "accuracy": accuracy, "depth": depth,
+                               "joining_tolerance": joining_tolerance}
     if cache is not None:
         if isinstance(V, Space):
             raise argument_error("cache", "is for points and faces, not for a Space")
@@ -467,7 +468,8 @@ def precompute_folder(folder: Union[str, "os.PathLike[str]"],
                      if file.is_file()})
     result = Precomputed({}, {})
     jobs: list[_Job] = []
-    options = {"count": count, "accuracy": accuracy, "depth": depth, "joining_tolerance": joining_tolerance}
+    options: dict[str, Any] = {"count": count, "accuracy": accuracy, "depth": depth,
+                               "joining_tolerance": joining_tolerance}
     for mesh in meshes:
         cached = own_cache / (_key(mesh.read_bytes(), options) + ".npz")
         if cached.exists():
