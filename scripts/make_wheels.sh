@@ -13,7 +13,7 @@
 # sources: TBB, CHOLMOD, zlib. OpenBLAS comes from PyPI, from scipy-openblas32. GMP and MPFR are not in it:
 # the numbers of CGAL are those of Boost.
 #
-# Needs apt-get, dpkg-deb, python3-venv; Node.js and npm for the viewer. FOLDER/dependencies/ is kept for the
+# Needs apt-get, bzip2, xz-utils, python3-venv and headers of each PYTHON; Node.js and npm for the viewer. FOLDER/dependencies/ is kept for the
 # next run. MIRROR in the environment is that of Debian, JOBS the number of parallel jobs, 2 if not set.
 
 set -euo pipefail

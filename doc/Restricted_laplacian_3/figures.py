@@ -508,7 +508,7 @@ add_table("cortex_widths", lambda: [Row(r, column=title, value=r[column]) for co
     ("deviation_mean", "mean deviation from 10 mm"), ("deviation_max", "largest"),
     ("from_256", "mean from 256 steps")) for r in rows("cortex_peers", "width", "method", "deviation_mean")],
           [], {"Method": of(CORTEX)}, "column", "value", error)
-FLOWS = {"linear": "linear elements", **{f"depth_{d}": f"this, depth {d}" for d in range(4, 8)}}
+FLOWS = {"linear": "linear elements", "cgal": "CGAL", "pmp": "pmp", **{f"depth_{d}": f"this, depth {d}" for d in range(4, 8)}}
 for name, value, text in [("seconds", "step_s", seconds), ("deviation", "sphere_30", error),
                           ("distortion", "distortion_30", lambda x: f"{x:.3f}")]:
     add_table("flow_" + name, "flow_peers", ["mesh", "conformal", "step_s"],
@@ -517,6 +517,17 @@ add_table("flow_triangles", "flow_peers", ["mesh", "triangles", "flow", "before"
           {"Mesh": "mesh", "Other triangles": "triangles"},
           lambda r: "linear elements" if r["flow"] == "linear" else "this", "after",
           lambda x: "not finite" if math.isinf(x) else "-" if math.isnan(x) else error(x), 2)
+MAPS = {"restricted": "this", "pyFM": "pyFM"}
+for name, value, text in [("first", "first_mean", error), ("last", "last_mean", error), ("seconds", None, seconds)]:
+    add_table("maps_" + name, "map_peers", ["source", "method", "first_mean"], {"Source": "source"}, of(MAPS),
+              value or (lambda r: r["spectra_s"] + r["map_s"] + r["zoomout_s"]), text, 1)
+MATRIX = {"restricted": "this, two threads", "pygeodesic": "pygeodesic, exact", "potpourri3d": "potpourri3d, heat method"}
+for name, value in (("square", "square_s"), ("row", "row_s"), ("near", "near_s")):
+    add_table("matrix_" + name, "distance_matrix", ["method", "square_s"], {"Method": of(MATRIX)}, lambda r: "seconds",
+              value, seconds, 1)
+add_table("matrix_errors", lambda: [Row(r, column=title, value=r[column]) for column, title in (
+    ("mean_error", "mean"), ("max_error", "largest")) for r in rows("distance_matrix", "method", "mean_error")],
+          {"Method": of(MATRIX)}, "column", "value", error)
 FILTERS = {"none": "none", "implicit": "a step of linear elements", "filter": "linear elements with this filter",
            "restricted": "this", "no_angle": "this", "anisotropic_10": "this, `anisotropic=10`",
            "crease_angle": "this, `crease_angle=30`"}

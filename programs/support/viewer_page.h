@@ -60,8 +60,8 @@ struct Viewer_page {
 };
 
 // Writes a page. Coordinates are rounded to a millionth of the longest side of the box around all
-// that is shown of a surface, and values to 6e-8 of the difference between the largest and the smallest. Faces with a corner
-// that is not finite are left out, and the page says so.
+// that is shown of a surface, and values to 6e-8 of the difference between the largest and the
+// smallest. Faces with a corner that is not finite are left out, and the page says so.
 // \param bundle the viewer, a page without a scene, as viewer/build.js makes it
 void write_viewer_page(std::ostream& out, const std::string& bundle, const Viewer_page& page);
 
