@@ -94,6 +94,7 @@ def by_pyfm(source, target, landmarks, away):
     first = model.get_p2p(n_jobs=1)
     end = time.perf_counter()
     model.zoomout_refine(nit=LAST - FIRST, step=1)
+    model.change_FM_type("zoomout")
     larger = model.get_p2p(n_jobs=1)
     last = time.perf_counter()
     return away(source[0][first]), away(source[0][larger]), (middle - begin, end - middle, last - end)
