@@ -97,7 +97,7 @@ def by_pyfm(source, target, landmarks, away):
             return model.get_precise_map(matrix, n_jobs=1) @ source[0]
         except ValueError:  # where vertices fall on vertices
             return source[0][model.get_p2p(matrix, n_jobs=1)]
-    first = places(model.FM)
+    first = places(model.FM_12)
     end = time.perf_counter()
     larger = places(model.zoomout_refine(nit=LAST - FIRST, step=1))
     last = time.perf_counter()
