@@ -527,7 +527,7 @@ for name, value in (("square", "square_s"), ("row", "row_s"), ("near", "near_s")
               value, seconds, 1)
 add_table("matrix_errors", lambda: [Row(r, column=title, value=r[column]) for column, title in (
     ("mean_error", "mean"), ("max_error", "largest")) for r in rows("distance_matrix", "method", "mean_error")],
-          {"Method": of(MATRIX)}, "column", "value", error)
+          [], {"Method": of(MATRIX)}, "column", "value", error)
 FILTERS = {"none": "none", "implicit": "a step of linear elements", "filter": "linear elements with this filter",
            "restricted": "this", "no_angle": "this", "anisotropic_10": "this, `anisotropic=10`",
            "crease_angle": "this, `crease_angle=30`"}
