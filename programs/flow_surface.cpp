@@ -37,8 +37,8 @@ to its first area after each step.
       a conformal map to a sphere, colored by how far vertices moved
   flow_surface mannequin-devil.off --steps 5 --time-step 1e-5 --csv positions.csv
       where the vertices are after a short time
-  flow_surface elephant.off --steps 10 --time-step 1e-3 --html flow.html --pictures flow
-      a page with a slider over the steps, and pictures flow00.png, flow01.png, ...
+  flow_surface elephant.off --steps 9 --time-step 1e-3 --conformal --pictures flow
+      pictures flow0.png to flow9.png; --html has a slider over the steps instead
 )"};
 
 struct Options : Common_options {
