@@ -5,6 +5,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -83,6 +85,21 @@ def test_zoomout_mends_a_bad_map(pair):
         before += errors(bad.point_map(), planes, faces).mean() / 3
         after += errors(rl.zoomout(bad, 50, step=2).point_map(), planes, faces).mean() / 3
     assert before > 0.025 and after < before / 2.5, (before, after)
+
+
+def test_maps_between_other_bases(pair):
+    """Eigenfunctions of the target mixed among each other: a matrix that is not symmetric, and the same points."""
+    planes, faces, (source, target) = pair
+    places = (0.1, 0.1), (0.9, 0.2), (0.2, 0.9)
+    plain = rl.functional_map(source, target, landmarks=tuple(vertex_near(plane, *places) for plane in planes), count=12)
+    mix = np.eye(60)
+    mix[:12, :12] = np.linalg.qr(np.random.default_rng(4).standard_normal((12, 12)))[0]
+    mixed = dataclasses.replace(target, vertex_values=target.vertex_values @ mix, coefficients=target.coefficients @ mix)
+    turned = rl.FunctionalMap(mix[:12, :12].T @ plain.matrix, source, mixed)
+    assert np.allclose(turned.point_map().points, plain.point_map().points, atol=1e-6)
+    for step in (1, 4):
+        found, expected = (rl.zoomout(m, 20, step=step).point_map().points for m in (turned, plain))
+        assert np.linalg.norm(found - expected, axis=1).mean() < 1e-3
 
 
 def test_points_without_faces():
