@@ -734,6 +734,14 @@ TEST_CASE("signed_distances_are_those_from_zeros", "[geodesic]") {
                                 .margin(1e-12));
       }
     }
+  // a jump between the largest numbers
+  Distances jump, largest;
+  for(const RL::Point_3& p : t.points) {
+    jump.push_back(p.x() < 0.31 ? -1 : 1);
+    largest.push_back(p.x() < 0.31 ? -1.7e308 : 1.7e308);
+  }
+  CHECK(geodesics.signed_distances(jump).distances ==
+        geodesics.signed_distances(largest).distances);
   // a corner is a single zero, and a face of zeros is at its sides
   Distances values(t.points.size(), 1);
   values[5 + 5 * (n + 1)] = 0;
@@ -743,11 +751,11 @@ TEST_CASE("signed_distances_are_those_from_zeros", "[geodesic]") {
   for(const std::uint32_t v : t.faces[100])
     values[v] = 0;
   CHECK(geodesics.signed_distances(values).distances[t.faces[100][1]] == 0);
-  // on a sphere, and with an infinite value that is on one side
+  // on a sphere
   const shapes::Triangles sphere = shapes::sphere(4);
   values.clear();
   for(const RL::Point_3& p : sphere.points)
-    values.push_back(p.z() > 0.99 ? std::numeric_limits<double>::infinity() : p.z());
+    values.push_back(p.z());
   const RL::Geodesic_solver on_sphere = shapes::geodesics(sphere);
   const Distances latitudes = on_sphere.signed_distances(values).distances;
   for(std::size_t v = 0; v < sphere.points.size(); ++v)
@@ -763,8 +771,11 @@ TEST_CASE("signed_distances_are_those_from_zeros", "[geodesic]") {
                     Catch::Contains("nowhere"));
   CHECK_THROWS_WITH(geodesics.signed_distances(Distances(3, 1)), Catch::Contains("3"));
   values.assign(t.points.size(), 1);
-  values[7] = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH(geodesics.signed_distances(values), Catch::Contains("vertex 7"));
+  for(const double bad :
+      {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity()}) {
+    values[7] = bad;
+    CHECK_THROWS_WITH(geodesics.signed_distances(values), Catch::Contains("vertex 7"));
+  }
 }
 
 TEST_CASE("distances_do_not_depend_on_position_and_scale", "[geodesic]") {

@@ -206,7 +206,7 @@ public:
   /// \param values of the function, one for each vertex
   /// \param options how they are computed
   /// \throws Parameter_error `values`, if their number is not that of the vertices, one of them is
-  /// not a number, or the function is nowhere 0
+  /// not finite, or the function is nowhere 0
   /// \throws Parameter_error, Canceled as `distances()`
   Geodesic_distances signed_distances(const std::vector<double>& values,
                                       const Geodesic_options& options = {}) const;

@@ -286,8 +286,8 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_distances Geodesic_solver::signed_di
     throw Parameter_error("values", "are " + std::to_string(values.size()) + ", but there are " +
                                         std::to_string(n) + " vertices");
   for(std::size_t v = 0; v < n; ++v)
-    if(std::isnan(values[v]))
-      throw Parameter_error("values", "hold no number for vertex " + std::to_string(v));
+    if(!std::isfinite(values[v]))
+      throw Parameter_error("values", "hold no finite number for vertex " + std::to_string(v));
   const Triangulated_surface_3& triangles = m_impl->surface.original();
   Geodesic_sources sources;
   for(std::size_t face = 0; face < triangles.number_of_faces(); ++face)
