@@ -778,6 +778,42 @@ TEST_CASE("signed_distances_are_those_from_zeros", "[geodesic]") {
   }
 }
 
+TEST_CASE("windows_do_not_multiply_where_rays_run_along_edges", "[geodesic]") {
+  // Ways along edges are as long as those of rays then, at nearly all vertices: distances from
+  // lines along the rows of a grid, from its boundary, and along a cylinder and a box.
+  const int n = 120;
+  const auto in_plane = [](double x, double y) { return RL::Point_3(x, y, 0); };
+  const auto around = [](double x, double y) {
+    return RL::Point_3(std::cos(2 * x), std::sin(2 * x), y);
+  };
+  const auto bent = [](double x, double y) { // twice by a right angle
+    return x < 0.25   ? RL::Point_3(0.25, y, 0.25 - x)
+           : x < 0.75 ? RL::Point_3(x, y, 0)
+                      : RL::Point_3(0.75, y, x - 0.75);
+  };
+  const std::vector<std::function<RL::Point_3(double, double)>> surfaces = {in_plane, around, bent};
+  RL::Geodesic_options options;
+  options.maximum_memory = 160 * (2 * n * n); // that of few windows for each face
+  for(const auto& surface : surfaces) {
+    const RL::Geodesic_solver geodesics =
+        shapes::geodesics(shapes::grid(n, surface, shapes::Diagonals::rising));
+    for(const double place : {0.5, 0.503}) {
+      CAPTURE(place);
+      Distances values;
+      for(int j = 0; j <= n; ++j)
+        for(int i = 0; i <= n; ++i)
+          values.push_back(static_cast<double>(j) / n - place);
+      Distances found;
+      REQUIRE_NOTHROW(found = geodesics.signed_distances(values, options).distances);
+      for(std::size_t v = 0; v < values.size(); ++v)
+        REQUIRE(found[v] == Approx(values[v]).epsilon(2e-4).margin(1e-9));
+    }
+    RL::Geodesic_sources boundary;
+    boundary.add_boundary();
+    CHECK_NOTHROW(geodesics.distances(boundary, options));
+  }
+}
+
 TEST_CASE("distances_do_not_depend_on_position_and_scale", "[geodesic]") {
   const shapes::Triangles t = shapes::bumpy_square(16, 0.3, 3, 5);
   const Distances found = from_vertex(t, 40);

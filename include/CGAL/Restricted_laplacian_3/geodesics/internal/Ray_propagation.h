@@ -4,11 +4,10 @@
 #ifndef CGAL_RESTRICTED_LAPLACIAN_3_GEODESICS_INTERNAL_RAY_PROPAGATION_H
 #define CGAL_RESTRICTED_LAPLACIAN_3_GEODESICS_INTERNAL_RAY_PROPAGATION_H
 
-#include <CGAL/Restricted_laplacian_3/foundation/exceptions.h>
 #include <CGAL/Restricted_laplacian_3/foundation/internal/Progress.h>
-#include <CGAL/Restricted_laplacian_3/foundation/memory.h>
 #include <CGAL/Restricted_laplacian_3/geodesics/internal/Propagation_limit.h>
 #include <CGAL/Restricted_laplacian_3/geodesics/internal/Ray_geometry.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/internal/Ray_windows.h>
 #include <CGAL/Restricted_laplacian_3/geodesics/internal/ray_waves.h>
 
 #include <CGAL/number_utils.h>
@@ -57,10 +56,15 @@ public:
   /// \param is_exact whether there are windows only
   /// \param maximum_memory in bytes
   Ray_propagation(const Ray_geometry& geometry, bool is_exact, double maximum_memory)
-    : m_geometry(geometry), m_is_exact(is_exact), m_maximum_memory(maximum_memory),
-      m_rays(geometry.surface().number_of_vertices()), m_is_popped(m_rays.size(), 0),
+    : m_geometry(geometry), m_is_exact(is_exact), m_rays(geometry.surface().number_of_vertices()),
+      m_is_popped(m_rays.size(), 0),
       m_states(3 * geometry.surface().number_of_faces(), is_exact ? State::windows : State::open),
-      m_waiting(m_states.size(), no_root), m_nearest_rays(is_exact ? m_states.size() : 0) {}
+      m_waiting(m_states.size(), no_root), m_nearest_rays(is_exact ? m_states.size() : 0),
+      m_windows(maximum_memory,
+                m_rays.size() * (sizeof(Ray) + sizeof(Entry)) +
+                    m_states.size() * (sizeof(State) + sizeof(std::uint32_t)) +
+                    m_nearest_rays.size() * sizeof(Nearest_ray),
+                sizeof(Entry)) {}
 
   /// the ray from a vertex back to its source
   struct Ray {
@@ -141,8 +145,7 @@ public:
         break;
       m_heap.pop();
       if(next.is_window) {
-        const Ray_window window = m_windows[next.number];
-        m_free_windows.push_back(next.number);
+        const Ray_window window = m_windows.take(next.number);
         if(is_useful(window))
           cross(window, all_ways);
       } else if(next.key == m_rays[next.number].distance && !is_shortened(next.number)) {
@@ -165,8 +168,11 @@ public:
 private:
   /// gains below this part are rounding
   static constexpr double smallest_gain = 1e-10;
-  /// angles may sum to so much more than 2 pi by rounding
-  static constexpr double flat_angle = 1e-7;
+  /// A vertex is flat though its angles sum to so much more than 2 pi: by rounding; where cubics
+  /// are used, also because the shadow behind it is too narrow to matter.
+  static constexpr double flat_by_rounding = 1e-7, flat_to_cubics = 1e-2;
+  /// a ray along an edge may be on any side of it by rounding
+  static constexpr double along_edge = 1e-9;
   /// A side shorter than this part of its distance from the source of its rays is short: there a
   /// cubic resolves them.
   static constexpr double short_side = 0.3;
@@ -180,7 +186,7 @@ private:
   /// Windows that are made of a cubic: their number, and the part by which they overlap, and reach
   /// over flat ends of the side. Rays diverge, or are those of another cubic beyond the end, and
   /// would leave gaps.
-  static constexpr int windows_of_cubic = 4;
+  static constexpr int windows_of_cubic = 2;
   static constexpr double overlap = 0.3;
   /// Distance of the source of parallel rays, over the extent of the surface: rounding, and the
   /// curvature of what should be straight, are 1e-10 and 1e-7 then.
@@ -203,13 +209,21 @@ private:
   };
 
   void offer(std::uint32_t v, const Ray& ray) {
-    const double known = m_rays[v].distance;
-    if(!(ray.distance < known * (1 - smallest_gain)) &&
-       !(std::isinf(known) && std::isfinite(ray.distance)))
+    Ray& known = m_rays[v];
+    const double distance = known.distance;
+    const bool is_shorter = ray.distance < distance * (1 - smallest_gain) ||
+                            (std::isinf(distance) && std::isfinite(ray.distance));
+    // Rays along edges are as long as others that arrive there, and have no direction yet.
+    if(!is_shorter && (!std::isnan(known.angle) || std::isnan(ray.angle) ||
+                       ray.distance > distance * (1 + smallest_gain) +
+                                          smallest_gain / far_source * std::abs(ray.origin.offset)))
       return;
-    m_rays[v] = ray;
-    m_rays[v].origin.offset = (std::max)(0., ray.origin.offset);
-    m_heap.push({ray.distance, false, v});
+    known = ray;
+    known.origin.offset = (std::max)(0., ray.origin.offset);
+    if(is_shorter)
+      m_heap.push({ray.distance, false, v});
+    else
+      known.distance = distance;
   }
 
   /// offers the distance of a corner from `nearest`, in the direction of `from`
@@ -226,7 +240,8 @@ private:
   /// whether rays turn at a vertex
   bool is_root(std::uint32_t v) const {
     return m_rays[v].distance == 0 || m_geometry.is_on_boundary(v) || !m_geometry.has_fan(v) ||
-           m_geometry.total_angle(v) > 2 * CGAL_PI + flat_angle;
+           m_geometry.total_angle(v) - 2 * CGAL_PI >
+               (m_is_exact ? flat_by_rounding : flat_to_cubics);
   }
 
   // Vertices
@@ -347,16 +362,7 @@ private:
       if(!(w.last > w.first))
         return;
     }
-    std::uint32_t i = static_cast<std::uint32_t>(m_windows.size());
-    if(m_free_windows.empty()) {
-      if(m_windows.size() == m_windows.capacity())
-        grow();
-      m_windows.push_back(w);
-    } else {
-      i = m_free_windows.back();
-      m_free_windows.pop_back();
-      m_windows[i] = w;
-    }
+    const std::uint32_t i = m_windows.add(w);
     const std::size_t side = 3 * w.side.face + w.side.number;
     if(m_states[side] != State::windows &&
        m_geometry.length(w.side.face, w.side.number) <= short_side * w.height()) {
@@ -364,25 +370,6 @@ private:
       m_waiting[side] = i;
     } else
       m_heap.push({w.origin.offset + w.height(), true, i});
-  }
-
-  /// makes room for twice as many windows, if that is permitted
-  void grow() {
-    constexpr std::size_t least_room = 1024;
-    const std::size_t room = (std::max)(least_room, 2 * m_windows.size()),
-                      bytes_of_window = sizeof(Ray_window) + sizeof(Entry) + sizeof(std::uint32_t);
-    const std::size_t at_surface = m_rays.size() * (sizeof(Ray) + sizeof(Entry)) +
-                                   m_states.size() * (sizeof(State) + sizeof(std::uint32_t)) +
-                                   m_nearest_rays.size() * sizeof(Nearest_ray);
-    // windows exist twice while they are moved
-    const double bytes =
-        static_cast<double>(at_surface) +
-        static_cast<double>(room * bytes_of_window + m_windows.size() * sizeof(Ray_window));
-    if(bytes > m_maximum_memory)
-      throw Parameter_error("maximum_memory",
-                            "is " + memory_text(m_maximum_memory) +
-                                ": the windows of rays would take more than that");
-    m_windows.reserve(room);
   }
 
   /// Whether a window can give any point its distance: not if one end of the side gives a shorter
@@ -479,7 +466,7 @@ private:
                       angle(source_p - middle, source_q - middle) <= direction_tolerance;
     return ends;
   }
-  /// Whether the ray of a corner lies on the face's side of an edge.
+  /// Whether the ray of a corner lies on the face's side of an edge, or along it.
   /// \param begins whether it is the edge that begins at the corner, or the one that ends there
   /// \param edge its direction
   bool comes_out(std::uint32_t face, std::uint32_t k, bool begins, double edge) const {
@@ -489,8 +476,8 @@ private:
                      face, k, begins ? m_geometry.corner_angle(face, k) : 0); // the other edge
     const double t = other > edge ? phi - edge : edge - phi;                  // through the face
     if(m_geometry.is_on_boundary(v))
-      return t > 0;
-    return t < 0 ? t + total < -t : t < total - t;
+      return t > -along_edge;
+    return t < -along_edge ? t + total < along_edge - t : t < total - t + along_edge;
   }
 
   /// Both ends of a side have their distances: decides how rays go on into its face.
@@ -582,14 +569,12 @@ private:
 
   const Ray_geometry& m_geometry;
   bool m_is_exact;
-  double m_maximum_memory;
   std::vector<Ray> m_rays; // of vertices
   std::vector<char> m_is_popped;
   std::vector<State> m_states;             // of sides
   std::vector<std::uint32_t> m_waiting;    // of sides: the first window that waits
   std::vector<Nearest_ray> m_nearest_rays; // of sides, if exact
-  std::vector<Ray_window> m_windows;
-  std::vector<std::uint32_t> m_free_windows;
+  Ray_windows m_windows;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_heap;
 };
 

@@ -220,7 +220,7 @@ struct Ray_cubic {
       const double move = -(slope / (2 * r) + length * along / beyond) / second;
       way.t += (std::max)(-longest_step, (std::min)(longest_step, move));
     }
-    if(way.t >= 0 && way.t <= 1)
+    if(way.t >= -close_to_end && way.t <= 1 + close_to_end)
       way.distance = distance;
     return way;
   }
