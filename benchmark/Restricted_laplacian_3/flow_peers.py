@@ -183,6 +183,8 @@ def main():
         tau = 1e-4 * areas(V, F).sum()
 
         def distance(points, P, G):
+            if not abs(points).max() < 1e3 * diameter:  # the flow left all bounds, and the search would take hours
+                return np.inf
             return np.sqrt(igl.point_mesh_squared_distance(points, P, G)[0]).mean() / diameter
         for method, make in (("linear", lambda P, G: Linear(P, G, False)),
                              (f"depth_{depth}", lambda P, G: Restricted(P, G, False, depth))):
