@@ -39,8 +39,8 @@ is fitted to them.
 )"};
 
 struct Options : Common_options {
-  double gradient_scale = 1, alpha = 0, anisotropic = 0, length = 0, factor = 0,
-         tolerance = RL::Editing_options().tolerance, stabilization = -1;
+  double gradient_scale = 1, alpha = 0, anisotropic = 0, length = 0, factor = 0;
+  Solver_options solver{RL::Editing_options().tolerance, false};
   std::string gradient_scale_property;
   bool has_length = false, has_crease_angle = false;
 };
@@ -58,17 +58,10 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
       "lengths grow by curvature k to (1 + F^2 k^2 / A)^(1/2), so creases survive");
   add("length", po::value(&o.length)->value_name("L"), "size of the details that are changed");
   add("factor", po::value(&o.factor)->value_name("F")->default_value(o.factor), "of these details");
-  po::options_description solver("Solver", help_width);
-  auto add_to_solver = solver.add_options();
-  add_to_solver("tolerance",
-                po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance, "0.0001"),
-                "norm of the residual, relative to that of the right-hand side");
-  add_to_solver("stabilization", po::value(&o.stabilization)->value_name("C"),
-                "factor of the stabilization by normal derivatives; default 0.001");
   po::options_description all(help_width);
   all.add(problem)
       .add(space_options(o))
-      .add(solver)
+      .add(solver_options(o.solver, "default 0.001"))
       .add(output_options(o, "vertex, x, y, z",
                           "the property displacement, how far they moved, of the moved mesh"))
       .add(general_options(o));
@@ -90,15 +83,14 @@ bool read_options(int argc, char* argv[], Options& o, po::variables_map& given) 
   require_not_negative(given, "anisotropic");
   require(std::isfinite(o.factor), "the argument of --factor must be finite");
   require(!o.has_crease_angle || o.factor == 0, "--factor and --crease-angle exclude each other");
-  require(o.tolerance > 0 && o.tolerance < 1, "the argument of --tolerance must be in (0, 1)");
-  require_not_negative(given, "stabilization");
+  check_solver_options(o.solver, given);
   return true;
 }
 
 Outcome edit_surface(Job& job, const Options& o) {
   RL::Editing_options options;
-  options.tolerance = o.tolerance;
-  options.stabilization = given_number(o.stabilization);
+  options.tolerance = o.solver.tolerance;
+  options.stabilization = given_number(o.solver.stabilization);
   options.anisotropic = o.anisotropic;
   if(o.has_crease_angle)
     options.crease_angle = o.space.crease_angle;

@@ -20,9 +20,12 @@
 namespace programs {
 
 struct Solver_options {
-  explicit Solver_options(double tolerance) : tolerance(tolerance) {}
+  // without an energy tolerance for solvers that have none
+  explicit Solver_options(double tolerance, bool has_energy_tolerance = true)
+    : tolerance(tolerance), has_energy_tolerance(has_energy_tolerance) {}
 
   double tolerance;
+  bool has_energy_tolerance;
   double energy_tolerance = -1, stabilization = -1; // the default
 };
 
@@ -36,9 +39,10 @@ inline po::options_description solver_options(Solver_options& o,
   add("tolerance",
       po::value(&o.tolerance)->value_name("T")->default_value(o.tolerance, tolerance.str()),
       "norm of the residual, relative to that of the right-hand side");
-  add("energy-tolerance", po::value(&o.energy_tolerance)->value_name("T"),
-      "estimated error in the norm of the energy at which the iteration ends, too: relative to the "
-      "solution, in fits to what they leave; 0: only the residual counts");
+  if(o.has_energy_tolerance)
+    add("energy-tolerance", po::value(&o.energy_tolerance)->value_name("T"),
+        "estimated error in the norm of the energy at which the iteration ends, too: relative to "
+        "the solution, in fits to what they leave; 0: only the residual counts");
   add("stabilization", po::value(&o.stabilization)->value_name("C"),
       ("factor of the stabilization by normal derivatives; " + default_stabilization).c_str());
   return solver;
