@@ -170,7 +170,7 @@ private:
   static constexpr double smallest_gain = 1e-10;
   /// A vertex is flat though its angles sum to so much more than 2 pi: by rounding; where cubics
   /// are used, also because the shadow behind it is too narrow to matter.
-  static constexpr double flat_by_rounding = 1e-7, flat_to_cubics = 1e-2;
+  static constexpr double flat_by_rounding = 1e-7, flat_to_cubics = 3e-3;
   /// a ray along an edge may be on any side of it by rounding
   static constexpr double along_edge = 1e-9;
   /// A side shorter than this part of its distance from the source of its rays is short: there a
@@ -186,7 +186,7 @@ private:
   /// Windows that are made of a cubic: their number, and the part by which they overlap, and reach
   /// over flat ends of the side. Rays diverge, or are those of another cubic beyond the end, and
   /// would leave gaps.
-  static constexpr int windows_of_cubic = 2;
+  static constexpr int windows_of_cubic = 3;
   static constexpr double overlap = 0.3;
   /// Distance of the source of parallel rays, over the extent of the surface: rounding, and the
   /// curvature of what should be straight, are 1e-10 and 1e-7 then.
