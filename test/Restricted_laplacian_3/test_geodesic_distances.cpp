@@ -793,7 +793,7 @@ TEST_CASE("windows_do_not_multiply_where_rays_run_along_edges", "[geodesic]") {
   };
   const std::vector<std::function<RL::Point_3(double, double)>> surfaces = {in_plane, around, bent};
   RL::Geodesic_options options;
-  options.maximum_memory = 160 * (2 * n * n); // that of few windows for each face
+  options.maximum_memory = 240 * (2 * n * n); // that of few windows for each face
   for(const auto& surface : surfaces) {
     const RL::Geodesic_solver geodesics =
         shapes::geodesics(shapes::grid(n, surface, shapes::Diagonals::rising));

@@ -168,8 +168,8 @@ public:
 private:
   /// gains below this part are rounding
   static constexpr double smallest_gain = 1e-10;
-  /// A vertex is flat though its angles sum to so much more than 2 pi: by rounding; where cubics
-  /// are used, also because the shadow behind it is too narrow to matter.
+  /// A vertex is flat though its angles sum to so much more than 2 pi: by rounding; among short
+  /// sides, where cubics are used, also because the shadow behind it is too narrow to matter.
   static constexpr double flat_by_rounding = 1e-7, flat_to_cubics = 3e-3;
   /// a ray along an edge may be on any side of it by rounding
   static constexpr double along_edge = 1e-9;
@@ -239,9 +239,20 @@ private:
 
   /// whether rays turn at a vertex
   bool is_root(std::uint32_t v) const {
-    return m_rays[v].distance == 0 || m_geometry.is_on_boundary(v) || !m_geometry.has_fan(v) ||
-           m_geometry.total_angle(v) - 2 * CGAL_PI >
-               (m_is_exact ? flat_by_rounding : flat_to_cubics);
+    if(m_rays[v].distance == 0 || m_geometry.is_on_boundary(v) || !m_geometry.has_fan(v))
+      return true;
+    const double excess = m_geometry.total_angle(v) - 2 * CGAL_PI;
+    return excess > flat_by_rounding &&
+           (m_is_exact || excess > flat_to_cubics || !is_among_short_sides(v));
+  }
+  /// whether no side of the faces of a vertex is too long for a cubic
+  bool is_among_short_sides(std::uint32_t v) const {
+    double longest = 0;
+    m_geometry.for_each_corner(v, [&](const Corner& c) {
+      for(std::uint32_t k = 0; k < 3; ++k)
+        longest = (std::max)(longest, m_geometry.length(c.face, k));
+    });
+    return longest <= short_side * (m_rays[v].distance - m_rays[v].origin.offset);
   }
 
   // Vertices
