@@ -14,10 +14,11 @@ has 60 x 60 squares of two triangles; the source
     graded     60 x 60 rectangles, 30 times as wide on one side as on the other
 
 Both take the same three landmarks and wave kernel signatures, with their default weights, 20 eigenfunctions for a
-first map and ZoomOut to 80 from there, by all vertices, about 3000. A line for each source and method: the mean and the largest distance, in the flat
-sheet of size 1, from where vertices of the target are found to where they are, for the first map and after ZoomOut,
-and seconds for two spectra, the first map, and ZoomOut with its map of points. Both find places in faces, pyFM by its
-precise map, or by nearest vertices where that fails; what a nearest vertex is away in the mean, is in the column vertex.
+first map and ZoomOut to 80 from there, by all vertices, about 3000. A line for each source and method: the mean and
+the largest distance, in the flat sheet of size 1, from where vertices of the target are found to where they are, for
+the first map and after ZoomOut, and seconds for two spectra, the first map, and ZoomOut with its map of points. Both
+find places in faces, pyFM by its precise map, or by nearest vertices where that fails; what a nearest vertex is away
+in the mean, is in the column vertex.
 """
 
 import os
