@@ -165,6 +165,6 @@ for python in "$@"; do
     "--config-settings=cmake.define.CHOLMOD_LIBRARY=$prefix/lib/libcholmod.a;$prefix/lib/libscipy_openblas.so" \
     "$root"
   PATH=$environment/bin:$PATH LD_LIBRARY_PATH=$prefix/lib "$environment/bin/python" -m auditwheel repair \
-    --plat "$platform" --wheel-dir "$folder" "$own"/dist/*.whl
+    --plat auto --wheel-dir "$folder" "$own"/dist/*.whl
 done
 ls -l "$folder"/*.whl

@@ -12,6 +12,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +57,50 @@ inline Triangles crumpled(Triangles t, double amount, unsigned seed) {
   const auto random = [&] { return amount * (generator() * std::ldexp(2., -32) - 1); };
   for(RL::Point_3& p : t.points)
     p = p + RL::Vector_3(random(), random(), random());
+  return t;
+}
+
+/// A nearly flat rectangle [0, stretch] x [0, 1] of `n` x `n` vertices, moved at random by a part
+/// of the distance of neighbors, and in height by `amount`, of faces whose sides have been exchanged
+/// for the other diagonals of their quadrilaterals again and again: needles that lie anyhow.
+inline Triangles anyhow(std::uint32_t n, double stretch, double amount, unsigned seed) {
+  Triangles t;
+  std::mt19937 generator(seed);
+  const auto random = [&] { return generator() * std::ldexp(2., -32) - 1; };
+  std::vector<std::array<double, 2>> plane;
+  for(std::uint32_t j = 0; j < n; ++j)
+    for(std::uint32_t i = 0; i < n; ++i) {
+      const auto moved = [&](std::uint32_t k) {
+        return (k + (k > 0 && k + 1 < n ? 0.4 * random() : 0)) / (n - 1);
+      };
+      const double x = moved(i), y = moved(j);
+      plane.push_back({x, y});
+      t.points.emplace_back(stretch * x, y, amount * random());
+      if(i + 1 < n && j + 1 < n) {
+        const std::uint32_t k = j * n + i;
+        t.faces.push_back({k, k + 1, k + n + 1});
+        t.faces.push_back({k, k + n + 1, k + n});
+      }
+    }
+  const auto area = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return (plane[b][0] - plane[a][0]) * (plane[c][1] - plane[a][1]) -
+           (plane[b][1] - plane[a][1]) * (plane[c][0] - plane[a][0]);
+  };
+  const double least = 0.02 / (n * n);
+  for(std::size_t turns = 10 * t.faces.size(); turns > 0; --turns) {
+    auto& f = t.faces[generator() % t.faces.size()];
+    const unsigned k = generator() % 3;
+    const std::uint32_t a = f[k], b = f[(k + 1) % 3], c = f[(k + 2) % 3];
+    for(auto& g : t.faces)
+      for(int m = 0; m < 3; ++m) {
+        const std::uint32_t d = g[(m + 2) % 3];
+        if(g[m] == b && g[(m + 1) % 3] == a && area(c, a, d) > least && area(d, b, c) > least) {
+          f = {c, a, d};
+          g = {d, b, c};
+          m = 3;
+        }
+      }
+  }
   return t;
 }
 

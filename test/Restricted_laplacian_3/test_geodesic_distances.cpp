@@ -814,6 +814,22 @@ TEST_CASE("windows_do_not_multiply_where_rays_run_along_edges", "[geodesic]") {
   }
 }
 
+TEST_CASE("distances_among_needles", "[geodesic]") {
+  for(std::uint32_t seed = 1; seed <= 6; ++seed)
+    for(const double stretch : {1., 10., 100.})
+      for(const double amount : {1e-3, 3e-2}) {
+        const RL::Geodesic_solver geodesics =
+            shapes::geodesics(shapes::anyhow(12, stretch, amount, seed));
+        for(std::uint32_t v = seed; v < 144; v += 7) {
+          const auto source = RL::Geodesic_sources::vertex(v);
+          const Distances a = geodesics.distances(source).distances,
+                          b = geodesics.distances(source, RL::Geodesic_method::exact).distances;
+          for(std::size_t u = 0; u < a.size(); ++u)
+            CHECK(a[u] == Approx(b[u]).epsilon(0.02));
+        }
+      }
+}
+
 TEST_CASE("distances_do_not_depend_on_position_and_scale", "[geodesic]") {
   const shapes::Triangles t = shapes::bumpy_square(16, 0.3, 3, 5);
   const Distances found = from_vertex(t, 40);

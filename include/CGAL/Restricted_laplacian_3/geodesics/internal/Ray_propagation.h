@@ -177,8 +177,9 @@ private:
   /// cubic resolves them.
   static constexpr double short_side = 0.3;
   /// How far apart the sources may be that the two ends of a side see: the distances that each
-  /// predicts at the other end, over the length of the side, of a short and of another side; and
-  /// the angle between their directions. On other sides than short ones they must be the same.
+  /// predicts at the other end, of a short side over its length; and the angle between their
+  /// directions. On other sides they must be the same, up to a part of the least of the lengths of
+  /// the ways: a long needle's third corner may be close to the source, and to the side.
   static constexpr double short_side_tolerance = 0.1, long_side_tolerance = 1e-3,
                           direction_tolerance = 0.1;
   /// Shadows are wider by this angle on both sides: rays have errors, and more windows do no harm.
@@ -465,7 +466,10 @@ private:
     const Plane_vector end{l, 0}, middle{l / 2, 0},
         source_p{-from_p * slope_p, from_p * behind(slope_p)},
         source_q{l - from_q * slope_q, from_q * behind(slope_q)};
-    const double limit = (ends.is_short ? short_side_tolerance : long_side_tolerance) * l;
+    const double limit =
+        ends.is_short
+            ? short_side_tolerance * l
+            : long_side_tolerance * (std::min)({l, from_p, from_q, m_geometry.apex(side).y});
     Ray_origin older = offset_p < offset_q ? at_p.origin : at_q.origin;
     older.offset = (std::min)(offset_p, offset_q);
     const double r_p = at_p.distance - older.offset, r_q = at_q.distance - older.offset;
@@ -565,9 +569,7 @@ private:
   void offer_to_apex(const Side& side, const Ray_cubic& cubic, double bound = infinity) {
     const Plane_vector c = m_geometry.apex(side);
     const Ray_cubic::Way way = cubic.shortest_way(c);
-    if(!(way.distance < bound) ||
-       way.distance < (std::min)(m_rays[m_geometry.vertex(side.face, side.number)].distance,
-                                 m_rays[m_geometry.vertex(side.face, side.number + 1)].distance))
+    if(!(way.distance < bound))
       return;
     Ray ray;
     ray.distance = way.distance;
