@@ -26,7 +26,7 @@ trap 'rm -rf "$work"' EXIT
 python3 -m venv "$work/environment"
 pip=("$work/environment/bin/pip" --quiet --disable-pip-version-check install)
 "${pip[@]}" jupyter-client==8.6.3 nbconvert==7.16.6 ipykernel==6.30.1 matplotlib==3.10.7 \
-  lapy==1.7.0 robust-laplacian==1.1.0 fast-simplification==0.2.0 neuromodes==0.1.0
+  lapy==1.7.0 robust-laplacian==1.1.0 fast-simplification==0.2.0 neuromodes==0.1.0 scikit-learn==1.9.1
 "${pip[@]}" "$root"
 if [[ -z ${MESH-} ]]; then
   tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz --directory "$work" \
@@ -41,4 +41,4 @@ for notebook in *.ipynb; do
     --to notebook --execute --inplace "$notebook"
 done
 python3 "$root/python/notebooks/render.py" "$page" "$figures" first_steps.ipynb \
-  spectra_under_remeshing.ipynb from_scans_to_a_texture.ipynb cortex.ipynb
+  spectra_under_remeshing.ipynb features_for_networks.ipynb from_scans_to_a_texture.ipynb cortex.ipynb

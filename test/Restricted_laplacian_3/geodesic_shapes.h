@@ -61,7 +61,7 @@ inline Triangles crumpled(Triangles t, double amount, unsigned seed) {
 }
 
 /// A nearly flat rectangle [0, stretch] x [0, 1] of `n` x `n` vertices, moved at random by a part
-/// of the distance of neighbors, and in height by `amount`, of faces whose sides have been exchanged
+/// of the distance of neighbors, and in height by `amount`. Sides of its faces have been exchanged
 /// for the other diagonals of their quadrilaterals again and again: needles that lie anyhow.
 inline Triangles anyhow(std::uint32_t n, double stretch, double amount, unsigned seed) {
   Triangles t;
