@@ -71,7 +71,7 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)
 END
 # CGAL asks for this header, which is younger than the C library here
 echo 'static const char __libc_single_threaded = 0;' >"$prefix/shim/sys/single_threaded.h"
-# Python's before 3.11 include this one, and nothing here needs what is in it
+# headers of Python before 3.11 include this one; nothing here needs what is in it
 : >"$prefix/shim/crypt.h"
 
 # ---- headers and sources of Debian
