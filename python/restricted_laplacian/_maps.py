@@ -18,7 +18,7 @@ from ._spectra import Spectrum, heat_kernel_times, wave_kernel_signature
 
 __all__ = ["FunctionalMap", "PointMap", "functional_map", "zoomout"]
 
-_BLOCK = 1 << 21  # numbers of a block of distances
+_BLOCK = 1 << 19  # numbers of a block of products
 
 
 class _Samples:
@@ -74,13 +74,17 @@ class _Samples:
 
 
 def _nearest(queries: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Of each row the nearest one among others."""
-    squares = (points ** 2).sum(axis=1)
-    result = np.empty(len(queries), np.int64)
-    rows = max(1, _BLOCK // max(len(points), 1))
-    for begin in range(0, len(queries), rows):
-        distances = squares - 2 * (queries[begin:begin + rows] @ points.T)
-        result[begin:begin + rows] = distances.argmin(axis=1)
+    """Of each row the nearest one among others, up to single precision."""
+    center = points.mean(axis=0)
+    scale = abs(points - center).max() or 1.0
+    own, others = (((x - center) / scale).astype(np.float32) for x in (queries, points))
+    halves = (others ** 2).sum(axis=1) / 2
+    result = np.empty(len(own), np.int64)
+    rows = max(64, _BLOCK // len(others))
+    for begin in range(0, len(own), rows):
+        products = own[begin:begin + rows] @ others.T
+        products -= halves
+        result[begin:begin + rows] = products.argmax(axis=1)
     return result
 
 
@@ -171,6 +175,8 @@ class FunctionalMap:
     def point_map(self, *, number: int = 20000) -> PointMap:
         """Where each vertex of the target lies on the source: anywhere in its faces, not at vertices alone.
 
+        Each vertex is compared with each point of the source: time is in proportion to the product of their numbers.
+
         Parameters
         ----------
         number : int, default 20000
@@ -198,13 +204,14 @@ def _points_of(samples: _Samples, embedded: np.ndarray) -> tuple[np.ndarray, np.
     nearest = samples.known[_nearest(embedded, functions[samples.known])]
     if len(samples.triangles) == 0:
         return (*samples.locations(nearest, np.empty((0, 3))), samples.points[nearest])
-    is_whole = np.isfinite(functions[samples.triangles]).all(axis=(1, 2))
-    whole = np.flatnonzero(is_whole)
+    is_known = np.zeros(len(functions), bool)
+    is_known[samples.known] = True
+    whole = np.flatnonzero(is_known[samples.triangles].all(axis=1))
     order = np.argsort(samples.triangles[whole].ravel(), kind="stable")
     counts = np.bincount(samples.triangles[whole].ravel(), minlength=len(samples.points))
     begins = np.concatenate([[0], np.cumsum(counts)])
     triangles, barycentric = np.zeros(len(embedded), np.int64), np.zeros((len(embedded), 3))
-    rows = max(1, _BLOCK // (24 * max(1, embedded.shape[1])))
+    rows = max(1, _BLOCK // (6 * max(1, embedded.shape[1])))
     for begin in range(0, len(embedded), rows):
         own = nearest[begin:begin + rows]
         size = counts[own]
@@ -407,14 +414,16 @@ def zoomout(initial: FunctionalMap, count: Optional[int] = None, *, step: int = 
     here, there = _Samples(source, int(number)), _Samples(target, int(number))
     # of many vertices a part will do
     from_points, to_points = here.spread(int(number)), there.spread(int(number))
-    values, weights = there.functions[to_points], np.sqrt(there.areas[to_points])[:, None]
+    values = there.functions[to_points]
+    dual = values * there.areas[to_points, None]
+    gram = dual.T @ values
     matrix = initial.matrix
     size = first = min(matrix.shape)
     tell = listener(progress)
     while size < last:
         nearest = from_points[_nearest(values[:, :matrix.shape[0]] @ matrix, here.functions[from_points, :matrix.shape[1]])]
         size = min(size + int(step), last)
-        matrix = np.linalg.lstsq(weights * values[:, :size], weights * here.functions[nearest, :size], rcond=None)[0]
+        matrix = np.linalg.lstsq(gram[:size, :size], dual[:, :size].T @ here.functions[nearest, :size], rcond=None)[0]
         if tell is not None and tell((size - first) / (last - first)) is False:
             raise Canceled("canceled by progress")
     return FunctionalMap(matrix, source, target)
