@@ -58,6 +58,14 @@ def test_signed_distances(sphere):
             geodesics.signed_distances(bad)
 
 
+def test_faces_twice(sphere):
+    V, F = sphere
+    once = rl.Geodesics(V, F).distances([5]).distances
+    for other in (F[:, [1, 2, 0]], F[:, ::-1]):
+        twice = rl.Geodesics(V, np.concatenate([F, other]), maximum_memory=1e9)
+        np.testing.assert_allclose(twice.distances([5]).distances, once, rtol=1e-9)
+
+
 def test_sources(sphere):
     V, F = grid(10)
     geodesics = rl.Geodesics(V, F)

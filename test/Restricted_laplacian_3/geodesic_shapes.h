@@ -86,6 +86,11 @@ inline Triangles anyhow(std::uint32_t n, double stretch, double amount, unsigned
     return (plane[b][0] - plane[a][0]) * (plane[c][1] - plane[a][1]) -
            (plane[b][1] - plane[a][1]) * (plane[c][0] - plane[a][0]);
   };
+  const auto have = [&](std::uint32_t c, std::uint32_t d) { // faces, an edge between these
+    return std::any_of(t.faces.begin(), t.faces.end(), [&](const auto& f) {
+      return std::count(f.begin(), f.end(), c) + std::count(f.begin(), f.end(), d) == 2;
+    });
+  };
   const double least = 0.02 / (n * n);
   for(std::size_t turns = 10 * t.faces.size(); turns > 0; --turns) {
     auto& f = t.faces[generator() % t.faces.size()];
@@ -94,7 +99,8 @@ inline Triangles anyhow(std::uint32_t n, double stretch, double amount, unsigned
     for(auto& g : t.faces)
       for(int m = 0; m < 3; ++m) {
         const std::uint32_t d = g[(m + 2) % 3];
-        if(g[m] == b && g[(m + 1) % 3] == a && area(c, a, d) > least && area(d, b, c) > least) {
+        if(g[m] == b && g[(m + 1) % 3] == a && area(c, a, d) > least && area(d, b, c) > least &&
+           !have(c, d)) {
           f = {c, a, d};
           g = {d, b, c};
           m = 3;
@@ -127,6 +133,19 @@ inline Triangles square_with_flat_faces() {
   t.points.push_back(t.points[2]);
   t.faces.insert(t.faces.end(), {{0, 1, n}, {2, n + 1, 0}, {0, 0, 1}, {2, 2, 2}});
   return t;
+}
+
+/// the unit square with a row of `n` squares that have no height: of sides of no length, or, with
+/// their upper ends moved by a part `shift` of a square, of faces of no area; both but for `height`
+inline Triangles square_with_flat_row(int n, double shift, double height) {
+  const double middle = double(n / 2) / n;
+  return grid(n + 1, [&](double x, double y) {
+    const double i = std::round(x * (n + 1)), j = std::round(y * (n + 1));
+    x = (std::min)(i / n, 1.);
+    if(j == n / 2 + 1)
+      return RL::Point_3(i > 0 && i < n ? x + shift / n : x, middle + height, 0);
+    return RL::Point_3(x, (j > n / 2 ? j - 1 : j) / n, 0);
+  });
 }
 
 /// three half planes that meet in the y-axis, each a grid of `n` by `n` squares

@@ -10,6 +10,7 @@
 #include "special_shapes.h"
 
 #include <CGAL/Restricted_laplacian_3/geodesic_distances.h>
+#include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_function.h>
 #include <CGAL/Restricted_laplacian_3/geodesics/Geodesic_solver.h>
 
 #include <algorithm>
@@ -885,6 +886,42 @@ TEST_CASE("distances_on_hostile_surfaces", "[geodesic]") {
     for(std::size_t v = 0; v < t.points.size(); ++v)
       CHECK(d[v] == Approx(shapes::length(t.points[v] - t.points[0])).margin(1e-12));
   }
+  SECTION("rows of no height") {
+    for(const double height : {0., 1e-15, 1e-13, 1e-10})
+      for(const double shift : {0., 0.3, 0.5}) {
+        CAPTURE(height, shift);
+        const shapes::Triangles t = shapes::square_with_flat_row(8, shift, height);
+        const RL::Geodesic_solver geodesics = shapes::geodesics(t);
+        for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact})
+          for(std::size_t source = 0; source < t.points.size(); ++source) {
+            const Distances d =
+                geodesics.distances(RL::Geodesic_sources::vertex(source), method).distances;
+            for(std::size_t v = 0; v < t.points.size(); ++v) {
+              CAPTURE(source, v, method == RL::Geodesic_method::exact);
+              CHECK(d[v] == Approx(shapes::length(t.points[v] - t.points[source])).margin(1e-8));
+            }
+          }
+        const RL::Surface_location middle{50, {0.2, 0.3, 0.5}};
+        const RL::Point_3 p = geodesics.surface().surface_point(middle).point;
+        RL::Geodesic_sources sources;
+        sources.add_location(middle);
+        const Distances d = geodesics.distances(sources).distances;
+        for(std::size_t v = 0; v < t.points.size(); ++v)
+          CHECK(d[v] == Approx(shapes::length(t.points[v] - p)).margin(1e-8));
+      }
+  }
+  SECTION("a square far from the origin") {
+    const shapes::Triangles t = shapes::moved(
+        shapes::grid(12, [](double x, double y) { return RL::Point_3(x, y, 0); }), {1e8, -1e8, 0});
+    for(std::size_t source = 0; source < t.points.size(); source += 5) {
+      const Distances d =
+          shapes::geodesics(t)
+              .distances(RL::Geodesic_sources::vertex(source), RL::Geodesic_method::exact)
+              .distances;
+      for(std::size_t v = 0; v < t.points.size(); ++v)
+        CHECK(d[v] == Approx(shapes::length(t.points[v] - t.points[source])).margin(1e-7));
+    }
+  }
   SECTION("random soups: no more than along edges, no less than straight through space") {
     for(unsigned seed = 1; seed <= 200; ++seed) {
       CAPTURE(seed);
@@ -897,6 +934,59 @@ TEST_CASE("distances_on_hostile_surfaces", "[geodesic]") {
         CHECK((std::isinf(d[v]) == std::isinf(edges[v]) && d[v] <= edges[v] * (1 + 1e-9)));
         CHECK(d[v] >= shapes::length(t.points[v] - t.points[source]) * (1 - 1e-3));
       }
+    }
+  }
+}
+
+TEST_CASE("faces_may_be_there_twice", "[geodesic]") {
+  const shapes::Triangles once = shapes::sphere(3);
+  const std::size_t n = once.faces.size();
+  shapes::Triangles twice = once, alone;
+  for(std::size_t f = 0; f < n; ++f) {
+    const auto [a, b, c] = once.faces[f];
+    twice.faces.push_back(f % 2 ? std::array<std::uint32_t, 3>{c, b, a}
+                                : std::array<std::uint32_t, 3>{b, c, a});
+  }
+  for(const auto& f : twice.faces) {
+    const auto first = static_cast<std::uint32_t>(alone.points.size());
+    for(std::uint32_t v : f)
+      alone.points.push_back(twice.points[v]);
+    alone.faces.push_back({first, first + 1, first + 2});
+  }
+  const RL::Geodesic_solver solver = shapes::geodesics(once), of_both = shapes::geodesics(twice),
+                            of_alone(RL::Triangulated_surface_3(alone.points, alone.faces), 1e-9);
+  for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+    RL::Geodesic_options options(method);
+    options.maximum_memory = 1e7;
+    const auto distances = [&](const RL::Geodesic_solver& s, const RL::Surface_location& a,
+                               const RL::Surface_location& b) {
+      RL::Geodesic_sources sources;
+      sources.add_segment(a, b);
+      return s.distances(sources, options).distances;
+    };
+    for(const std::size_t f : {std::size_t(10), std::size_t(11)}) {
+      const RL::Surface_location a{f, {0.2, 0.5, 0.3}}, b{f, {0.6, 0.3, 0.1}};
+      const auto in_twin = [&](RL::Surface_location l) {
+        const auto [x, y, z] = l.barycentric;
+        l.face += n;
+        l.barycentric = f % 2 ? std::array<double, 3>{z, y, x} : std::array<double, 3>{y, z, x};
+        return l;
+      };
+      const Distances expected = distances(solver, a, b);
+      for(const RL::Surface_location& end : {b, a}) {
+        const Distances of_one = distances(solver, a, end),
+                        d = distances(of_both, in_twin(a), in_twin(end)),
+                        joined = distances(of_alone, in_twin(a), in_twin(end));
+        for(std::size_t v = 0; v < of_one.size(); ++v)
+          CHECK(d[v] == Approx(of_one[v]).epsilon(1e-8));
+        for(std::size_t i = 0; i < joined.size(); ++i)
+          CHECK(joined[i] == Approx(of_one[twice.faces[i / 3][i % 3]]).epsilon(1e-6));
+      }
+      const RL::Geodesic_distances from =
+          of_both.distances(RL::Geodesic_sources::vertex(7), options);
+      const RL::Geodesic_function function(of_both, from);
+      CHECK(function.value(in_twin(a)) == Approx(function.value(a)).epsilon(1e-12));
+      CHECK(function.shortest_path(in_twin(a)).length == Approx(function.value(a)).epsilon(1e-3));
     }
   }
 }

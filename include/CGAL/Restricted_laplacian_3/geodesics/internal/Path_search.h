@@ -146,8 +146,9 @@ private:
           aside = end;
         if(p.place[(k + 2) % 3] > 0)
           add_beyond({p.face, k},
-                     {s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(p.face, k)}, none,
-                     p);
+                     {off_side(s, corners[k], corners[(k + 1) % 3]), corners[k],
+                      corners[(k + 1) % 3], 0, m_geometry.length(p.face, k)},
+                     none, p);
       }
     });
     while(!m_heap.empty() && m_windows.size() < most_windows) {
@@ -214,11 +215,7 @@ private:
   }
 
   void add_beyond(const Side& out, const Ray_beam& beam, std::uint32_t before, const Point& from) {
-    const Plane_vector &s = beam.source, &p = beam.p, &q = beam.q;
     const double l = m_geometry.length(out.face, out.number);
-    // The start may be in a face of no height.
-    const double least_height =
-        before == none && dot(s - p, q - p) > 0 && dot(q - s, q - p) > 0 ? 2e-14 : 0;
     const auto add = [&](const Ray_window& w) {
       const Side& in = w.side;
       const Geodesic_triangle triangle = m_triangle_of(in.face);
@@ -247,7 +244,7 @@ private:
       entry.window = static_cast<std::uint32_t>(m_windows.size() - 1);
       m_heap.push(entry);
     };
-    for_each_window_beyond(m_geometry, out, beam, {}, add, least_height);
+    for_each_window_beyond(m_geometry, out, beam, {}, add);
   }
 
   void cross(std::uint32_t number, double distance) {

@@ -68,7 +68,8 @@ public:
       m_total_angles(surface.number_of_vertices(), 0),
       m_is_on_boundary(surface.number_of_vertices(), 0) {
     for(std::size_t e = 0; e < m_edges.size(); ++e) {
-      m_is_manifold = m_is_manifold && m_edges.sides(e).size() <= 2;
+      m_is_manifold = m_is_manifold &&
+                      (m_edges.sides(e).size() <= 2 || !is_used(m_edges.sides(e).begin()->face));
       for(const Side& side : m_edges.sides(e))
         m_edge_of_side[3 * side.face + side.number] = static_cast<std::uint32_t>(e);
     }
@@ -173,6 +174,11 @@ public:
   double fan_angle(std::uint32_t face, std::uint32_t k, double t) const {
     const std::size_t i = 3 * face + k % 3;
     return m_starts_at_next[i] ? m_first_angles[i] + t : m_first_angles[i] + m_angles[i] - t;
+  }
+  /// whether angles in the fan grow from one of the two sides at a corner into the face
+  /// \param begins whether it is the side that begins there
+  bool grows_from(std::uint32_t face, std::uint32_t k, bool begins) const {
+    return (m_starts_at_next[3 * face + k % 3] != 0) == begins;
   }
   /// The angles `t` of those directions in a corner that lie between two angles in the fan; none if
   /// the second is not larger than the first.

@@ -86,8 +86,11 @@ public:
   void add_point(std::uint32_t face, const Plane_vector& s, std::uint32_t label) {
     const std::array<Plane_vector, 3> corners = m_geometry.corners(face);
     for(std::uint32_t k = 0; k < 3; ++k) {
+      const Plane_vector &p = corners[k], &q = corners[(k + 1) % 3];
       offer_from(face, k, corners, s, s, label);
-      add_beyond({face, k}, {s, corners[k], corners[(k + 1) % 3], 0, m_geometry.length(face, k)},
+      const bool has_height = m_geometry.apex({face, k}).y > no_height * m_geometry.length(face, k);
+      add_beyond({face, k},
+                 {has_height ? s : off_side(s, p, q), p, q, 0, m_geometry.length(face, k)},
                  {0, no_root, label});
     }
   }
@@ -168,9 +171,9 @@ public:
 private:
   /// gains below this part are rounding
   static constexpr double smallest_gain = 1e-10;
-  /// A vertex is flat though its angles sum to so much more than 2 pi: by rounding; among short
-  /// sides, where cubics are used, also because the shadow behind it is too narrow to matter.
-  static constexpr double flat_by_rounding = 1e-7, flat_to_cubics = 3e-3;
+  /// A vertex is flat though its angles sum to so much more than 2 pi, also because among short
+  /// sides, where cubics are used, the shadow behind it is too narrow to matter.
+  static constexpr double flat_to_cubics = 3e-3;
   /// a ray along an edge may be on any side of it by rounding
   static constexpr double along_edge = 1e-9;
   /// A side shorter than this part of its distance from the source of its rays is short: there a
@@ -348,7 +351,7 @@ private:
     const double all = m_geometry.corner_angle(c.face, c.number),
                  l = m_geometry.length(c.face, c.number),
                  m = m_geometry.length(c.face, c.number + 2);
-    const Plane_vector s{0, 0}, p{l, 0}, q{m * std::cos(all), m * std::sin(all)};
+    const Plane_vector p{l, 0}, q{m * std::cos(all), m * std::sin(all)}, s = off_side({0, 0}, p, q);
     const auto passes = [&](double t) {
       return passing_point(s, {std::cos(t), std::sin(t)}, p, q);
     };
@@ -486,10 +489,8 @@ private:
   /// \param edge its direction
   bool comes_out(std::uint32_t face, std::uint32_t k, bool begins, double edge) const {
     const std::uint32_t v = m_geometry.vertex(face, k);
-    const double phi = m_rays[v].angle, total = m_geometry.total_angle(v),
-                 other = m_geometry.fan_angle(
-                     face, k, begins ? m_geometry.corner_angle(face, k) : 0); // the other edge
-    const double t = other > edge ? phi - edge : edge - phi;                  // through the face
+    const double phi = m_rays[v].angle, total = m_geometry.total_angle(v), // t into the face
+        t = m_geometry.grows_from(face, k, begins) ? phi - edge : edge - phi;
     if(m_geometry.is_on_boundary(v))
       return t > -along_edge;
     return t < -along_edge ? t + total < along_edge - t : t < total - t + along_edge;
@@ -573,9 +574,10 @@ private:
       return;
     Ray ray;
     ray.distance = way.distance;
-    ray.angle = m_geometry.fan_angle(
-        side.face, side.number + 2,
-        angle(Plane_vector{0, 0} - c, Plane_vector{way.t * cubic.length, 0} - c));
+    const Plane_vector from =
+        c.y > no_height * cubic.length ? Plane_vector{way.t * cubic.length, 0} : cubic.source(0, 1);
+    ray.angle =
+        m_geometry.fan_angle(side.face, side.number + 2, angle(Plane_vector{0, 0} - c, from - c));
     ray.origin = cubic.origin;
     offer(m_geometry.vertex(side.face, side.number + 2), ray);
   }

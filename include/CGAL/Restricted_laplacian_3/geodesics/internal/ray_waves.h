@@ -32,11 +32,18 @@ struct Ray_origin {
   std::uint32_t label = 0;
 };
 
+/// A vertex is flat, though its angles sum to so much more than 2 pi by rounding.
+constexpr double flat_by_rounding = 1e-7;
+
 /// What is closer to the end of a side than this part of its length is at the end. A ray through a
 /// vertex goes on to both sides of it; one of the two windows would be as wide as a rounding error,
 /// and be divided again at each vertex on the line: on regular grids their number would double and
 /// double. It is not made, and the one on the other side begins at the vertex, so none is lost.
 constexpr double close_to_end = 1e-9;
+
+/// A corner that is not farther from the opposite side, over its length, lies on it: lengths tell
+/// the height of a face up to the root of rounding.
+constexpr double no_height = 1e-7;
 
 /// Where on the way from `p` to `q` a ray from `s` passes, in units of length.
 inline double passing_point(const Plane_vector& s, const Plane_vector& direction,
@@ -88,21 +95,31 @@ struct Ray_beam {
   double first, last; // the part of the side
 };
 
+/// A source in a face, which lies left of the side from `p` to `q`. If it lies in the side, since
+/// the face has no height, it is moved off by next to nothing: else no rays would pass.
+inline Plane_vector off_side(const Plane_vector& source, const Plane_vector& p,
+                             const Plane_vector& q) {
+  constexpr double least_height = 1e-12; // over the length of the side
+  const Plane_vector e = q - p;
+  const double square = dot(e, e), along = dot(source - p, e),
+               missing = least_height * square - std::abs(cross(e, source - p));
+  if(!(missing > 0 && along > 0 && along < square))
+    return source;
+  return source + missing / square * Plane_vector{-e.y, e.x};
+}
+
 /// Calls `visit(window)` for the windows in the faces beyond a side through which rays pass; none
 /// if they come along the side.
-/// \param least_height what the source is taken to be off the side, at least
 template <class Visitor>
 void for_each_window_beyond(const Ray_geometry& geometry, const Ray_geometry::Side& side,
-                            const Ray_beam& beam, const Ray_origin& origin, Visitor&& visit,
-                            double least_height = 0) {
+                            const Ray_beam& beam, const Ray_origin& origin, Visitor&& visit) {
   constexpr double along_the_side = 1e-14;
   const double l = geometry.length(side.face, side.number), first = beam.first, last = beam.last;
   if(!(last > first))
     return;
   const Plane_vector u = (1 / l) * (beam.q - beam.p);
   const double x = dot(beam.source - beam.p, u),
-               height =
-                   (std::max)(std::abs(internal::cross(u, beam.source - beam.p)), least_height * l);
+               height = std::abs(internal::cross(u, beam.source - beam.p));
   if(!(height > along_the_side * l))
     return;
   geometry.for_each_beyond(side, [&](const Ray_geometry::Side& other) {
@@ -143,19 +160,22 @@ void cross_face(const Ray_geometry& geometry, const Ray_window& w, const Nearest
   const std::uint32_t face = w.side.face, k = w.side.number;
   const Plane_vector &s = w.source, a{0, 0}, b{geometry.length(face, k), 0},
                      c = geometry.apex(w.side), to_apex = c - s;
-  const double distance = to_apex.length(), passes = s.x - s.y * to_apex.x / to_apex.y,
-               slack = rounding * b.x * distance / to_apex.y;
-  const bool sees_apex = w.first < passes + slack && w.last > passes - slack,
-             is_nearest = w.origin.offset + distance < nearest.distance * (1 - rounding);
+  const double distance = to_apex.length(), passes = s.x - s.y * to_apex.x / to_apex.y;
+  const auto sees_apex = [&](double tolerance) {
+    const double slack = tolerance * b.x * distance / to_apex.y;
+    return w.first < passes + slack && w.last > passes - slack;
+  };
+  const bool is_nearest = w.origin.offset + distance < nearest.distance * (1 - rounding);
   // the rays to the left side end, and those to the right side begin, at that to the corner
   double left_last = (std::min)(w.last, passes), right_first = (std::max)(w.first, passes);
   if(!is_nearest && std::abs(passes - nearest.passes) > close_to_end * b.x) {
     left_last = (std::min)(left_last, nearest.passes);
     right_first = (std::max)(right_first, nearest.passes);
-    if(sees_apex && nearest.begins_at_vertex)
+    if(sees_apex(rounding) && nearest.begins_at_vertex)
       passes < nearest.passes ? right_first = w.last : left_last = w.first;
   }
-  if(sees_apex)
+  // The windows on the two sides of a vertex that is flat by rounding may leave a gap.
+  if(sees_apex(flat_by_rounding))
     at_apex(c, distance, passes);
   const auto where = [&](double x, const Plane_vector& p, const Plane_vector& q) {
     return passing_point(s, {x - s.x, -s.y}, p, q);
@@ -199,24 +219,26 @@ struct Ray_cubic {
     constexpr double longest_step = 0.3;
     constexpr int newton_steps = 3;
     const Plane_vector s = source(0, 1);
+    const bool is_on_side = c.y <= no_height * length;
     Way way;
-    way.t = (s.x - s.y * (c.x - s.x) / (c.y - s.y)) / length;
+    way.t = (is_on_side ? c.x : s.x - s.y * (c.x - s.x) / (c.y - s.y)) / length;
     double distance = 0;
     for(int step = 0;; ++step) {
       const double y = square(way.t), along = way.t * length - c.x,
                    beyond = Plane_vector{along, c.y}.length();
-      if(!(y > 0) || !(beyond > 0))
+      if(!(y > 0))
         return {};
       const auto& q = coefficients;
-      const double r = std::sqrt(y), slope = q[1] + way.t * (2 * q[2] + 3 * way.t * q[3]),
+      const double r = std::sqrt(y);
+      distance = origin.offset + r + beyond;
+      if(step == newton_steps || is_on_side)
+        break;
+      const double slope = q[1] + way.t * (2 * q[2] + 3 * way.t * q[3]),
                    curvature = 2 * q[2] + 6 * way.t * q[3],
                    second = curvature / (2 * r) - slope * slope / (4 * y * r) +
                             length * length * c.y * c.y / (beyond * beyond * beyond);
       if(!(second > 0))
         return {};
-      distance = origin.offset + r + beyond;
-      if(step == newton_steps)
-        break;
       const double move = -(slope / (2 * r) + length * along / beyond) / second;
       way.t += (std::max)(-longest_step, (std::min)(longest_step, move));
     }
