@@ -164,8 +164,8 @@ struct Near_vertices {
 /// sources, at the shadows of saddles and boundaries, at ridges and on long needles, elsewhere by a
 /// cubic in the squared distance along each edge; see \ref RL_theory_distances. On the meshes of
 /// \ref RL_distance_study they differ from exact distances by less than 0.03 % in the mean. The
-/// surface need not be a manifold, nor orientable, nor connected. Faces with the same vertices count
-/// once, vertices at the two ends of a side of no length are one, and faces may have no area.
+/// surface need not be a manifold, nor orientable, nor connected. Faces with the same vertices
+/// count once, vertices at the two ends of a side of no length are one, and faces may have no area.
 ///
 /// A query takes time and memory nearly linear in the number of faces. Queries may run at the same
 /// time; their results do not depend on the number of threads.

@@ -34,7 +34,8 @@ namespace internal {
 /// that has no other face is one with those that are not farther than a tolerance, and where such a
 /// vertex lies on a side, or any vertex on such a side, the face is divided there. Without a
 /// tolerance, too, the ends of sides of no length are one, and other faces take the places of
-/// `Twin_faces`. Faces keep their numbers; what else a divided face becomes has numbers behind them.
+/// `Twin_faces`. Faces keep their numbers; what else a divided face becomes has numbers behind
+/// them.
 class Joined_surface {
 public:
   using Barycentric = std::array<double, 3>;
