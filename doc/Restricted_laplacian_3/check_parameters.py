@@ -32,8 +32,8 @@ PYTHON_ONLY = """F anisotropy areas as_spline barycentric boundary cache check c
     energies exact f faces factor first fwhm gradient_scale guess height isolines k_eig labels landmarks
     laplacian_weight length level lines longest_side mask name names normalization normals number op_cache_dir
     orthonormal out overwrite_cache patterns per_parcel points positions processes range refine report
-    return_report scaled scans segments sigma signal sources stabilize_mass start step steps subdivisions targets
-    threads time time_step times title u0 up v values vertex_normals""".split()
+    return_report scaled scans segments sigma signal sources stabilize_mass start step steps subdivisions target_points
+    targets threads time time_step times title u0 up v values vertex_normals""".split()
 PROGRAMS_ONLY = """anisotropy assembly beside boundary boundary-property clip column columns compare count csv
     density-property descriptor diffusion-property eigenfunction energy exact exposure-range exposures factor
     farthest field-of-view flux-property frame fwhm gradient-scale gradient-scale-property help html isolines

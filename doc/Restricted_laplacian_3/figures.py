@@ -531,6 +531,8 @@ MATRIX = {"restricted": "this, two threads", "pygeodesic": "pygeodesic, exact", 
 for name, value in (("square", "square_s"), ("row", "row_s"), ("near", "near_s")):
     add_table("matrix_" + name, "distance_matrix", ["method", "square_s"], {"Method": of(MATRIX)}, lambda r: "seconds",
               value, seconds, 1)
+add_table("matrix_all", "distance_matrix", ["method", "all_s"], {"Method": of(MATRIX)}, lambda r: "minutes",
+          lambda r: r["all_s"] / 60, seconds, 1)
 add_table("matrix_errors", lambda: [Row(r, column=title, value=r[column]) for column, title in (
     ("mean_error", "mean"), ("max_error", "largest")) for r in rows("distance_matrix", "method", "mean_error")],
           [], {"Method": of(MATRIX)}, "column", "value", error)

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional
+from typing import Any, Callable, NamedTuple, Optional
 
 import numpy as np
 import scipy.sparse
@@ -66,30 +66,51 @@ def _barycentric(values: Any, name: str) -> np.ndarray:
     return result
 
 
+def _in_faces(given: Any, name: str) -> tuple[np.ndarray, ...]:
+    """Faces and barycentric coordinates of points, or of both ends of segments; perhaps none."""
+    number = 3 if name == "segments" else 2
+    if given is None:
+        return (np.zeros(0, np.int64),) + (np.zeros((0, 3)),) * (number - 1)
+    parts = list(given)
+    if len(parts) != number:
+        raise argument_error(name, "must be faces, and barycentric coordinates"
+                             + (" of both ends" if number == 3 else ""))
+    return (whole_numbers(parts[0], name), *(_barycentric(p, name) for p in parts[1:]))
+
+
+def _symmetric(matrix: scipy.sparse.csr_matrix) -> scipy.sparse.csr_matrix:
+    """The mean of the entries (i, j) and (j, i), or the one that there is."""
+    own = matrix.tocoo()
+    places = np.concatenate([own.row, own.col]), np.concatenate([own.col, own.row])
+    sums, counts = (scipy.sparse.coo_matrix((np.tile(data, 2), places), matrix.shape).tocsr()
+                    for data in (own.data, np.ones(own.nnz)))
+    sums.data /= counts.data  # both have the same entries in the same order
+    return sums
+
+
+def _part(tell: Optional[Callable[[float], Any]], begin: float, end: float) -> Optional[Callable[[float], Any]]:
+    """What tells the progress of a part of the work."""
+    return None if tell is None else lambda done: tell(begin + done * (end - begin))
+
+
+def _sparse(distances: np.ndarray) -> scipy.sparse.csr_matrix:
+    """The finite ones, also those that are 0."""
+    is_near = np.isfinite(distances)
+    first = np.concatenate([[0], np.cumsum(is_near.sum(axis=1))])
+    return scipy.sparse.csr_matrix((distances[is_near], np.nonzero(is_near)[1], first), shape=distances.shape)
+
+
 def _sources(number_of_vertices: int, sources: Any, points: Any, segments: Any, boundary: bool,
              labels: Any) -> tuple[Any, ...]:
     """Arguments of the C++ library."""
     vertices = vertex_numbers(np.zeros(0, np.int64) if sources is None else sources, "sources",
                               number_of_vertices)
-    faces: list[np.ndarray] = []
-    starts: list[np.ndarray] = []
-    ends: list[np.ndarray] = []
-    for given, name in ((points, "points"), (segments, "segments")):
-        if given is None:
-            continue
-        parts = list(given)
-        if len(parts) != (2 if name == "points" else 3):
-            raise argument_error(name, "must be faces, and barycentric coordinates"
-                                 + (" of both ends" if name == "segments" else ""))
-        faces.append(whole_numbers(parts[0], name))
-        starts.append(_barycentric(parts[1], name))
-        ends.append(_barycentric(parts[-1], name))
-    none = np.zeros((0, 3))
-    own_faces = np.concatenate([np.zeros(0, np.int64), *faces])
-    number = len(vertices) + len(own_faces) + bool(boundary)
+    of_points = _in_faces(points, "points")
+    of_segments = _in_faces(segments, "segments")
+    faces, starts, ends = (np.concatenate([of_points[i], of_segments[j]]) for i, j in ((0, 0), (1, 1), (1, 2)))
+    number = len(vertices) + len(faces) + bool(boundary)
     own_labels = np.arange(number) if labels is None else whole_numbers(labels, "labels")
-    return (vertices, own_faces, np.concatenate([none, *starts]), np.concatenate([none, *ends]),
-            bool(boundary), own_labels)
+    return vertices, faces, starts, ends, bool(boundary), own_labels
 
 
 @shown("geodesics")
@@ -348,18 +369,23 @@ class Geodesics:
             raise argument_error("values", f"has the shape {own.shape}, but there are {n} vertices")
         return self._solver.signed_distances(np.ascontiguousarray(own), self._query(exact, progress, maximum_distance))  # type: ignore[no-any-return]
 
-    def distance_matrix(self, sources: Any = None, targets: Any = None, *,
-                        maximum_distance: Optional[float] = None, out: Any = None,
-                        exact: bool = False, progress: Progress = None) -> Any:
-        """Distances of many vertices from many vertices, on several threads.
+    def distance_matrix(self, sources: Any = None, targets: Any = None, *, points: Any = None,
+                        target_points: Any = None, maximum_distance: Optional[float] = None,
+                        out: Any = None, exact: bool = False, progress: Progress = None) -> Any:
+        """Distances between many places, on several threads.
 
         Parameters
         ----------
         sources : array_like of int, optional
-            Vertices, or a mask (n,) of them; all by default.
+            Vertices, or a mask (n,) of them; all by default, if there are no points either.
         targets : array_like of int, optional
-            Vertices, or a mask (n,) of them; all by default. A propagation ends when it has reached them. If they
-            are the sources, the result is symmetric: the mean of both directions.
+            Vertices, or a mask (n,) of them; all by default, if there are no points either. A propagation ends when
+            it has reached them. If they are the sources, the result is symmetric: the mean of both directions.
+        points : (faces, barycentric), optional
+            Points in faces that are sources, too, after the vertices: rows of ``F``, and three coordinates for each.
+        target_points : (faces, barycentric), optional
+            Points in faces that are targets, too, after the vertices. Between the corners of faces distances are
+            those of `function`.
         maximum_distance : float, optional
             Distances beyond are left out of a sparse result, and take no time.
         out : numpy.ndarray, (k, m), optional
@@ -386,37 +412,54 @@ class Geodesics:
         True
         >>> geodesics.distance_matrix([0], maximum_distance=0.2).nnz
         6
+        >>> centers = [0, 10, 20], [[1/3, 1/3, 1/3]] * 3  # of three faces
+        >>> geodesics.distance_matrix(points=centers, target_points=centers).shape
+        (3, 3)
         """
         n = self._surface.number_of_vertices
-        rows = np.arange(n) if sources is None else vertex_numbers(sources, "sources", n)
-        columns = None if targets is None else vertex_numbers(targets, "targets", n)
-        if maximum_distance is not None:
-            if out is not None:
-                raise argument_error("out", "is for all distances, not for those up to a maximum")
-            first, found, values = self._solver.near_vertices(rows, float(maximum_distance), self._query(exact, progress))
-            near = scipy.sparse.csr_matrix((values, found, first), shape=(len(rows), n))
-            return near if columns is None else near[:, columns]
-        is_square = (sources is None and columns is None) or (columns is not None and np.array_equal(rows, columns))
-        width = n if columns is None else len(columns)
+
+        def places(of: Any, name: str, in_faces: Any, name_in_faces: str) -> tuple[np.ndarray, ...]:
+            vertices = np.arange(n if in_faces is None else 0) if of is None else vertex_numbers(of, name, n)
+            return vertices, *_in_faces(in_faces, name_in_faces)
+        begins, ends = (places(sources, "sources", points, "points"),
+                        places(targets, "targets", target_points, "target_points"))
+        is_square = all(np.array_equal(a, b) for a, b in zip(begins, ends))
+        is_to_all = targets is None and target_points is None
+        to = None if is_to_all else _core.Places(*ends)
+        height, width = (len(of[0]) + len(of[1]) for of in (begins, ends))
+        if maximum_distance is not None and out is not None:
+            raise argument_error("out", "is for all distances, not for those up to a maximum")
+        if maximum_distance is not None and target_points is None:
+            first, found, values = self._solver.near_vertices(_core.Places(*begins), float(maximum_distance),
+                                                              self._query(exact, progress))
+            near = scipy.sparse.csr_matrix((values, found, first), shape=(height, n))
+            near = near if is_to_all else near[:, ends[0]]
+            return _symmetric(near) if is_square else near
         if out is None:
-            found = self._solver.distance_matrix(rows, columns, self._query(exact, progress)).reshape(len(rows), width)
-            return (found + found.T) / 2 if is_square else found
-        if getattr(out, "shape", None) != (len(rows), width):
-            raise argument_error("out", f"must have the shape {(len(rows), width)}")
+            out = np.empty((height if maximum_distance is None else 0, width))
+        elif getattr(out, "shape", None) != (height, width):
+            raise argument_error("out", f"must have the shape {(height, width)}")
         tell = listener(progress)
         size = max(1, min(256, int(_BYTES_AT_ONCE / (8 * max(width, 1)))))
-        for begin in range(0, len(rows), size):
-            block = rows[begin:begin + size]
-            out[begin:begin + size] = self._solver.distance_matrix(block, columns, self._query(exact, None)).reshape(
-                len(block), width)
-            if tell is not None and tell(min(1, (begin + size) / len(rows))) is False:
-                raise Canceled("canceled by progress")
-        if is_square:
-            for begin in range(0, len(rows), size):
-                for other in range(0, begin + 1, size):
-                    mean = (out[begin:begin + size, other:other + size] + out[other:other + size, begin:begin + size].T) / 2
-                    out[begin:begin + size, other:other + size] = mean
-                    out[other:other + size, begin:begin + size] = mean.T
+        blocks = [_sparse(out[:0])]
+        for begin in range(0, height, size):
+            end, k = min(begin + size, height), len(begins[0])
+            own = _core.Places(begins[0][begin:end], *(a[max(begin - k, 0):max(end - k, 0)] for a in begins[1:]))
+            part = _part(tell, begin / height, end / height)
+            block = self._solver.distance_matrix(own, to, self._query(exact, part, maximum_distance)).reshape(
+                end - begin, width)
+            if maximum_distance is None:
+                out[begin:end] = block
+            else:
+                blocks.append(_sparse(block))
+        if maximum_distance is not None:
+            near = scipy.sparse.vstack(blocks, "csr")
+            return _symmetric(near) if is_square else near
+        for begin in range(0, height if is_square else 0, size):
+            for other in range(0, begin + 1, size):
+                mean = (out[begin:begin + size, other:other + size] + out[other:other + size, begin:begin + size].T) / 2
+                out[begin:begin + size, other:other + size] = mean
+                out[other:other + size, begin:begin + size] = mean.T
         return out
 
     def parcel_distances(self, parcels: Any, *, per_parcel: int = 32, exact: bool = False,

@@ -117,31 +117,55 @@ nb::object signed_distances(const RL::Geodesic_solver& solver, const Numbers& va
                        1);
 }
 
-std::vector<RL::Geodesic_sources> sources_at(const Integers& vertices) {
-  std::vector<RL::Geodesic_sources> sources;
-  for(std::size_t i = 0; i < vertices.size(); ++i)
-    sources.push_back(RL::Geodesic_sources::vertex(index_of(vertices.data()[i])));
-  return sources;
-}
+// vertices, and points in faces
+struct Places {
+  Places(const Integers& v, const Integers& faces, const Rows& barycentric)
+    : vertices(v.data(), v.data() + v.size()) {
+    check_width(barycentric, faces.size(), "barycentric");
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      locations.push_back(location_of(faces.data()[i], barycentric.data() + 3 * i));
+  }
 
-nb::object distance_matrix(const RL::Geodesic_solver& solver, const Integers& vertices,
-                           const std::optional<Integers>& to, const Query& query) {
-  const std::vector<RL::Geodesic_sources> sources = sources_at(vertices);
-  std::vector<std::size_t> targets;
-  for(std::size_t i = 0; to && i < to->size(); ++i)
-    targets.push_back(index_of(to->data()[i]));
+  std::size_t size() const { return vertices.size() + locations.size(); }
+  // each alone
+  std::vector<RL::Geodesic_sources> sources() const {
+    std::vector<RL::Geodesic_sources> result;
+    for(const std::size_t v : vertices)
+      result.push_back(RL::Geodesic_sources::vertex(v));
+    for(const RL::Surface_location& location : locations)
+      result.emplace_back().add_location(location);
+    return result;
+  }
+  std::vector<RL::Surface_location> all_locations(const RL::Geodesic_solver& solver) const {
+    std::vector<RL::Surface_location> result;
+    for(const std::size_t v : vertices)
+      result.push_back(solver.location(v));
+    result.insert(result.end(), locations.begin(), locations.end());
+    return result;
+  }
+
+  std::vector<std::size_t> vertices;
+  std::vector<RL::Surface_location> locations;
+};
+
+// One row after the other; to all vertices, without targets.
+nb::object distance_matrix(const RL::Geodesic_solver& solver, const Places& from,
+                           const std::optional<Places>& to, const Query& query) {
+  const std::vector<RL::Geodesic_sources> sources = from.sources();
   std::vector<double> found = query.run([&](const auto& options) {
-    return to ? solver.distance_matrix(sources, targets, options)
-              : solver.distance_matrix(sources, options);
+    if(!to)
+      return solver.distance_matrix(sources, options);
+    return to->locations.empty()
+               ? solver.distance_matrix(sources, to->vertices, options)
+               : solver.distance_matrix(sources, to->all_locations(solver), options);
   });
-  return array_of_rows(std::move(found),
-                       to ? targets.size() : solver.surface().number_of_vertices());
+  return array_of_rows(std::move(found), 1);
 }
 
 // (where rows begin, vertices, distances)
-nb::tuple near_vertices(const RL::Geodesic_solver& solver, const Integers& vertices,
+nb::tuple near_vertices(const RL::Geodesic_solver& solver, const Places& from,
                         double maximum_distance, const Query& query) {
-  const std::vector<RL::Geodesic_sources> sources = sources_at(vertices);
+  const std::vector<RL::Geodesic_sources> sources = from.sources();
   const std::vector<RL::Near_vertices> found = query.run([&](const auto& options) {
     return solver.near_vertices(sources, maximum_distance, options);
   });
@@ -286,6 +310,9 @@ void add_distances(nb::module_& m) {
           },
           "exact"_a, "maximum_memory"_a.none(), "maximum_distance"_a.none(), "threads"_a,
           "progress"_a.none());
+  nb::class_<Places>(m, "Places")
+      .def(nb::init<const Integers&, const Integers&, const Rows&>(), "vertices"_a, "faces"_a,
+           "barycentric"_a);
   nb::class_<RL::Geodesic_fitter>(m, "GeodesicFitter")
       .def_static("make", &make_fitter, "space"_a, "threads"_a);
   nb::class_<Distance_function>(m, "DistanceFunction")
@@ -302,8 +329,8 @@ void add_distances(nb::module_& m) {
            "labels"_a, "query"_a, "fitter"_a.none())
       .def("location", &location_of_vertex, "vertex"_a)
       .def("signed_distances", &signed_distances, "values"_a, "query"_a)
-      .def("distance_matrix", &distance_matrix, "vertices"_a, "targets"_a.none(), "query"_a)
-      .def("near_vertices", &near_vertices, "vertices"_a, "maximum_distance"_a, "query"_a)
+      .def("distance_matrix", &distance_matrix, "sources"_a, "targets"_a.none(), "query"_a)
+      .def("near_vertices", &near_vertices, "sources"_a, "maximum_distance"_a, "query"_a)
       .def("farthest_points", &farthest_points, "number"_a, "vertices"_a, "query"_a);
 }
 

@@ -164,6 +164,53 @@ def test_distances_between_many(sphere, tmp_path):
         geodesics.distance_matrix(out=out, progress=lambda _: False)
 
 
+def test_distances_between_points(sphere):
+    V, F = sphere
+    geodesics = rl.Geodesics(V, F)
+    faces, barycentric = [5, 300, 77], [[0.2, 0.3, 0.5], [0, 0, 1], [1 / 3] * 3]
+    points = faces, barycentric
+    # points in faces are rows and columns after the vertices
+    mixed = geodesics.distance_matrix([0, 9], [4], points=points, target_points=points)
+    assert mixed.shape == (5, 4)
+    for row, d in zip(mixed, [geodesics.function(0), geodesics.function(9)]
+                      + [geodesics.function(points=([f], [b])) for f, b in zip(*points)]):
+        expected = [d([f], [np.eye(3)[k]])[0] for f, k in [np.argwhere(np.asarray(F) == 4)[0]]] + list(d(*points))
+        assert np.allclose(row, expected, rtol=1e-3, atol=1e-9)
+    assert np.allclose(geodesics.distance_matrix(points=points), np.stack(
+        [geodesics.distances(points=([f], [b])).distances for f, b in zip(*points)]))
+    # one that is a vertex, and the mean of both directions
+    assert np.allclose(geodesics.distance_matrix([0], target_points=points)[0, 1],
+                       geodesics.distances(0).distances[F[300][2]], rtol=1e-3)
+    square = geodesics.distance_matrix(points=points, target_points=points)
+    assert square.shape == (3, 3) and np.array_equal(square, square.T) and (abs(square.diagonal()) < 1e-9).all()
+    places = np.einsum("nk,nkc->nc", barycentric, V[np.asarray(F)[faces]])
+    places /= np.linalg.norm(places, axis=1)[:, None]
+    angles = np.arccos(np.clip(places @ places.T, -1, 1))
+    assert np.allclose(square, angles, rtol=1e-2, atol=1e-7)
+    # near ones only, with the zeros, symmetric as well
+    limit = (square[0, 1] + square[0, 2]) / 2
+    near = geodesics.distance_matrix(points=points, target_points=points, maximum_distance=limit)
+    assert near.nnz == (square <= limit).sum() >= 5
+    assert np.allclose(near.toarray(), np.where(square <= limit, square, 0), rtol=1e-3, atol=1e-9)
+    some = [3, 0, 77, 200]
+    all_of_some = geodesics.distance_matrix(some, some)
+    near = geodesics.distance_matrix(some, some, maximum_distance=1.5)
+    assert (near != near.T).nnz == 0 and near.nnz == (all_of_some <= 1.5).sum()
+    assert np.allclose(near.toarray(), np.where(all_of_some <= 1.5, all_of_some, 0), rtol=2e-3)
+    none = [], np.zeros((0, 3))
+    assert geodesics.distance_matrix(points=none, target_points=points).shape == (0, 3)
+    assert geodesics.distance_matrix(points=points, target_points=none).shape == (3, 0)
+    for bad in (([len(F)], [[1, 0, 0]]), ([0], [[0.7, 0.7, 0]]), ([0], [[1, 0]]), ([0, 1], [[1, 0, 0]]), ([0],)):
+        with pytest.raises(rl.InputError):
+            geodesics.distance_matrix(points=bad)
+        with pytest.raises(rl.InputError):
+            geodesics.distance_matrix([0], target_points=bad)
+    told = []
+    with pytest.raises(rl.Canceled):
+        geodesics.distance_matrix(progress=lambda part: told.append(part) or part < 0.1)
+    assert max(told) < 0.5
+
+
 def test_parcels(sphere):
     V, F = sphere
     parcels = np.where(abs(V[:, 2]) > 0.2, (V[:, 2] > 0).astype(int) + 3, -1)

@@ -424,9 +424,76 @@ TEST_CASE("distances_end_at_targets_and_at_a_maximum", "[geodesic]") {
       }
     }
     CHECK_THROWS_AS(geodesics.near_vertices(sources, -1), RL::Parameter_error);
-    CHECK_THROWS_AS(geodesics.distance_matrix(sources, {t.points.size()}),
+    CHECK_THROWS_AS(geodesics.distance_matrix(sources, std::vector<std::size_t>{t.points.size()}),
                     RL::Invalid_vertex_error);
     CHECK(geodesics.distance_matrix(sources, std::vector<std::size_t>()).empty());
+  }
+}
+
+TEST_CASE("distances_may_end_anywhere_in_faces", "[geodesic]") {
+  // corners, a side, and the inside of faces
+  std::vector<RL::Surface_location> places;
+  for(const std::size_t face : {3, 40, 41, 90})
+    for(const std::array<double, 3>& l :
+        {std::array<double, 3>{0.2, 0.3, 0.5}, {0, 0.4, 0.6}, {0, 0, 1}, {0.5, 0.25, 0.25}})
+      places.push_back({face, l});
+  const std::size_t n = places.size();
+  std::vector<RL::Geodesic_sources> sources = {RL::Geodesic_sources::vertex(17)};
+  for(const RL::Surface_location& place : places)
+    sources.emplace_back().add_location(place);
+  sources.emplace_back().add_segment(places[0], places[3]);
+  const auto in_plane = [](double x, double y) { return RL::Point_3(x, y, 0); };
+  for(const shapes::Triangles& t :
+      {shapes::grid(9, in_plane), shapes::crumpled(shapes::sphere(3), 0.2, 5),
+       shapes::box(1, 1, 0.3, 8, 3), shapes::joined(shapes::sphere(2), shapes::sphere(2)),
+       shapes::joined(shapes::sphere(1), shapes::moved(shapes::sphere(2), {3, 0, 0}))}) {
+    const RL::Geodesic_solver geodesics = shapes::geodesics(t);
+    const bool is_flat = std::all_of(t.points.begin(), t.points.end(),
+                                     [](const RL::Point_3& p) { return p.z() == 0; });
+    const auto at = [&](const RL::Surface_location& location) {
+      return geodesics.surface().surface_point(location).point;
+    };
+    for(const auto method : {RL::Geodesic_method::fast, RL::Geodesic_method::exact}) {
+      RL::Geodesic_options options(method);
+      const Distances found = geodesics.distance_matrix(sources, places, options);
+      options.is_parallel = true;
+      CHECK(geodesics.distance_matrix(sources, places, options) == found);
+      options.maximum_distance = 0.4;
+      const Distances near = geodesics.distance_matrix(sources, places, options);
+      REQUIRE(found.size() == sources.size() * n);
+      REQUIRE(near.size() == found.size());
+      const double epsilon = method == RL::Geodesic_method::exact ? 1e-9 : 2e-3;
+      for(std::size_t i = 0; i < sources.size(); ++i) {
+        const RL::Geodesic_function all(geodesics, geodesics.distances(sources[i], method));
+        for(std::size_t k = 0; k < n; ++k) {
+          const double d = found[i * n + k], expected = all.value(places[k]);
+          if(std::isinf(expected))
+            CHECK(std::isinf(d));
+          else
+            CHECK(d == Approx(expected).epsilon(epsilon).margin(1e-12));
+          if(i > 0 && i <= n && k == i - 1)
+            CHECK(d < 1e-12);
+          if(is_flat && i > 0 && i <= n)
+            CHECK(d == Approx(shapes::length(at(places[k]) - at(places[i - 1])))
+                           .epsilon(epsilon)
+                           .margin(1e-12));
+          if(d > 0.4 * (1 + epsilon))
+            CHECK(std::isinf(near[i * n + k]));
+          else if(d < 0.4 * (1 - epsilon))
+            CHECK(near[i * n + k] == Approx(d).epsilon(epsilon).margin(1e-12));
+        }
+      }
+    }
+    CHECK(geodesics.distance_matrix(sources, std::vector<RL::Surface_location>()).empty());
+    CHECK_THROWS_AS(geodesics.distance_matrix(
+                        sources, std::vector<RL::Surface_location>{{t.faces.size(), {1, 0, 0}}}),
+                    RL::Location_error);
+    CHECK_THROWS_AS(
+        geodesics.distance_matrix(sources, std::vector<RL::Surface_location>{{0, {0.7, 0.7, 0}}}),
+        RL::Location_error);
+    RL::Geodesic_options negative;
+    negative.maximum_distance = -1e-3;
+    CHECK_THROWS_AS(geodesics.distance_matrix(sources, places, negative), RL::Parameter_error);
   }
 }
 

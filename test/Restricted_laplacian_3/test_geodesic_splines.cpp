@@ -393,6 +393,9 @@ TEST_CASE("distances_of_points_without_faces", "[geodesic_spline]") {
     RL::Geodesic_sources location;
     location.add_location({3, {1, 0, 0}});
     CHECK(rays.distances(location).distances == d.distances().distances);
+    const std::vector<double> found =
+        rays.distance_matrix({location}, std::vector<RL::Surface_location>{{100, {1, 0, 0}}});
+    CHECK((found.size() == 1 && found[0] == Approx(d.value(rays.location(100)))));
     CHECK_THROWS_AS(d.value({t.points.size(), {1, 0, 0}}), RL::Location_error);
   }
   SECTION("both sides of a thin plate: around its rim") {

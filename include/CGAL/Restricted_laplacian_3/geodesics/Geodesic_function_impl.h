@@ -24,7 +24,6 @@ namespace CGAL {
 namespace Restricted_laplacian_3 {
 
 struct Geodesic_function::Impl {
-  using Corner = internal::Ray_geometry::Corner;
   using Side = internal::Ray_geometry::Side;
   using Triangle = internal::Geodesic_triangle;
 
@@ -32,16 +31,7 @@ struct Geodesic_function::Impl {
     const std::size_t n = solver.surface().number_of_vertices();
     if(distances.distances.size() != n || distances.angles.size() != n)
       throw Parameter_error("distances", "are not those of the vertices of the surface");
-    auto all = solver.m_impl->all(distances.sources);
-    sources.swap(all.parts);
-    for(const auto& [v, label] : all.vertices)
-      geometry().for_each_corner(v, [&, label = label](const Corner& c) {
-        internal::Source_part source{c.face, {0, 0, 0}, {0, 0, 0}, label};
-        source.from[c.number] = source.to[c.number] = 1;
-        sources.push_back(source);
-      });
-    std::stable_sort(sources.begin(), sources.end(),
-                     [](const auto& a, const auto& b) { return a.face < b.face; });
+    sources = solver.m_impl->parts(distances.sources);
   }
 
   /// joined
@@ -56,33 +46,10 @@ struct Geodesic_function::Impl {
     return {distances.distances[i], -1. * distances.directions[i]};
   }
 
-  /// \throws Location_error if it is none
-  internal::Joined_surface::Place place(const Surface_location& location) const {
-    const auto checked = solver.m_impl->checked(location);
-    if(!is_point_set())
-      return solver.m_impl->surface.joined(Surface_location{location.face, checked});
-    return solver.m_impl->place_of_vertex(
-        solver.m_impl->surface.vertex(static_cast<std::uint32_t>(location.face)));
-  }
-
   Triangle triangle(std::uint32_t face) const {
-    Triangle::Barycentric d, angles;
-    for(std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = geometry().vertex(face, k);
-      d[k] = distances.distances[v] / unit();
-      angles[k] = distances.angles[v];
-    }
-    const auto is_before = [](const internal::Source_part& s, std::uint32_t f) {
-      return s.face < f;
-    };
-    const auto first = std::lower_bound(sources.begin(), sources.end(), face, is_before),
-               last = std::lower_bound(first, sources.end(), face + 1, is_before);
-    return {geometry(),
-            face,
-            d,
-            angles,
-            sources.data() + (first - sources.begin()),
-            sources.data() + (last - sources.begin())};
+    return solver.m_impl->triangle(face, sources, [this](std::uint32_t v) {
+      return std::pair(distances.distances[v] / unit(), distances.angles[v]);
+    });
   }
 
   /// a value in the frame of side 0 of a face, as one in space
@@ -150,7 +117,7 @@ Geodesic_function::bounded(const Surface_location& location) const {
     m_impl->solver.m_impl->checked(location);
     return m_impl->at_point(location.face);
   }
-  const auto [face, barycentric] = m_impl->place(location);
+  const auto [face, barycentric] = m_impl->solver.m_impl->place(location);
   return m_impl->in_space(face, m_impl->triangle(face).bounded(barycentric));
 }
 
@@ -177,7 +144,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_path
 Geodesic_function::shortest_path(const Surface_location& from) const {
   if(std::isinf(value(from)))
     throw Location_error("no source is reached from face " + std::to_string(from.face));
-  const auto [start_face, start_place] = m_impl->place(from);
+  const auto [start_face, start_place] = m_impl->solver.m_impl->place(from);
   const internal::Path_search::Point start{start_face, start_place};
   internal::Path_search search(m_impl->geometry(),
                                [this](std::uint32_t face) { return m_impl->triangle(face); });

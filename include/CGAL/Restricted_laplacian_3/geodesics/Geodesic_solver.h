@@ -234,6 +234,19 @@ public:
                                       const std::vector<std::size_t>& targets,
                                       const Geodesic_options& options = {}) const;
 
+  /// The same for points anywhere in faces. Between the corners of a face the distance is that of
+  /// `Geodesic_function`; of a surface given by points the location is the point.
+  /// \param sources each is a set of sources, as for `distances()`
+  /// \param targets locations, in any order
+  /// \param options how they are computed
+  /// \return one row for each element of `sources`, of as many numbers as there are targets
+  /// \throws Parameter_error, Invalid_vertex_error, Location_error as `distances()`; also for
+  /// targets
+  /// \throws Canceled if `progress` returns `false`
+  std::vector<double> distance_matrix(const std::vector<Geodesic_sources>& sources,
+                                      const std::vector<Surface_location>& targets,
+                                      const Geodesic_options& options = {}) const;
+
   /// The vertices that are not farther than a distance from each of several sources.
   /// \param sources each is a set of sources, as for `distances()`
   /// \param maximum_distance in the unit of the coordinates, not negative
@@ -257,9 +270,10 @@ public:
 
 private:
   /// calls `take(i, rays)` with the rays from each of the sources, on several threads
+  /// \param targets vertices of the joined surface at which the rays end; empty: all
   template <class Take>
   void for_each_source(const std::vector<Geodesic_sources>& sources,
-                       const std::vector<std::size_t>& targets, const Geodesic_options& options,
+                       std::vector<std::uint32_t> targets, const Geodesic_options& options,
                        const Take& take) const;
 
   friend class Geodesic_function;

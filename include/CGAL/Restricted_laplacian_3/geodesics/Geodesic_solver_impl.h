@@ -26,6 +26,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -72,6 +73,14 @@ struct Geodesic_solver::Impl {
     return result;
   }
 
+  /// \throws Location_error if it is none
+  Place place(const Surface_location& location) const {
+    const auto checked = this->checked(location);
+    if(!surface.original().is_point_set())
+      return surface.joined(Surface_location{location.face, checked});
+    return place_of_vertex(surface.vertex(static_cast<std::uint32_t>(location.face)));
+  }
+
   /// Sources as rays need them: those that are vertices, with their labels, and parts of faces,
   /// each in all faces that it belongs to.
   struct All_sources {
@@ -109,6 +118,45 @@ struct Geodesic_solver::Impl {
                                            ? "is empty"
                                            : "is the boundary, but the surface has none");
     return result;
+  }
+
+  /// Sources as parts of faces, vertices, too, sorted by their faces.
+  /// \throws as `Geodesic_solver::distances()`
+  std::vector<internal::Source_part> parts(const Geodesic_sources& sources) const {
+    All_sources given = all(sources);
+    for(const auto& [v, label] : given.vertices)
+      geometry.for_each_corner(v, [&, label = label](const internal::Ray_geometry::Corner& c) {
+        internal::Source_part part{c.face, {0, 0, 0}, {0, 0, 0}, label};
+        part.from[c.number] = part.to[c.number] = 1;
+        given.parts.push_back(part);
+      });
+    std::stable_sort(given.parts.begin(), given.parts.end(),
+                     [](const auto& a, const auto& b) { return a.face < b.face; });
+    return std::move(given.parts);
+  }
+
+  /// The distance in a face.
+  /// \param parts of the sources, which are referred to
+  /// \param ray `ray(v)` is the distance of a vertex, in the unit of the geometry, and the angle of
+  /// its ray
+  template <class Ray_of_vertex>
+  internal::Geodesic_triangle triangle(std::uint32_t face,
+                                       const std::vector<internal::Source_part>& parts,
+                                       const Ray_of_vertex& ray) const {
+    internal::Geodesic_triangle::Barycentric distances, angles;
+    for(std::uint32_t k = 0; k < 3; ++k)
+      std::tie(distances[k], angles[k]) = ray(geometry.vertex(face, k));
+    const auto is_before = [](const internal::Source_part& s, std::uint32_t f) {
+      return s.face < f;
+    };
+    const auto first = std::lower_bound(parts.begin(), parts.end(), face, is_before),
+               last = std::lower_bound(first, parts.end(), face + 1, is_before);
+    return {geometry,
+            face,
+            distances,
+            angles,
+            parts.data() + (first - parts.begin()),
+            parts.data() + (last - parts.begin())};
   }
 
   /// the rays of the vertices of the joined surface
@@ -220,16 +268,10 @@ Geodesic_solver::distances(const Geodesic_sources& sources, const Geodesic_optio
 
 template <class Take>
 void Geodesic_solver::for_each_source(const std::vector<Geodesic_sources>& sources,
-                                      const std::vector<std::size_t>& targets,
+                                      std::vector<std::uint32_t> targets,
                                       const Geodesic_options& options, const Take& take) const {
-  std::vector<std::uint32_t> joined_targets;
-  for(const std::size_t v : targets) {
-    location(v); // which throws for what has no face
-    joined_targets.push_back(m_impl->surface.vertex(static_cast<std::uint32_t>(v)));
-  }
-  std::sort(joined_targets.begin(), joined_targets.end());
-  joined_targets.erase(std::unique(joined_targets.begin(), joined_targets.end()),
-                       joined_targets.end());
+  std::sort(targets.begin(), targets.end());
+  targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
   const internal::Progress progress(options.progress);
   const std::thread::id caller = std::this_thread::get_id();
   std::atomic<std::size_t> number_done = 0;
@@ -241,13 +283,19 @@ void Geodesic_solver::for_each_source(const std::vector<Geodesic_sources>& sourc
                              const auto done = static_cast<double>(number_done);
                              part = progress.part(done / number, (done + 1) / number);
                            }
-                           take(i, m_impl->rays(sources[i], options, part, joined_targets));
+                           take(i, m_impl->rays(sources[i], options, part, targets));
                            ++number_done;
                          });
   progress(1);
 }
 
 namespace internal {
+
+/// its numbers are to come
+inline std::vector<double> matrix_of_distances(std::size_t rows, std::size_t columns) {
+  return explain_out_of_memory("not enough memory for a matrix of distances",
+                               [&] { return std::vector<double>(rows * columns); });
+}
 
 /// Adds where a function is 0 that is linear in a face: a segment, three sides or a corner.
 inline void add_zeros(const Triangulated_surface_3& surface, std::size_t face,
@@ -305,9 +353,7 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
 Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
                                  const Geodesic_options& options) const {
   const std::size_t n = surface().number_of_vertices();
-  std::vector<double> result =
-      internal::explain_out_of_memory("not enough memory for a matrix of distances",
-                                      [&] { return std::vector<double>(sources.size() * n); });
+  std::vector<double> result = internal::matrix_of_distances(sources.size(), n);
   for_each_source(sources, {}, options, [&](std::size_t i, const auto& rays) {
     for(std::size_t v = 0; v < n; ++v)
       result[i * n + v] =
@@ -323,14 +369,64 @@ Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
   if(targets.empty())
     return {};
   const std::size_t n = targets.size();
-  std::vector<double> result =
-      internal::explain_out_of_memory("not enough memory for a matrix of distances",
-                                      [&] { return std::vector<double>(sources.size() * n); });
-  for_each_source(sources, targets, options, [&](std::size_t i, const auto& rays) {
+  std::vector<std::uint32_t> vertices;
+  for(const std::size_t v : targets) {
+    location(v); // which throws for what has no face
+    vertices.push_back(m_impl->surface.vertex(static_cast<std::uint32_t>(v)));
+  }
+  std::vector<double> result = internal::matrix_of_distances(sources.size(), n);
+  for_each_source(sources, vertices, options, [&](std::size_t i, const auto& rays) {
     for(std::size_t k = 0; k < n; ++k)
+      result[i * n + k] = rays[vertices[k]].distance * m_impl->unit();
+  });
+  return result;
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<double>
+Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
+                                 const std::vector<Surface_location>& targets,
+                                 const Geodesic_options& options) const {
+  if(targets.empty())
+    return {};
+  const internal::Ray_geometry& geometry = m_impl->geometry;
+  const std::size_t n = targets.size();
+  if(surface().is_point_set()) {
+    std::vector<std::size_t> points;
+    for(const Surface_location& target : targets) {
+      m_impl->checked(target);
+      points.push_back(target.face);
+    }
+    return distance_matrix(sources, points, options);
+  }
+  std::vector<Impl::Place> places;
+  std::vector<std::uint32_t> vertices;
+  double longest_side = 0;
+  for(const Surface_location& target : targets) {
+    places.push_back(m_impl->place(target));
+    const std::uint32_t face = places.back().face;
+    const auto corners = geometry.corners(face);
+    for(std::uint32_t k = 0; k < 3; ++k) {
+      vertices.push_back(geometry.vertex(face, k));
+      longest_side = (std::max)(longest_side, (corners[(k + 1) % 3] - corners[k]).length());
+    }
+  }
+  // corners may be farther than what is in the face
+  Geodesic_options of_corners = options;
+  if(options.maximum_distance && *options.maximum_distance >= 0)
+    of_corners.maximum_distance = *options.maximum_distance + longest_side * m_impl->unit();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> result = internal::matrix_of_distances(sources.size(), n);
+  for_each_source(sources, vertices, of_corners, [&](std::size_t i, const auto& rays) {
+    const std::vector<internal::Source_part> parts = m_impl->parts(sources[i]);
+    for(std::size_t k = 0; k < n; ++k) {
+      const internal::Geodesic_triangle triangle =
+          m_impl->triangle(places[k].face, parts, [&](std::uint32_t v) {
+            return std::pair(rays[v].distance, rays[v].angle);
+          });
+      const double distance = triangle.bounded(places[k].barycentric).distance * m_impl->unit();
       result[i * n + k] =
-          rays[m_impl->surface.vertex(static_cast<std::uint32_t>(targets[k]))].distance *
-          m_impl->unit();
+          distance > options.maximum_distance.value_or(infinity) ? infinity : distance;
+    }
   });
   return result;
 }
