@@ -178,7 +178,12 @@ def test_distances_between_points(sphere):
         assert np.allclose(row, expected, rtol=1e-3, atol=1e-9)
     assert np.allclose(geodesics.distance_matrix(points=points), np.stack(
         [geodesics.distances(points=([f], [b])).distances for f, b in zip(*points)]))
-    # one that is a vertex, and the mean of both directions
+    # over several blocks of rows
+    vertices, corners = np.arange(100), (np.arange(440), np.tile([0.0, 1.0, 0.0], (440, 1)))
+    column = geodesics.distance_matrix(vertices, [400], points=corners)[:, 0]
+    from_there = geodesics.distances(400).distances
+    assert np.allclose(column, from_there[[*vertices, *np.asarray(F)[:440, 1]]], rtol=5e-3, atol=1e-9)
+    # one that is a vertex
     assert np.allclose(geodesics.distance_matrix([0], target_points=points)[0, 1],
                        geodesics.distances(0).distances[F[300][2]], rtol=1e-3)
     square = geodesics.distance_matrix(points=points, target_points=points)
@@ -197,6 +202,11 @@ def test_distances_between_points(sphere):
     near = geodesics.distance_matrix(some, some, maximum_distance=1.5)
     assert (near != near.T).nnz == 0 and near.nnz == (all_of_some <= 1.5).sum()
     assert np.allclose(near.toarray(), np.where(all_of_some <= 1.5, all_of_some, 0), rtol=2e-3)
+    # one direction is within the maximum, the other one is not
+    rows = geodesics.distance_matrix(some)[:, some]
+    i, j = np.unravel_index(np.argmax(abs(rows - rows.T)), rows.shape)
+    near = geodesics.distance_matrix(some, some, maximum_distance=(rows[i, j] + rows[j, i]) / 2)
+    assert near[i, j] == near[j, i] and near[i, j] == pytest.approx(rows[i, j], rel=1e-3)
     none = [], np.zeros((0, 3))
     assert geodesics.distance_matrix(points=none, target_points=points).shape == (0, 3)
     assert geodesics.distance_matrix(points=points, target_points=none).shape == (3, 0)
