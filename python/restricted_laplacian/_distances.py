@@ -247,7 +247,8 @@ class Geodesics:
     V, F : array_like, (n, 3) and (m, 3)
         The triangles, as for `Space`; they need not form a manifold. Or a `Space`.
     normals : array_like, (n, 3), optional
-        For points without faces, oriented alike: triangles are made of them.
+        For points without faces, oriented alike: triangles are made of them. Points that no
+        triangle takes have infinite distances; many of these show that the points are too sparse.
     joining_tolerance : float, optional
         Distance up to which vertices on the boundary are one with others, and divide faces on whose
         sides they lie: for soups with cracks and T-junctions.
@@ -498,8 +499,7 @@ class Geodesics:
             raise argument_error("parcels", f"must be {n} whole numbers")
         if int(per_parcel) != per_parcel or per_parcel < 1:
             raise argument_error("per_parcel", f"is {per_parcel}, but must be at least 1")
-        if not self._surface.is_point_set:
-            of_vertices = np.where(np.bincount(self._surface.faces().ravel(), minlength=n) > 0, of_vertices, -1)
+        of_vertices = np.where(self._solver.have_faces(), of_vertices, -1)
         labels = np.unique(of_vertices[of_vertices >= 0])
         chosen = []
         for label in labels:

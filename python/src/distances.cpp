@@ -276,6 +276,14 @@ RL::Geodesic_fitter make_fitter(const RL::Spline_space_3& space, int threads) {
   return run(threads, nb::none(), [&](const auto&) { return RL::Geodesic_fitter(space, options); });
 }
 
+// whether each vertex has a face
+nb::object have_faces(const RL::Geodesic_solver& solver) {
+  std::vector<std::int64_t> result;
+  for(std::size_t v = 0; v < solver.surface().number_of_vertices(); ++v)
+    result.push_back(solver.has_face(v));
+  return array_of_rows(std::move(result), 1);
+}
+
 nb::tuple location_of_vertex(const RL::Geodesic_solver& solver, std::int64_t v) {
   const RL::Surface_location location = solver.location(index_of(v));
   std::vector<double> barycentric(location.barycentric.begin(), location.barycentric.end());
@@ -327,6 +335,7 @@ void add_distances(nb::module_& m) {
            "labels"_a, "query"_a)
       .def("function", &distance_function, "vertices"_a, "faces"_a, "from_"_a, "to"_a, "boundary"_a,
            "labels"_a, "query"_a, "fitter"_a.none())
+      .def("have_faces", &have_faces)
       .def("location", &location_of_vertex, "vertex"_a)
       .def("signed_distances", &signed_distances, "values"_a, "query"_a)
       .def("distance_matrix", &distance_matrix, "sources"_a, "targets"_a.none(), "query"_a)

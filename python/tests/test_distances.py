@@ -230,6 +230,11 @@ def test_parcels(sphere):
     for bad in (parcels[:5], parcels * 0.5):
         with pytest.raises(rl.InputError, match="parcels"):
             rl.Geodesics(V, F).parcel_distances(bad)
+    # one without a face, a point without a triangle
+    V, parcels, normals = np.vstack([V, [[0, 0, -0.9]]]), np.append(parcels, 3), np.vstack([V, [[0, 0, 1]]])
+    assert np.array_equal(rl.Geodesics(V, F).parcel_distances(parcels)[2], means)
+    of_points = rl.Geodesics(V, normals=normals).parcel_distances(parcels)[2]
+    assert np.allclose(of_points, means, rtol=0.02)
 
 
 def test_memory_and_progress(sphere):

@@ -428,6 +428,20 @@ TEST_CASE("distances_end_at_targets_and_at_a_maximum", "[geodesic]") {
                     RL::Invalid_vertex_error);
     CHECK(geodesics.distance_matrix(sources, std::vector<std::size_t>()).empty());
   }
+  // a vertex without a face
+  shapes::Triangles t = shapes::sphere(2);
+  t.points.emplace_back(1, 1, 1);
+  const std::size_t lonely = t.points.size() - 1;
+  const RL::Geodesic_solver geodesics = shapes::geodesics(t);
+  CHECK((geodesics.has_face(lonely - 1) && !geodesics.has_face(lonely)));
+  CHECK_THROWS_AS(geodesics.has_face(lonely + 1), RL::Invalid_vertex_error);
+  const std::vector<RL::Geodesic_sources> sources = {RL::Geodesic_sources::vertex(3),
+                                                     RL::Geodesic_sources::vertex(lonely)};
+  const Distances all = geodesics.distance_matrix(sources),
+                  some = geodesics.distance_matrix(sources, std::vector<std::size_t>{lonely, 7});
+  CHECK((std::isinf(some[0]) && some[2] == 0 && std::isinf(some[3])));
+  CHECK((std::isinf(all[lonely]) && all[2 * lonely + 1] == 0));
+  CHECK(some[1] == Approx(all[7]).epsilon(1e-3));
 }
 
 TEST_CASE("distances_may_end_anywhere_in_faces", "[geodesic]") {

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -428,6 +429,37 @@ TEST_CASE("distances_of_points_without_faces", "[geodesic_spline]") {
         CHECK(d[i] / scale ==
               Approx(shapes::length((t.points[i] - t.points[85]) / scale)).margin(1e-9));
     }
+  }
+  SECTION("regular: the same from each solver of one process") {
+    // squares with two diagonals of one length, and many sides of one length
+    shapes::Triangles t;
+    for(int i = 0; i <= 40; ++i)
+      for(int j = 0; j <= 40; ++j)
+        t.points.emplace_back(i, j, i % 2 == j % 2 ? 0.5 : 0);
+    const std::vector<RL::Vector_3> normals(t.points.size(), RL::Vector_3(0, 0, 1));
+    std::vector<double> expected;
+    std::vector<std::unique_ptr<char[]>> between; // other memory, other addresses
+    for(int i = 0; i < 6; ++i) {
+      const std::vector<double> d = RL::Geodesic_solver(points(t, normals))
+                                        .distances(RL::Geodesic_sources::vertex(0))
+                                        .distances;
+      if(i == 0)
+        expected = d;
+      const bool is_same = d == expected;
+      CHECK((is_same && *std::max_element(d.begin(), d.end()) < 70));
+      between.push_back(std::make_unique<char[]>(12345));
+    }
+  }
+  SECTION("one whose normal is opposite to all others is at infinity") {
+    shapes::Triangles t = shapes::grid(8, [](double x, double y) { return RL::Point_3(x, y, 0); });
+    std::vector<RL::Vector_3> normals(t.points.size(), RL::Vector_3(0, 0, 1));
+    t.points.emplace_back(0.5, 0.5, 0.1);
+    normals.emplace_back(0, 0, -1);
+    const RL::Geodesic_solver rays(points(t, normals));
+    const std::vector<double> d = rays.distances(RL::Geodesic_sources::vertex(0)).distances;
+    CHECK(d.back() == std::numeric_limits<double>::infinity());
+    CHECK(*std::max_element(d.begin(), d.end() - 1) == Approx(std::sqrt(2.)));
+    CHECK_THROWS_AS(rays.location(t.points.size() - 1), RL::Invalid_vertex_error);
   }
   SECTION("too few") {
     for(const auto& p : {std::vector<RL::Point_3>{{0, 0, 0}, {1, 0, 0}},

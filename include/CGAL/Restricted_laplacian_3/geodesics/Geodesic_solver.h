@@ -173,7 +173,8 @@ class Geodesic_solver {
 public:
   /// Takes time \f$O(n \log n)\f$ for \f$n\f$ faces.
   /// \param surface triangles, or points: then triangles are made of these by CGAL's advancing
-  /// front, and distances are those on them
+  /// front, and distances are those on them; a point that no triangle takes is at infinity, and
+  /// many of these show that the points are too sparse for a surface
   /// \param joining_tolerance in the unit of the coordinates: vertices on the boundary are one if
   /// they are not farther apart, and a face is divided where such a vertex lies on its side, as in
   /// soups with cracks and T-junctions; without a value nothing is joined
@@ -184,6 +185,11 @@ public:
 
   /// the surface, as given to the constructor
   const Triangulated_surface_3& surface() const;
+
+  /// Whether a vertex, or point, is one of a triangle. Others are no part of the surface: their
+  /// distances from all vertices but themselves are infinite.
+  /// \throws Invalid_vertex_error if it does not exist
+  bool has_face(std::size_t vertex) const;
 
   /// A vertex as a location: in one of its faces.
   /// \throws Invalid_vertex_error if it does not exist, or has no face
@@ -226,7 +232,8 @@ public:
   /// \param sources each is a set of sources, as for `distances()`
   /// \param targets vertices, in any order
   /// \param options how they are computed
-  /// \return one row for each element of `sources`, of as many numbers as there are targets
+  /// \return one row for each element of `sources`, of as many numbers as there are targets;
+  /// infinite where no source is reached
   /// \throws Parameter_error, Invalid_vertex_error, Location_error as `distances()`; also for
   /// targets
   /// \throws Canceled if `progress` returns `false`

@@ -225,16 +225,19 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE const Triangulated_surface_3& Geodesic_solver
   return m_impl->surface.original();
 }
 
-CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_location
-Geodesic_solver::location(std::size_t vertex) const {
-  const internal::Ray_geometry& geometry = m_impl->geometry;
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE bool Geodesic_solver::has_face(std::size_t vertex) const {
   if(vertex >= surface().number_of_vertices())
     throw Invalid_vertex_error(vertex, "does not exist");
-  const std::uint32_t v = m_impl->surface.vertex(static_cast<std::uint32_t>(vertex));
-  if(!geometry.has_corner(v))
+  return m_impl->geometry.has_corner(m_impl->surface.vertex(static_cast<std::uint32_t>(vertex)));
+}
+
+CGAL_RESTRICTED_LAPLACIAN_3_INLINE Surface_location
+Geodesic_solver::location(std::size_t vertex) const {
+  if(!has_face(vertex))
     throw Invalid_vertex_error(vertex, "has no face");
   if(surface().is_point_set())
     return {vertex, {1, 0, 0}};
+  const std::uint32_t v = m_impl->surface.vertex(static_cast<std::uint32_t>(vertex));
   return m_impl->surface.original(m_impl->place_of_vertex(v));
 }
 
@@ -369,13 +372,15 @@ Geodesic_solver::distance_matrix(const std::vector<Geodesic_sources>& sources,
   if(targets.empty())
     return {};
   const std::size_t n = targets.size();
-  std::vector<std::uint32_t> vertices;
+  std::vector<std::uint32_t> vertices, to_reach;
   for(const std::size_t v : targets) {
-    location(v); // which throws for what has no face
+    const bool is_on_surface = has_face(v);
     vertices.push_back(m_impl->surface.vertex(static_cast<std::uint32_t>(v)));
+    if(is_on_surface)
+      to_reach.push_back(vertices.back());
   }
   std::vector<double> result = internal::matrix_of_distances(sources.size(), n);
-  for_each_source(sources, vertices, options, [&](std::size_t i, const auto& rays) {
+  for_each_source(sources, to_reach, options, [&](std::size_t i, const auto& rays) {
     for(std::size_t k = 0; k < n; ++k)
       result[i * n + k] = rays[vertices[k]].distance * m_impl->unit();
   });
@@ -471,8 +476,8 @@ Geodesic_solver::farthest_points(std::size_t number, const Geodesic_sources& sou
   if(!sources.empty())
     nearest = distances_from(sources);
   else {
-    std::uint32_t first = 0;
-    while(!m_impl->geometry.has_corner(m_impl->surface.vertex(first)))
+    std::size_t first = 0;
+    while(!has_face(first))
       ++first;
     result.push_back(first);
     if(number > 1)

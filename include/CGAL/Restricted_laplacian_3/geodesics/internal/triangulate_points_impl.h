@@ -7,6 +7,7 @@
 #include <CGAL/Restricted_laplacian_3/geodesics/internal/triangulate_points.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
+#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -62,28 +65,83 @@ private:
   const Triangulated_surface_3* m_points;
 };
 
+/// A vertex or cell of a triangulation that CGAL orders by when it was made, in place of by its
+/// address.
+template <class Base> class With_time_stamp : public Base {
+public:
+  template <class Tds> struct Rebind_TDS {
+    using Other = With_time_stamp<typename Base::template Rebind_TDS<Tds>::Other>;
+  };
+  using Base::Base;
+  using Has_timestamp = CGAL::Tag_true;
+
+  std::size_t time_stamp() const { return m_time_stamp; }
+  void set_time_stamp(std::size_t time_stamp) { m_time_stamp = time_stamp; }
+
+private:
+  std::size_t m_time_stamp = std::size_t(-1);
+};
+
+/// A vertex of CGAL's advancing front with another order of the edges of the front: among equals by
+/// their ends, in place of their addresses, of which each run in one process has others. Regular
+/// points have many equals.
+template <class Base> class Front_vertex : public Base {
+public:
+  template <class Tds> struct Rebind_TDS {
+    using Other = Front_vertex<typename Base::template Rebind_TDS<Tds>::Other>;
+  };
+  using Base::Base;
+
+  /// an edge of the front, by the name that the advancing front has for it
+  struct Radius_ptr_type {
+    double first;
+    typename Base::IO_edge_type* second;
+    std::pair<std::size_t, std::size_t> ends;
+
+    Radius_ptr_type(double value, typename Base::IO_edge_type* edge) : first(value), second(edge) {
+      const auto& side = edge->first.first;
+      const std::size_t from = side.first->vertex(side.second)->info(),
+                        to = side.first->vertex(side.third)->info();
+      ends = std::minmax(from, to);
+    }
+    friend bool operator<(const Radius_ptr_type& a, const Radius_ptr_type& b) {
+      return std::tie(a.first, a.ends, a.second) < std::tie(b.first, b.ends, b.second);
+    }
+  };
+};
+
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE std::vector<Triangulated_surface_3::Triangle>
 triangulate_points(const Triangulated_surface_3& points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Vertex = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Kernel>;
+  using Cell = CGAL::Advancing_front_surface_reconstruction_cell_base_3<Kernel>;
+  using Tds = CGAL::Triangulation_data_structure_3<Front_vertex<With_time_stamp<Vertex>>,
+                                                   With_time_stamp<Cell>>;
+  using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, Tds>;
   // in the unit of the extent, for squares of radii
   const Point_3 center = points.center();
-  std::vector<Kernel::Point_3> unit_points;
+  std::vector<std::pair<Kernel::Point_3, std::size_t>> unit_points;
+  const auto add = [&](double x, double y, double z) {
+    unit_points.emplace_back(Kernel::Point_3(x, y, z), unit_points.size());
+  };
   for(std::size_t i = 0; i < points.number_of_vertices(); ++i) {
     const Vector_3 v = (points.point(i) - center) / points.extent();
-    unit_points.emplace_back(v.x(), v.y(), v.z());
+    add(v.x(), v.y(), v.z());
   }
   // Points in a plane need a triangulation in space, too: points far away, of which no triangle is
   // made.
   constexpr double far = 50;
   for(const double x : {-far, far}) {
-    unit_points.emplace_back(x, 0, 0);
-    unit_points.emplace_back(0, x, 0);
-    unit_points.emplace_back(0, 0, x);
+    add(x, 0, 0);
+    add(0, x, 0);
+    add(0, 0, x);
   }
   std::vector<std::array<std::size_t, 3>> found;
-  CGAL::advancing_front_surface_reconstruction(unit_points.begin(), unit_points.end(),
-                                               std::back_inserter(found),
-                                               Priority_by_normals(points));
+  Delaunay delaunay(unit_points.begin(), unit_points.end());
+  CGAL::Advancing_front_surface_reconstruction<Delaunay, Priority_by_normals> front(
+      delaunay, Priority_by_normals(points));
+  front.run();
+  CGAL::write_triple_indices(std::back_inserter(found), front);
   std::vector<Triangulated_surface_3::Triangle> triangles;
   for(const auto& t : found)
     triangles.push_back({static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]),
