@@ -44,13 +44,19 @@ class _Samples:
             if n < number:
                 # of equilateral triangles there are twice as many as points
                 side = np.sqrt(4 / np.sqrt(3) * spectrum.area / (2 * number))
+                # halving longest sides makes more of needles
+                a, b, c = self.points[faces].transpose(1, 0, 2)
+                longest = np.max([np.linalg.norm((p - q) / side, axis=1) for p, q in ((a, b), (b, c), (c, a))], axis=0)
+                excess = (np.maximum(longest, 1) ** 2).sum() / (2 * number)
+                side *= np.sqrt(max(1, excess / 4))
                 self.points, self.triangles, self._at, self._barycentric, self._parents = _core.refined(
                     surface, float(side))
                 is_known = self._at >= 0
                 self.functions = np.full((len(self.points), self.functions.shape[1]), np.nan)
                 self.functions[is_known] = spectrum.functions()(self._at[is_known], self._barycentric[is_known])
             a, b, c = self.points[self.triangles].transpose(1, 0, 2)
-            areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+            unit = np.sqrt(spectrum.area)  # whose squares neither overflow nor vanish
+            areas = np.linalg.norm(np.cross((b - a) / unit, (c - a) / unit), axis=1) / 2
             self.triangles, self._parents = self.triangles[areas > 0], self._parents[areas > 0]
             self.areas = np.bincount(self.triangles.ravel(), np.repeat(areas[areas > 0] / 3, 3), len(self.points))
         self.known = np.flatnonzero(np.isfinite(self.functions).all(axis=1) & (self.areas > 0))
@@ -201,6 +207,8 @@ class FunctionalMap:
 def _points_of(samples: _Samples, embedded: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The points of a surface whose eigenfunctions are nearest: faces, coordinates, and points in space."""
     functions = samples.functions[:, :embedded.shape[1]]
+    unit = abs(functions[samples.known]).max() or 1.0
+    embedded, functions = embedded / unit, functions / unit
     nearest = samples.known[_nearest(embedded, functions[samples.known])]
     if len(samples.triangles) == 0:
         return (*samples.locations(nearest, np.empty((0, 3))), samples.points[nearest])
@@ -345,7 +353,7 @@ def functional_map(source: Spectrum, target: Spectrum, descriptors: Any = None, 
         a.append(_landmark_functions(source, here, k, scales, "source"))
         b.append(_landmark_functions(target, there, number, scales, "target"))
     left, right = np.concatenate(a, axis=1), np.concatenate(b, axis=1)
-    norms = np.sqrt((left ** 2).sum(axis=0) * (right ** 2).sum(axis=0)) ** 0.5
+    norms = np.sqrt(np.linalg.norm(left, axis=0)) * np.sqrt(np.linalg.norm(right, axis=0))
     is_used = norms > 0
     left, right = left[:, is_used] / norms[is_used], right[:, is_used] / norms[is_used]
     l, m = target.eigenvalues[:number], source.eigenvalues[:k]

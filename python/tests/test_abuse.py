@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import restricted_laplacian as rl
+import restricted_laplacian.learning
 
 V, F = rl.icosphere(2)
 f = V[:, 2]
@@ -172,6 +173,32 @@ def test_values_that_are_not_finite():
             rl.solve_poisson(V, F, lambda p: np.full(len(p), value))
 
 
+@pytest.mark.parametrize("unit, size", [(1e-80, 1), (1e80, 1), (1, 1e-200), (1, 1e150), (1e80, 1e80)])
+def test_units_of_length_and_of_values(unit, size):
+    """Results have the units that they ought to have, for all that is between 1e-100 and 1e100."""
+    def results(unit, size):
+        X, u, o = unit * V, size * f, dict(depth=3)
+        yield rl.solve_poisson(X, F, u, **o) / size / unit ** 2
+        yield rl.solve_screened_poisson(X, F, u, 2 / unit / unit, **o) / size / unit ** 2
+        yield rl.fit_function(X, F, u, **o) / size
+        yield rl.integrate_gradient(X, F, size / unit * (V + [0, 0, 1]), **o) / size
+        yield rl.diffuse(X, F, u, 0.01 * unit ** 2, **o) / size
+        yield rl.smooth(X, F, u, 0.3 * unit, **o) / size
+        yield rl.smooth_surface(X, F, 0.3 * unit, signal=u, **o) / size
+        yield rl.sharpen_surface(X, F, 0.3 * unit, signal=u, **o) / size
+        yield rl.mean_curvature_flow(X, F, 0.01 * unit ** 2, **o) / unit
+        yield rl.curvature(X, F, **o).mean * unit
+        yield rl.geodesic_distance(X, F, 0, exact=True) / unit
+        for eigensolver in ("multigrid", "shift-invert"):
+            spectrum = rl.laplace_spectrum(X, F, 12, eigensolver=eigensolver, depth=4)
+            yield spectrum.eigenvalues[1:] * unit ** 2
+            yield rl.wave_kernel_signature(spectrum, number=5) * unit ** 2
+        yield rl.learning.precompute(X, F, 8).eigenvalues[1:] * unit ** 2
+
+    for i, (found, expected) in enumerate(zip(results(unit, size), results(1, 1))):
+        assert np.allclose(found, expected, rtol=1e-4, atol=1e-4), i
+
+
 def test_locations_that_are_not_on_the_surface():
     u = rl.fit_function(V, F, f, as_spline=True)
     for faces in ([-1], [len(F)], [2 ** 40]):
@@ -284,6 +311,7 @@ def test_too_little_memory_is_a_memory_error():
     program = """
 import resource
 import restricted_laplacian as rl
+import restricted_laplacian.learning
 V, F = rl.icosphere(6)
 rl.eigs(*rl.icosphere(2), 3, threads=1)
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()

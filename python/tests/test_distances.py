@@ -53,6 +53,8 @@ def test_signed_distances(sphere):
     mask = V[:, 2] < 0.5
     assert ((geodesics.signed_distances(mask) < 0) == mask).all()
     assert abs(geodesics.signed_distances(mask) - found).max() < 0.1
+    of_points = rl.Geodesics(V, normals=V).signed_distances(V[:, 2] - 0.5)
+    assert abs(of_points - found).max() < 0.02
     for bad, pattern in ((np.ones(len(V)), "nowhere"), (np.ones(3), "shape"), (np.full(len(V), np.nan), "vertex 0")):
         with pytest.raises(rl.InputError, match=pattern):
             geodesics.signed_distances(bad)

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import restricted_laplacian as rl
+from restricted_laplacian._maps import _Samples
 
 from rolled_sheet import rolled_sheet
 
@@ -109,6 +110,28 @@ def test_vertices_without_faces(pair):
         found = rl.zoomout(rl.functional_map(a, b, count=20), 24).point_map()
         is_lost = found.faces < 0
         assert is_lost.sum() == (b is other) and np.isnan(found.points[is_lost]).all() and np.isfinite(found.points[~is_lost]).all()
+
+
+@pytest.mark.parametrize("unit", [1e-80, 1e80])
+def test_units_of_length(unit):
+    V, F = rl.icosphere(2)
+    X = V * [1, 0.8, 0.6] + 0.1 * V ** 2
+    spectra = [rl.laplace_spectrum(points, F, 20, depth=3) for points in (unit * X, unit * X[:, [1, 2, 0]])]
+    found = rl.zoomout(rl.functional_map(*spectra, landmarks=([0, 30, 60], [0, 30, 60]), count=12)).point_map()
+    assert np.linalg.norm(found.points / unit - X, axis=1).max() < 0.02
+
+
+def test_narrow_strips_are_not_divided_without_end():
+    x, y = np.mgrid[:9, :9].reshape(2, -1) / 8
+    points = np.stack([x, 1e-4 * y, 0 * x], axis=1)
+    i = np.arange(81).reshape(9, 9)
+    a, b, c, d = (x.ravel() for x in (i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]))
+    faces = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
+    strip = rl.laplace_spectrum(points, faces, 10)
+    samples = _Samples(strip, 3000)
+    assert 1000 < len(samples.points) < 12000
+    found = rl.FunctionalMap(np.eye(10), strip, strip).point_map()
+    assert abs(found.points - points)[:, 0].max() < 1e-3
 
 
 def test_what_maps_refuse(pair):

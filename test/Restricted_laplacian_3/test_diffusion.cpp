@@ -205,7 +205,8 @@ TEST_CASE("diffusion_does_not_depend_on_the_unit_of_length", "[diffusion]") {
     for(const bool is_source : {false, true}) {
       const Eigen::VectorXd expected = result_of(1, 1, time, is_source);
       for(const auto& [scale, size] :
-          {std::pair(1e-6, 1.), std::pair(1e6, 1e6), std::pair(1e3, 1e-6)})
+          {std::pair(1e-6, 1.), std::pair(1e6, 1e6), std::pair(1e3, 1e-6), std::pair(1e80, 1e80),
+           std::pair(1., 1e-200)})
         CHECK((result_of(scale, size, time, is_source) - expected).cwiseAbs().maxCoeff() < 1e-3);
     }
 }

@@ -848,6 +848,23 @@ TEST_CASE("signed_distances_are_those_from_zeros", "[geodesic]") {
   for(std::size_t v = 0; v < sphere.points.size(); ++v)
     CHECK((std::abs(latitudes[v]) < 0.5 ? limited[v] == Approx(latitudes[v])
                                         : std::isinf(limited[v]) && limited[v] * values[v] > 0));
+  // of points alone, some twice, with zeros between them
+  std::vector<RL::Point_3> points = t.points;
+  points.insert(points.end(), t.points.begin(), t.points.begin() + 40);
+  const RL::Geodesic_solver of_points(RL::Triangulated_surface_3(
+      points, std::vector<RL::Vector_3>(points.size(), RL::Vector_3(0, 0, 1)),
+      Distances(points.size(), 1)));
+  values.clear();
+  for(const RL::Point_3& p : points)
+    values.push_back(p.x() - 0.31);
+  const RL::Geodesic_distances between = of_points.signed_distances(values);
+  CHECK(between.sources.empty());
+  for(std::size_t v = 0; v < points.size(); ++v) {
+    CHECK(between.distances[v] == Approx(points[v].x() - 0.31).epsilon(1e-3));
+    CHECK(between.directions[v].x() * values[v] == Approx(-std::abs(values[v])).epsilon(1e-3));
+  }
+  CHECK_THROWS_WITH(of_points.signed_distances(Distances(points.size(), 1)),
+                    Catch::Contains("nowhere"));
   // what has no zero
   CHECK_THROWS_WITH(geodesics.signed_distances(Distances(t.points.size(), 1)),
                     Catch::Contains("nowhere"));

@@ -209,7 +209,8 @@ public:
 
   /// Distances of all vertices from where a function is 0 that is linear on each triangle, negative
   /// where the function is negative: the signed distance from the boundary of a region. Directions
-  /// lead to the zeros from both sides.
+  /// lead to the zeros from both sides. Between points the triangles are those that the solver
+  /// made; then `sources` of the result is empty.
   /// \param values of the function, one for each vertex
   /// \param options how they are computed
   /// \throws Parameter_error `values`, if their number is not that of the vertices, one of them is

@@ -339,13 +339,26 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Geodesic_distances Geodesic_solver::signed_di
   for(std::size_t v = 0; v < n; ++v)
     if(!std::isfinite(values[v]))
       throw Parameter_error("values", "hold no finite number for vertex " + std::to_string(v));
-  const Triangulated_surface_3& triangles = m_impl->surface.original();
-  Geodesic_sources sources;
-  for(std::size_t face = 0; face < triangles.number_of_faces(); ++face)
-    internal::add_zeros(triangles, face, values, sources);
-  if(sources.empty())
-    throw Parameter_error("values", "are nowhere 0, and do not change their sign");
-  Geodesic_distances result = distances(sources, options);
+  Geodesic_distances result;
+  if(surface().is_point_set()) {
+    // zeros are on the triangles between the points, which no location names
+    result = Geodesic_solver(m_impl->surface.joined()).signed_distances(values, options);
+    result.sources = {};
+    for(std::size_t v = 0; v < n; ++v) {
+      const std::uint32_t same = m_impl->surface.vertex(static_cast<std::uint32_t>(v));
+      result.distances[v] = std::abs(result.distances[same]);
+      result.directions[v] = result.directions[same];
+      result.angles[v] = result.angles[same];
+      result.labels[v] = result.labels[same];
+    }
+  } else {
+    Geodesic_sources sources;
+    for(std::size_t face = 0; face < surface().number_of_faces(); ++face)
+      internal::add_zeros(surface(), face, values, sources);
+    if(sources.empty())
+      throw Parameter_error("values", "are nowhere 0, and do not change their sign");
+    result = distances(sources, options);
+  }
   for(std::size_t v = 0; v < n; ++v)
     if(values[v] < 0)
       result.distances[v] = -result.distances[v];

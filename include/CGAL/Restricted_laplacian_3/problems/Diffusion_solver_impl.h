@@ -56,9 +56,9 @@ enum class Diffusion_function { exponential, integral, high_pass };
 inline double diffusion_factor(Diffusion_function function, double time, double theta) {
   constexpr double smallest = 1e-14; // the function is 0, or nearly constant, beyond
   const double gamma = part_of_diffusion_time * time, t = (std::max)(theta, smallest),
-               lambda = (std::max)((1 / t - 1) / gamma, 0.);
+               of_gamma = (std::max)(1 / t - 1, 0.), lambda = of_gamma / gamma;
   if(function == Diffusion_function::high_pass)
-    return lambda / (1 / (gamma * gamma) + lambda * lambda) / t;
+    return gamma * of_gamma / (1 + of_gamma * of_gamma) / t;
   if(function == Diffusion_function::exponential)
     return std::exp(-time * lambda) / t;
   return (lambda * time < 1e-8 ? time : -std::expm1(-time * lambda) / lambda) / t;
@@ -186,7 +186,12 @@ public:
   /// adds what becomes of the functions with these loads to coefficients
   void run(const Eigen::MatrixXd& loads, Eigen::Ref<Eigen::MatrixXd> coefficients,
            Solve_report& report, const internal::Progress& progress) {
-    start(loads, report);
+    // so that squares neither overflow nor vanish
+    const Eigen::RowVectorXd units =
+        loads.cwiseAbs().colwise().maxCoeff().unaryExpr([](double largest) {
+          return largest > std::numeric_limits<double>::min() ? std::exp2(std::ilogb(largest)) : 1;
+        });
+    start(loads * units.cwiseInverse().asDiagonal(), report);
     while(!m_active.empty()) {
       constexpr double usual_number_of_vectors = 8;
       const auto vectors = static_cast<double>(m_basis.size());
@@ -201,7 +206,7 @@ public:
     report.relative_residual = (std::max)(report.relative_residual, m_last_change);
     for(Eigen::Index k = 0; k < loads.cols(); ++k)
       for(Eigen::Index j = 0; j < m_functions[k].result.size(); ++j)
-        coefficients.col(k) += m_functions[k].result[j] * m_basis[j].col(k);
+        coefficients.col(k) += units[k] * (m_functions[k].result[j] * m_basis[j].col(k));
     report.iterations = (std::max)(report.iterations, static_cast<int>(m_basis.size()));
     progress(1);
   }
@@ -411,7 +416,9 @@ Diffusion_solver::diffuse_loads(const Eigen::MatrixXd& initial, const Eigen::Mat
                  result, of_part);
     }
   if(m_number_of_components > 0) {
-    const Eigen::MatrixXd left = means_of(m_integrals.asDiagonal() * result.coefficients);
+    const double area = m_integrals.sum(); // taken out, so that products do not overflow
+    const Eigen::MatrixXd left =
+        area * means_of((m_integrals / area).asDiagonal() * result.coefficients);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(m_integrals.size());
     add_constants(means - left, 1, ones, result.coefficients);
   }

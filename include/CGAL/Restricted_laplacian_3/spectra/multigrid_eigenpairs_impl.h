@@ -20,7 +20,9 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -124,6 +126,75 @@ inline bool solve_start(const Sparse_matrix& stiffness, const Sparse_matrix& mas
   return pairs.values.size() == number;
 }
 
+/// The pairs, of matrices that were checked.
+inline Eigenpairs nested_eigenpairs(std::vector<Sparse_matrix> stiffness,
+                                    std::vector<Sparse_matrix> mass,
+                                    std::vector<Sparse_matrix> prolongations,
+                                    std::vector<Smoothing_patches> patches, int k,
+                                    const Multigrid_eigenpairs_options& options) {
+  const double tolerance = tolerance_of(options);
+  const std::size_t finest = stiffness.size() - 1;
+  Eigenpairs_options start_options;
+  start_options.progress = options.progress;
+  if(k < 1 || k > stiffness[finest].cols() / unknowns_of_a_start_vector)
+    return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
+  const int carried = number_of_carried_vectors(k);
+  std::size_t start = 0;
+  while(start < finest && stiffness[start].cols() < unknowns_of_a_start_vector * carried)
+    ++start;
+
+  const Progress progress(options.progress);
+  progress(0);
+  Eigenpairs at_start;
+  double work = 0, done = 0;
+  for(; start < finest; ++start) {
+    work = 0;
+    for(std::size_t level = start; level <= finest; ++level)
+      work += static_cast<double>(stiffness[level].cols());
+    done = static_cast<double>(stiffness[start].cols()) / work;
+    if(solve_start(stiffness[start], mass[start], carried, progress.part(0, done), at_start))
+      break;
+  }
+  if(start == finest)
+    return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
+
+  Eigenpairs pairs;
+  pairs.shift = natural_shift(mass[finest].coeffs().sum());
+  pairs.coarser_values.emplace_back(at_start.values.head(k));
+  const double alpha = reaction_of_hierarchy(at_start.values, pairs.shift);
+  Lobpcg_levels levels =
+      make_levels(start, alpha, stiffness, mass, prolongations, patches, options.is_parallel);
+  Nested_lobpcg solver(levels.multigrid, at_start.vectors,
+                       {alpha, pairs.shift, options.maximum_iterations, options.smoothing_steps,
+                        options.is_parallel});
+  for(std::size_t level = start + 1; level <= finest; ++level) {
+    const double next = done + static_cast<double>(levels.pencils[level].rows()) / work;
+    const Progress of_level = progress.part(done, next);
+    done = next;
+    of_level(0);
+    solver.prolongate(level, levels.prolongations[level], levels.pencils[level]);
+    Sparse_matrix().swap(levels.prolongations[level]);
+    const bool is_finest = level == finest;
+    solver.improve(is_finest ? k : carried, is_finest ? tolerance : tolerance_of_coarse_levels,
+                   is_finest && !options.eigenvalues_only,
+                   [&of_level](double part) { of_level(part); });
+    if(!is_finest)
+      pairs.coarser_values.push_back(solver.values(k));
+  }
+  pairs.iterations = solver.iterations();
+  solver.take_pairs(k, pairs);
+  // what was given up may have been a pair beyond those that are asked for
+  pairs.set_status((pairs.residuals.array() <= tolerance).all() ? Solve_status::converged
+                                                                : solver.status());
+  return pairs;
+}
+
+/// A power of 4 near the sum of the entries of a matrix: dividing by it, or by its root, is exact.
+inline double unit_of(const Sparse_matrix& mass) {
+  const double sum = mass.coeffs().sum();
+  return sum > std::numeric_limits<double>::min() ? std::exp2(2 * (std::ilogb(sum) / 2)) : 1;
+}
+
 } // namespace internal
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
@@ -135,61 +206,18 @@ CGAL_RESTRICTED_LAPLACIAN_3_INLINE Eigenpairs multigrid_eigenpairs(
       matrix.makeCompressed();
   internal::check_levels(stiffness, mass, prolongations, patches);
   internal::check_options(options);
-  const double tolerance = internal::tolerance_of(options);
-  const std::size_t finest = stiffness.size() - 1;
-  Eigenpairs_options start_options;
-  start_options.progress = options.progress;
-  if(k < 1 || k > stiffness[finest].cols() / internal::unknowns_of_a_start_vector)
-    return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
-  const int carried = internal::number_of_carried_vectors(k);
-  std::size_t start = 0;
-  while(start < finest && stiffness[start].cols() < internal::unknowns_of_a_start_vector * carried)
-    ++start;
-
-  const internal::Progress progress(options.progress);
-  progress(0);
-  Eigenpairs at_start;
-  double work = 0, done = 0;
-  for(; start < finest; ++start) {
-    work = 0;
-    for(std::size_t level = start; level <= finest; ++level)
-      work += static_cast<double>(stiffness[level].cols());
-    done = static_cast<double>(stiffness[start].cols()) / work;
-    if(internal::solve_start(stiffness[start], mass[start], carried, progress.part(0, done),
-                             at_start))
-      break;
-  }
-  if(start == finest)
-    return smallest_eigenpairs(stiffness[finest], mass[finest], k, start_options);
-
-  Eigenpairs pairs;
-  pairs.shift = internal::natural_shift(mass[finest].coeffs().sum());
-  pairs.coarser_values.emplace_back(at_start.values.head(k));
-  const double alpha = internal::reaction_of_hierarchy(at_start.values, pairs.shift);
-  internal::Lobpcg_levels levels = internal::make_levels(
-      start, alpha, stiffness, mass, prolongations, patches, options.is_parallel);
-  internal::Nested_lobpcg solver(levels.multigrid, at_start.vectors,
-                                 {alpha, pairs.shift, options.maximum_iterations,
-                                  options.smoothing_steps, options.is_parallel});
-  for(std::size_t level = start + 1; level <= finest; ++level) {
-    const double next = done + static_cast<double>(levels.pencils[level].rows()) / work;
-    const internal::Progress of_level = progress.part(done, next);
-    done = next;
-    of_level(0);
-    solver.prolongate(level, levels.prolongations[level], levels.pencils[level]);
-    Sparse_matrix().swap(levels.prolongations[level]);
-    const bool is_finest = level == finest;
-    solver.improve(
-        is_finest ? k : carried, is_finest ? tolerance : internal::tolerance_of_coarse_levels,
-        is_finest && !options.eigenvalues_only, [&of_level](double part) { of_level(part); });
-    if(!is_finest)
-      pairs.coarser_values.push_back(solver.values(k));
-  }
-  pairs.iterations = solver.iterations();
-  solver.take_pairs(k, pairs);
-  // what was given up may have been a pair beyond those that are asked for
-  pairs.set_status((pairs.residuals.array() <= tolerance).all() ? Solve_status::converged
-                                                                : solver.status());
+  // Numbers of single precision are to stay in their range, whatever the unit of length.
+  const double unit = internal::unit_of(mass.back());
+  for(Sparse_matrix& matrix : mass)
+    matrix /= unit;
+  Eigenpairs pairs =
+      internal::nested_eigenpairs(std::move(stiffness), std::move(mass), std::move(prolongations),
+                                  std::move(patches), k, options);
+  pairs.values /= unit;
+  pairs.shift /= unit;
+  pairs.vectors /= std::sqrt(unit);
+  for(Eigen::VectorXd& values : pairs.coarser_values)
+    values /= unit;
   return pairs;
 }
 
