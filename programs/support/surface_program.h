@@ -201,7 +201,9 @@ public:
   void fail(const RL::Solve_report& report) {
     std::ostringstream text;
     text << "the iteration " << to_string(report.status) << ", with ";
-    if(report.status == RL::Solve_status::inaccurate)
+    if(report.status == RL::Solve_status::inaccurate && std::isnan(report.estimated_error))
+      text << "an error that cannot be estimated: no two depths can be compared";
+    else if(report.status == RL::Solve_status::inaccurate)
       text << "an estimated error of " << report.estimated_error;
     else
       text << "a relative residual of " << report.relative_residual << " after "

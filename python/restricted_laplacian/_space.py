@@ -43,7 +43,9 @@ def checked(result: Any, report: dict, check: bool, return_report: bool, advice:
     if check and not own.converged:
         what = f"a relative residual of {own.relative_residual:.3g} after {own.iterations} iterations{advice}"
         if own.status == "did not reach the accuracy":
-            what = f"an estimated error of {own.estimated_error:.3g}"
+            known = np.isfinite(own.estimated_error)
+            what = (f"an estimated error of {own.estimated_error:.3g}" if known else
+                    "an error that cannot be estimated: no two depths can be compared")
         error = ConvergenceError(f"the solver did not converge: the iteration {own.status}, with {what}")
         error.result, error.report = result, own
         raise error

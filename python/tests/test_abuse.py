@@ -181,7 +181,7 @@ def test_units_of_length_and_of_values(unit, size):
         yield rl.solve_poisson(X, F, u, **o) / size / unit ** 2
         yield rl.solve_screened_poisson(X, F, u, 2 / unit / unit, **o) / size / unit ** 2
         yield rl.fit_function(X, F, u, **o) / size
-        yield rl.integrate_gradient(X, F, size / unit * (V + [0, 0, 1]), **o) / size
+        yield rl.integrate_gradient(X, F, size * (V + [0, 0, 1]), **o) / size / unit
         yield rl.diffuse(X, F, u, 0.01 * unit ** 2, **o) / size
         yield rl.smooth(X, F, u, 0.3 * unit, **o) / size
         yield rl.smooth_surface(X, F, 0.3 * unit, signal=u, **o) / size

@@ -277,6 +277,25 @@ TEST_CASE("what_is_narrower_than_the_first_cells_is_found", "[estimates]") {
   CHECK(fit.root_mean_square_error() < 1.1e-2 * width / 2); // the root mean square of the bump
 }
 
+TEST_CASE("few_points_have_the_accuracy_that_is_asked_for", "[estimates]") {
+  // whose deepest space has nothing coarser to compare with, unless the search begins there
+  for(const int subdivisions : {5, 6}) {
+    std::vector<RL::Point_3> points = shapes::sphere(subdivisions).points;
+    std::vector<RL::Vector_3> normals;
+    for(const RL::Point_3& p : points)
+      normals.push_back(p - CGAL::ORIGIN);
+    const auto surface = RL::point_set(points, normals);
+    std::vector<double> u(points.size());
+    const RL::Solve_report report = RL::solve_poisson(
+        surface, [](const RL::Surface_point& p) { return p.point.z(); }, CGAL::make_property_map(u),
+        params::accuracy(1e-2));
+    CHECK(report.converged);
+    CHECK(report.estimated_error <= 1e-2);
+    for(std::size_t i = 0; i < points.size(); ++i)
+      CHECK(-2 * u[i] == Approx(points[i].z()).margin(1e-2));
+  }
+}
+
 TEST_CASE("problems_with_prescribed_values_have_the_accuracy_that_is_asked_for", "[estimates]") {
   // spaces are compared with each other
   const shapes::Triangles t = shapes::bumpy_square(12, 0.3, 2, 1);

@@ -162,19 +162,18 @@ inline Eigen::MatrixXd component_means(const Mean_projection& constants,
 inline void shift_to_means(const std::vector<int>& components, const Eigen::VectorXd& measures,
                            const Eigen::MatrixXd& means, Eigen::MatrixXd& x) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(means.rows());
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(means.rows(), means.cols());
+  for(std::size_t i = 0; i < components.size(); ++i)
+    if(components[i] >= 0)
+      weights[components[i]] += measures[static_cast<Eigen::Index>(i)];
+  Eigen::MatrixXd changes = means;
   for(std::size_t i = 0; i < components.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    if(components[i] < 0 || measures[row] == 0)
-      continue;
-    weights[components[i]] += measures[row];
-    sums.row(components[i]) += measures[row] * x.row(row);
+    if(components[i] >= 0 && measures[row] > 0) // before the product, which may overflow
+      changes.row(components[i]) -= (measures[row] / weights[components[i]]) * x.row(row);
   }
-  for(std::size_t i = 0; i < components.size(); ++i) {
-    const int c = components[i];
-    if(c >= 0 && weights[c] > 0)
-      x.row(static_cast<Eigen::Index>(i)) += means.row(c) - sums.row(c) / weights[c];
-  }
+  for(std::size_t i = 0; i < components.size(); ++i)
+    if(components[i] >= 0 && weights[components[i]] > 0)
+      x.row(static_cast<Eigen::Index>(i)) += changes.row(components[i]);
 }
 
 CGAL_RESTRICTED_LAPLACIAN_3_INLINE Gradient_solution

@@ -41,12 +41,15 @@ Spline_space_3 space_of(const Spline_space_3& space, const NamedParameters&) {
 inline int first_depth_of_search(const Triangulated_surface_3& surface,
                                  const Spline_space_options& options) {
   constexpr int default_first_depth = 4;
-  const int depth = options.depth.value_or(default_first_depth);
   if(!surface.is_point_set())
-    return depth;
-  // sums over few points do not determine functions on small cells
-  return (std::min)(
-      depth, default_depth(surface, options.cube_scale.value_or(options.default_cube_scale)));
+    return options.depth.value_or(default_first_depth);
+  // Sums over few points do not determine functions on small cells; and without coarser spaces
+  // there is no estimate.
+  constexpr int levels_of_an_estimate = 2;
+  const int deepest =
+      default_depth(surface, options.cube_scale.value_or(options.default_cube_scale));
+  return (std::min)(options.depth.value_or(default_first_depth),
+                    options.depth ? deepest : (std::max)(deepest - levels_of_an_estimate, 1));
 }
 
 /// The space of a surface of the caller, or with an `accuracy` the first one of the search for it.
