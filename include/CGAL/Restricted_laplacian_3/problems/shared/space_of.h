@@ -48,8 +48,9 @@ inline int first_depth_of_search(const Triangulated_surface_3& surface,
   constexpr int levels_of_an_estimate = 2;
   const int deepest =
       default_depth(surface, options.cube_scale.value_or(options.default_cube_scale));
-  return (std::min)(options.depth.value_or(default_first_depth),
-                    options.depth ? deepest : (std::max)(deepest - levels_of_an_estimate, 1));
+  if(options.depth)
+    return (std::min)(*options.depth, deepest);
+  return (std::min)(default_first_depth, (std::max)(deepest - levels_of_an_estimate, 1));
 }
 
 /// The space of a surface of the caller, or with an `accuracy` the first one of the search for it.
